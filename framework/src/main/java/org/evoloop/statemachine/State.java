@@ -1,0 +1,30 @@
+package org.evoloop.statemachine;
+
+/**
+ * A state of a machine; its identity is its name, so that a state of the original model and the state of the same name
+ * in the new model are equal (the paper's Condition 2 speaks of names).
+ *
+ * <p>Threading: immutable.
+ *
+ * @param name as drawn, not blank
+ */
+public record State(String name) implements Comparable<State> {
+
+    /** @throws ModelException if {@code name} is blank */
+    public State {
+        if (name.isBlank()) {
+            throw new ModelException("a state has no name; give it one");
+        }
+    }
+
+    /** Orders by name. */
+    @Override
+    public int compareTo(State other) {
+        return name.compareTo(other.name);
+    }
+
+    @Override
+    public String toString() {
+        return name;
+    }
+}

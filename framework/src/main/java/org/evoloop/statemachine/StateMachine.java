@@ -1,0 +1,114 @@
+package org.evoloop.statemachine;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A state machine model Sys = (E, S, T) with an initial state (paper, section IV.A): T is a function S x E -> S, so at
+ * most one transition leaves a state on an event.
+ *
+ * <p>Sets keep the order in which the model names their members. Build one with {@link #named(String)}, or read it from
+ * a file with {@code org.evoloop.xmi}.
+ *
+ * <p>Threading: immutable.
+ */
+public final class StateMachine {
+    private final String name;
+    private final State initial;
+    private final Set<State> states;
+    private final Set<Event> events;
+    private final Map<State, Map<Event, Transition>> outgoing;
+
+    StateMachine(
+            String name,
+            State initial,
+            Set<State> states,
+            Set<Event> events,
+            Map<State, Map<Event, Transition>> outgoing) {
+        this.name = name;
+        this.initial = initial;
+        this.states = Collections.unmodifiableSet(new LinkedHashSet<>(states));
+        this.events = Collections.unmodifiableSet(new LinkedHashSet<>(events));
+        Map<State, Map<Event, Transition>> copy = new LinkedHashMap<>();
+        outgoing.forEach(
+                (state, byEvent) -> copy.put(state, Collections.unmodifiableMap(new LinkedHashMap<>(byEvent))));
+        this.outgoing = Collections.unmodifiableMap(copy);
+    }
+
+    /** Starts a machine of this name; the name is what messages call it. */
+    public static StateMachineBuilder named(String name) {
+        return new StateMachineBuilder(name);
+    }
+
+    /** What messages call this machine; the diagram name when it was read from a file. */
+    public String name() {
+        return name;
+    }
+
+    /** The state in which the machine starts; a member of {@link #states()}. */
+    public State initial() {
+        return initial;
+    }
+
+    /** S, never empty. */
+    public Set<State> states() {
+        return states;
+    }
+
+    /** E. */
+    public Set<Event> events() {
+        return events;
+    }
+
+    /** T, ordered by source state. */
+    public List<Transition> transitions() {
+        List<Transition> all = new ArrayList<>();
+        outgoing.values().forEach(byEvent -> all.addAll(byEvent.values()));
+        return Collections.unmodifiableList(all);
+    }
+
+    /** The transitions that leave {@code source}; empty for a state that is not of this machine. */
+    public List<Transition> transitionsFrom(State source) {
+        Map<Event, Transition> byEvent = outgoing.get(source);
+        return byEvent == null ? List.of() : List.copyOf(byEvent.values());
+    }
+
+    /** Whether {@code state} is a member of S (the paper's {@code existState}). */
+    public boolean hasState(State state) {
+        return states.contains(state);
+    }
+
+    /** Whether {@code event} is acceptable in {@code source} (the paper's {@code existTransition}). */
+    public boolean hasTransition(State source, Event event) {
+        return find(source, event) != null;
+    }
+
+    /** The transition that {@code event} triggers in {@code source} (the paper's {@code getTransition}). */
+    public Optional<Transition> transition(State source, Event event) {
+        return Optional.ofNullable(find(source, event));
+    }
+
+    /** Where {@code event} leads from {@code source} (the paper's {@code getNextState}). */
+    public Optional<State> nextState(State source, Event event) {
+        return transition(source, event).map(Transition::target);
+    }
+
+    private @Nullable Transition find(State source, Event event) {
+        Map<Event, Transition> byEvent = outgoing.get(source);
+        return byEvent == null ? null : byEvent.get(event);
+    }
+
+    /** For messages: the name and the sizes of S, E and T. */
+    @Override
+    public String toString() {
+        return name + " (" + states.size() + " states, " + events.size() + " events, "
+                + transitions().size() + " transitions)";
+    }
+}

@@ -1,0 +1,115 @@
+package org.evoloop.statemachine;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Collects the parts of a {@link StateMachine}; {@link #build()} reports every problem at once.
+ *
+ * <p>Threading: not thread-safe.
+ */
+public final class StateMachineBuilder {
+    private final String name;
+    private final Set<State> states = new LinkedHashSet<>();
+    private final Set<Event> events = new LinkedHashSet<>();
+    private final Map<State, Map<Event, Placed>> outgoing = new LinkedHashMap<>();
+    private final List<String> problems = new ArrayList<>();
+    private @Nullable State initial;
+
+    private record Placed(Transition transition, String place) {
+        @Override
+        public String toString() {
+            return place.isEmpty() ? transition.toString() : transition + " (" + place + ")";
+        }
+    }
+
+    StateMachineBuilder(String name) {
+        this.name = name;
+    }
+
+    /** The state in which the machine starts. */
+    public StateMachineBuilder initial(String state) {
+        State candidate = new State(state);
+        if (initial != null && !initial.equals(candidate)) {
+            problems.add("two initial states, " + initial + " and " + candidate + "; keep one");
+        }
+        initial = candidate;
+        states.add(candidate);
+        return this;
+    }
+
+    /** Adds a state; states that a transition or {@link #initial} names need no call of their own. */
+    public StateMachineBuilder state(String state) {
+        states.add(new State(state));
+        return this;
+    }
+
+    /** Adds an event that no transition needs to carry. */
+    public StateMachineBuilder event(String event) {
+        addEvent(new Event(event));
+        return this;
+    }
+
+    /** Adds a transition, and its states and event with it. */
+    public StateMachineBuilder transition(String source, String event, String target) {
+        return transition(source, event, target, "");
+    }
+
+    /**
+     * Adds a transition that stands in a file.
+     *
+     * @param place where, for messages, such as {@code line 12}; empty if it stands nowhere
+     */
+    public StateMachineBuilder transition(String source, String event, String target, String place) {
+        Placed added = new Placed(new Transition(new State(source), new Event(event), new State(target)), place);
+        Transition transition = added.transition();
+        states.add(transition.source());
+        states.add(transition.target());
+        addEvent(transition.event());
+        Placed present = outgoing.computeIfAbsent(transition.source(), state -> new LinkedHashMap<>())
+                .putIfAbsent(transition.event(), added);
+        if (present != null) {
+            problems.add("two transitions leave state " + source + " on event " + event + ": " + present + " and "
+                    + added + "; remove one of them or give it another event");
+        }
+        return this;
+    }
+
+    private void addEvent(Event event) {
+        if (events.add(event)) {
+            try {
+                event.timeTrigger();
+            } catch (ModelException malformed) {
+                problems.add(malformed.getMessage());
+            }
+        }
+    }
+
+    /**
+     * The machine.
+     *
+     * @throws ModelException if it has no initial state, is not deterministic, or has a malformed time trigger; the
+     *     message lists all problems
+     */
+    public StateMachine build() {
+        State start = initial;
+        if (start == null) {
+            problems.add("no initial state; draw an initial pseudostate with a transition to the first state");
+        }
+        if (start == null || !problems.isEmpty()) {
+            throw new ModelException("state machine '" + name + "': " + String.join("; ", problems));
+        }
+        Map<State, Map<Event, Transition>> plain = new LinkedHashMap<>();
+        outgoing.forEach((state, byEvent) -> {
+            Map<Event, Transition> row = new LinkedHashMap<>();
+            byEvent.forEach((event, placed) -> row.put(event, placed.transition()));
+            plain.put(state, row);
+        });
+        return new StateMachine(name, start, states, events, plain);
+    }
+}
