@@ -1,0 +1,25 @@
+package org.evoloop.evolution;
+
+import org.evoloop.statemachine.State;
+
+/**
+ * Where an evolved device stands: the current states of both models (the paper's oState and nState).
+ *
+ * <p>Threading: immutable.
+ *
+ * @param original where the device is
+ * @param evolved where the evolved system is
+ */
+public record Configuration(State original, State evolved) {
+
+    /** The same with the device moved to {@code state}. */
+    public Configuration withOriginal(State state) {
+        return new Configuration(state, evolved);
+    }
+
+    /** For messages: {@code (Clean, SpotWait)}. */
+    @Override
+    public String toString() {
+        return "(" + original + ", " + evolved + ")";
+    }
+}

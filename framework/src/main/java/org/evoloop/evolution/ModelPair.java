@@ -1,0 +1,83 @@
+package org.evoloop.evolution;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.ModelException;
+import org.evoloop.statemachine.State;
+import org.evoloop.statemachine.StateMachine;
+
+/**
+ * The two models of an evolution: the device as it is and the device as its owner wants it (the paper's Sys_o and
+ * Sys_n). What the paper calls new is called evolved in code, where {@code new} is a word of the language.
+ *
+ * <p>Threading: immutable.
+ *
+ * @param original what the device does by itself
+ * @param evolved what device and converter shall do together
+ */
+public record ModelPair(StateMachine original, StateMachine evolved) {
+
+    /** Something of the original model that the new model lacks, against Definition IV.1 of the paper. */
+    public sealed interface Violation {
+        /** Condition 1, E_o is a subset of E_n: {@code event} is missing in the new model. */
+        record MissingEvent(Event event) implements Violation {
+            @Override
+            public String toString() {
+                return "Condition 1: event " + event + " is missing in the new model";
+            }
+        }
+
+        /** Condition 2, S_o is a subset of S_n: {@code state} is missing in the new model. */
+        record MissingState(State state) implements Violation {
+            @Override
+            public String toString() {
+                return "Condition 2: state " + state + " is missing in the new model";
+            }
+        }
+    }
+
+    /** Every violation of Conditions 1 and 2, events first; empty if the pair is an evolution. */
+    public List<Violation> violations() {
+        List<Violation> found = new ArrayList<>();
+        for (Event event : original.events()) {
+            if (!evolved.events().contains(event)) {
+                found.add(new Violation.MissingEvent(event));
+            }
+        }
+        for (State state : original.states()) {
+            if (!evolved.hasState(state)) {
+                found.add(new Violation.MissingState(state));
+            }
+        }
+        return found;
+    }
+
+    /**
+     * Refuses a pair that is no evolution.
+     *
+     * @throws ModelException naming every violation of Conditions 1 and 2, and both initial states if they differ
+     */
+    public void requireValid() {
+        List<String> problems = new ArrayList<>();
+        violations().forEach(violation -> problems.add(violation.toString()));
+        if (!original.initial().equals(evolved.initial())) {
+            problems.add("the new model starts in " + evolved.initial() + ", the device in " + original.initial());
+        }
+        if (!problems.isEmpty()) {
+            throw new ModelException("the models '" + original.name() + "' and '" + evolved.name()
+                    + "' are not an evolution: " + String.join("; ", problems)
+                    + ". Keep what the device has and add to it: names must be equal, capital letters included");
+        }
+    }
+
+    /** Where both machines start. */
+    public Configuration initial() {
+        return new Configuration(original.initial(), evolved.initial());
+    }
+
+    /** Whether {@code state} is one that only the new model has: a function that the converter runs. */
+    public boolean isNew(State state) {
+        return !original.hasState(state);
+    }
+}

@@ -1,0 +1,20 @@
+package org.evoloop.evolution;
+
+/** Where an event came from. */
+public enum Source {
+    /** A control of the controller: a wall switch, a remote, an app. */
+    CONTROLLER,
+    /** A control on the device itself. */
+    PANEL,
+    /** The device, of its own accord: it finished something. */
+    DEVICE,
+    /** A timer that the framework keeps for a state. */
+    TIMER,
+    /** A new function that runs on this computer. */
+    FUNCTION;
+
+    /** Whether somebody outside operated a control; all else is internal to the evolved system. */
+    public boolean isButton() {
+        return this == CONTROLLER || this == PANEL;
+    }
+}

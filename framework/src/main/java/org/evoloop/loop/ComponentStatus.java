@@ -1,0 +1,29 @@
+package org.evoloop.loop;
+
+/**
+ * What is to be known of one component.
+ *
+ * <p>Threading: immutable; a picture of one moment.
+ *
+ * @param name the component's name
+ * @param role its place in the loop
+ * @param thread the name of its thread, empty in a loop without threads
+ * @param activity what the thread does now: waiting, working, stuck or ended
+ * @param failures how often it has failed
+ * @param lastFailure the message of the last failure, empty if there was none
+ */
+public record ComponentStatus(
+        String name, Component.Role role, String thread, Activity activity, long failures, String lastFailure) {
+
+    /** What a component's thread does. */
+    public enum Activity {
+        /** It waits for work; of a monitor, for something to occur. */
+        WAITING,
+        /** It works on an occurrence. */
+        WORKING,
+        /** It was told to stop and has not; exchange it. */
+        STUCK,
+        /** It has no thread, or none any more. */
+        ENDED
+    }
+}

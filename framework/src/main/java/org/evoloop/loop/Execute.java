@@ -1,0 +1,36 @@
+package org.evoloop.loop;
+
+/**
+ * Superclass of the components that act. A loop may have several; its {@link Dispatch} says which of them takes a plan,
+ * and in what order.
+ *
+ * <p>Threading: {@link #execute} is called on the component's own thread. It may wait, for instance until the device is
+ * ready: occurrences queue up meanwhile. One that waits longer than the loop's step limit is interrupted.
+ *
+ * @param <P> a plan
+ */
+public abstract non-sealed class Execute<P> extends Component {
+
+    /** A component that is called like its class. */
+    protected Execute() {
+        this("");
+    }
+
+    /** @param name what the console calls it, unique within a loop */
+    protected Execute(String name) {
+        super(name);
+    }
+
+    @Override
+    public final Role role() {
+        return Role.EXECUTE;
+    }
+
+    /**
+     * Carries out {@code plan}; its effect has happened when this returns.
+     *
+     * @throws InterruptedException if the thread is told to stop while it waits
+     * @throws Exception any failure: it is reported, and this occurrence ends here
+     */
+    protected abstract void execute(P plan) throws Exception;
+}

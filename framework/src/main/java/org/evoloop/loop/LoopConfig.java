@@ -1,0 +1,63 @@
+package org.evoloop.loop;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import org.evoloop.time.Clock;
+
+/**
+ * How a loop runs.
+ *
+ * <p>Threading: immutable.
+ *
+ * @param name part of every thread's name
+ * @param clock the time of back-off and limits
+ * @param queueCapacity how many occurrences may wait, 1 to 1,000,000
+ * @param stepLimit how long an analyze, plan or execute component may work on one occurrence before it is interrupted, at
+ *     least 1 ms, in the clock's time
+ * @param joinLimit how long to wait for a thread that was told to stop, 1 ms to 1 min, in real time
+ * @param threads false for a loop without threads, which is driven by {@link MapeLoop#observe} and {@link MapeLoop#step}
+ */
+public record LoopConfig(
+        String name, Clock clock, int queueCapacity, Duration stepLimit, Duration joinLimit, boolean threads) {
+
+    /** 8 waiting occurrences, 30 s a step, 2 s to stop, with threads. */
+    public static LoopConfig defaults(String name, Clock clock) {
+        return new LoopConfig(name, clock, 8, Duration.ofSeconds(30), Duration.ofSeconds(2), true);
+    }
+
+    /** The same with room for {@code capacity} waiting occurrences. */
+    public LoopConfig withQueueCapacity(int capacity) {
+        return new LoopConfig(name, clock, capacity, stepLimit, joinLimit, threads);
+    }
+
+    /** The same with another limit for one step, in the clock's time. */
+    public LoopConfig withStepLimit(Duration limit) {
+        return new LoopConfig(name, clock, queueCapacity, limit, joinLimit, threads);
+    }
+
+    /** The same with another limit for threads that were told to stop, in real time. */
+    public LoopConfig withJoinLimit(Duration limit) {
+        return new LoopConfig(name, clock, queueCapacity, stepLimit, limit, threads);
+    }
+
+    /** The same without threads. */
+    public LoopConfig withoutThreads() {
+        return new LoopConfig(name, clock, queueCapacity, stepLimit, joinLimit, false);
+    }
+
+    /** Every option that is out of range, with its value and what is allowed. */
+    public List<String> problems() {
+        List<String> found = new ArrayList<>();
+        if (queueCapacity < 1 || queueCapacity > 1_000_000) {
+            found.add("queueCapacity is " + queueCapacity + ", allowed is 1 to 1000000");
+        }
+        if (stepLimit.compareTo(Duration.ofMillis(1)) < 0) {
+            found.add("stepLimit is " + stepLimit + ", allowed is at least 1 ms");
+        }
+        if (joinLimit.compareTo(Duration.ofMillis(1)) < 0 || joinLimit.compareTo(Duration.ofMinutes(1)) > 0) {
+            found.add("joinLimit is " + joinLimit + ", allowed is 1 ms to 1 min");
+        }
+        return found;
+    }
+}

@@ -1,0 +1,27 @@
+package org.evoloop.loop;
+
+/**
+ * The life of a loop.
+ *
+ * <pre>
+ *          build()            start()
+ *   NEW ------------&gt; STOPPED --------&gt; RUNNING
+ *    |                  |  ^              |  |
+ *    |                  |  '--------------'  |
+ *    | close()          |       stop()       |
+ *    '------------------+--------------------'
+ *                       | close()
+ *                       v
+ *                     EXITED
+ * </pre>
+ */
+public enum LoopState {
+    /** Being put together; there are no threads yet. */
+    NEW,
+    /** Every component has its thread, but the loop is closed: what occurs is refused. */
+    STOPPED,
+    /** The loop is open. */
+    RUNNING,
+    /** All threads have been told to end; nothing can be started again. */
+    EXITED
+}

@@ -1,0 +1,279 @@
+package org.evoloop.loop;
+
+import java.util.List;
+import java.util.Objects;
+import java.util.function.Predicate;
+import java.util.function.Supplier;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * A MAPE-K loop of one or more monitors, one analyze, one plan and one or more execute components.
+ *
+ * <p>Lifecycle: see {@link LoopState}. Every component's thread lives from {@link #build} (or from when the component was
+ * added later) until the component is removed or the loop {@link #close closed}; {@link #start} and {@link #stop} open and
+ * close the loop as often as one likes.
+ *
+ * <p>An occurrence that a monitor tells waits in a bounded queue. One occurrence at a time goes through analyze, plan and
+ * execute; the next one is taken when the last execute component has returned. Components may be added, removed and
+ * exchanged at any time: that happens between two occurrences, and one that does not come to its end is given up.
+ *
+ * <p>Errors: what a component throws is reported to the {@link LoopListener} and counted, and the loop goes on.
+ *
+ * <p>Threading: all methods may be called from any thread, but those that change the loop not from its own.
+ *
+ * @param <O> an occurrence
+ * @param <A> an analysis
+ * @param <P> a plan
+ */
+public final class MapeLoop<O, A, P> implements AutoCloseable {
+    private static final Logger LOG = LoggerFactory.getLogger(MapeLoop.class);
+
+    private final LoopConfig config;
+    private final Sequencer<O> sequencer;
+    private final Roster<O, A, P> roster;
+    private final Object admin = new Object();
+
+    /**
+     * A loop that hands each plan to every execute component and drops any occurrence that finds the queue full.
+     *
+     * @throws IllegalArgumentException if an option is out of range; the message lists all of them
+     */
+    public MapeLoop(LoopConfig config, LoopListener<O> listener) {
+        this(config, listener, Dispatch.toEach(), occurrence -> false);
+    }
+
+    /**
+     * @param dispatch which execute component takes a plan
+     * @param neverDropped occurrences that are queued even if the queue is full
+     * @throws IllegalArgumentException if an option is out of range; the message lists all of them
+     */
+    public MapeLoop(LoopConfig config, LoopListener<O> listener, Dispatch<P> dispatch, Predicate<O> neverDropped) {
+        if (!config.problems().isEmpty()) {
+            throw new IllegalArgumentException(String.join("; ", config.problems()));
+        }
+        this.config = config;
+        this.sequencer = new Sequencer<>(config, listener, neverDropped);
+        this.roster = new Roster<>(config, dispatch, sequencer);
+    }
+
+    /** Adds a monitor. @throws IllegalStateException if the loop has ended or the name is taken */
+    public void addMonitor(Monitor<O> monitor) {
+        add(monitor, () -> roster.enlist(monitor, Integer.MAX_VALUE));
+    }
+
+    /** Sets the analyze component. @throws IllegalStateException if there is one already, or the loop has ended */
+    public void addAnalyze(Analyze<O, A> analyze) {
+        add(analyze, () -> roster.enlist(analyze));
+    }
+
+    /** Sets the plan component. @throws IllegalStateException if there is one already, or the loop has ended */
+    public void addPlan(Plan<A, P> plan) {
+        add(plan, () -> roster.enlist(plan));
+    }
+
+    /** Adds an execute component. @throws IllegalStateException if the loop has ended or the name is taken */
+    public void addExecute(Execute<P> execute) {
+        add(execute, () -> roster.enlist(execute, Integer.MAX_VALUE));
+    }
+
+    private void add(Component added, Supplier<Worker> enlistment) {
+        synchronized (admin) {
+            requireUsable();
+            requireUnknown(added);
+            sequencer.quietly(() -> startIfBuilt(enlistment.get()));
+        }
+    }
+
+    private void requireUnknown(Component added) {
+        if (roster.find(added.name()) != null) {
+            throw new IllegalStateException(
+                    "there is a component named " + added.name() + " already; give one of them another name");
+        }
+    }
+
+    private void startIfBuilt(Worker worker) {
+        if (sequencer.state() != LoopState.NEW) {
+            worker.start();
+        }
+    }
+
+    private void requireUsable() {
+        if (sequencer.state() == LoopState.EXITED) {
+            throw new IllegalStateException("the loop " + config.name() + " has ended");
+        }
+        for (Worker worker : roster.workers()) {
+            if (worker.ownsCurrentThread()) {
+                throw new IllegalStateException("a loop cannot be changed from its own thread " + worker.threadName()
+                        + "; hand the change to another thread");
+            }
+        }
+    }
+
+    /**
+     * Removes a component; its thread ends.
+     *
+     * @throws IllegalArgumentException if there is none of that name
+     * @throws IllegalStateException if the loop needs it: only monitors may all go
+     */
+    public void remove(String name) {
+        synchronized (admin) {
+            requireUsable();
+            Worker worker = roster.require(name);
+            if (roster.needs(worker)) {
+                throw new IllegalStateException(name + " is the only component of the role "
+                        + worker.component().role() + "; exchange it instead");
+            }
+            sequencer.quietly(() -> roster.drop(worker));
+            awaitEnd(List.of(worker));
+        }
+    }
+
+    /**
+     * Puts {@code next} in the place of the component {@code name}, between two occurrences.
+     *
+     * @throws IllegalArgumentException if there is none of that name, or it has another role
+     * @throws IllegalStateException if the loop has ended, or {@code next} is part of it already
+     */
+    public void exchange(String name, Component next) {
+        synchronized (admin) {
+            requireUsable();
+            Worker worker = roster.require(name);
+            Component old = worker.component();
+            if (old.role() != next.role()) {
+                throw new IllegalArgumentException(name + " is a component of the role " + old.role() + ", "
+                        + next.name() + " of the role " + next.role());
+            }
+            if (!next.name().equals(name)) {
+                requireUnknown(next);
+            }
+            sequencer.quietly(() -> {
+                int position = roster.drop(worker);
+                startIfBuilt(roster.enlistAny(next, position));
+            });
+            awaitEnd(List.of(worker));
+        }
+    }
+
+    /**
+     * Gives every component its thread.
+     *
+     * @throws IllegalStateException if a component is missing or this was done before; the message names all problems
+     */
+    public void build() {
+        synchronized (admin) {
+            List<String> problems = roster.problems();
+            if (sequencer.state() != LoopState.NEW) {
+                problems.add("it has been built before");
+            }
+            if (!problems.isEmpty()) {
+                throw new IllegalStateException("loop " + config.name() + ": " + String.join("; ", problems));
+            }
+            sequencer.become(LoopState.STOPPED);
+            roster.workers().forEach(Worker::start);
+        }
+    }
+
+    /** Opens the loop. Does nothing if it is open. @throws IllegalStateException if it is not built, or has ended */
+    public void start() {
+        synchronized (admin) {
+            requireUsable();
+            if (sequencer.state() == LoopState.NEW) {
+                throw new IllegalStateException("the loop " + config.name() + " is not built yet");
+            }
+            sequencer.become(LoopState.RUNNING);
+        }
+    }
+
+    /**
+     * Closes the loop: the occurrence that is in it comes to its end, those that wait are refused. Does nothing if it is
+     * closed.
+     */
+    public void stop() {
+        synchronized (admin) {
+            if (sequencer.state() == LoopState.RUNNING) {
+                requireUsable();
+                sequencer.become(LoopState.STOPPED);
+                sequencer.quietly(() -> {});
+            }
+        }
+    }
+
+    /**
+     * Ends the loop and its threads. Waits for each up to the join limit and names in the log any that does not end.
+     * Idempotent; an interrupt of the caller does not cut it short.
+     */
+    @Override
+    public void close() {
+        synchronized (admin) {
+            if (sequencer.state() != LoopState.EXITED) {
+                sequencer.become(LoopState.EXITED);
+                sequencer.quietly(() -> roster.workers().forEach(Worker::retire));
+                awaitEnd(roster.workers());
+            }
+        }
+    }
+
+    private void awaitEnd(List<Worker> ending) {
+        ending.stream()
+                .map(worker -> worker.join(config.joinLimit()))
+                .filter(Objects::nonNull)
+                .forEach(stuck -> LOG.warn(
+                        "thread {} did not end within {} ms; its component ignores interrupts",
+                        stuck,
+                        config.joinLimit().toMillis()));
+    }
+
+    /** Queues an occurrence as if a monitor had told it; false if it was refused or dropped. */
+    public boolean offer(O occurrence) {
+        return sequencer.offer(occurrence);
+    }
+
+    /**
+     * Queues an occurrence that must not be lost: waits while the queue is full.
+     *
+     * @return false if the loop is closed, or closes meanwhile
+     */
+    public boolean put(O occurrence) throws InterruptedException {
+        return sequencer.put(occurrence);
+    }
+
+    /**
+     * Asks one monitor once and queues what it tells, on the caller's thread: the step of a monitor in a loop without
+     * threads.
+     */
+    public void observe(Monitor<O> monitor) throws InterruptedException {
+        MonitorWorker<O> worker = roster.workerOf(monitor);
+        if (worker != null) {
+            worker.observe();
+        }
+    }
+
+    /**
+     * Takes one occurrence from the queue through analyze, plan and execute, on the caller's thread: the step of a loop
+     * without threads.
+     *
+     * @return false if nothing waited or the loop is closed
+     */
+    public boolean step() {
+        if (config.threads()) {
+            throw new IllegalStateException("the loop " + config.name() + " has threads; they take the steps");
+        }
+        return sequencer.step();
+    }
+
+    /** Where the loop is in its life. */
+    public LoopState state() {
+        return sequencer.state();
+    }
+
+    /** How the queue fares. */
+    public QueueStatus queueStatus() {
+        return sequencer.queueStatus();
+    }
+
+    /** Every component, in the order of the loop. */
+    public List<ComponentStatus> components() {
+        return roster.workers().stream().map(Worker::status).toList();
+    }
+}

@@ -1,0 +1,40 @@
+package org.evoloop.loop;
+
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Superclass of monitors: they wait for something to occur and tell it. A loop may have several; what one of them tells
+ * stays in order.
+ *
+ * <p>Threading: {@link #getEvent} is called again and again on the monitor's own thread while the loop is open.
+ *
+ * @param <O> an occurrence, what {@link Analyze} takes
+ */
+public abstract non-sealed class Monitor<O> extends Component {
+
+    /** A component that is called like its class. */
+    protected Monitor() {
+        this("");
+    }
+
+    /** @param name what the console calls it, unique within a loop */
+    protected Monitor(String name) {
+        super(name);
+    }
+
+    @Override
+    public final Role role() {
+        return Role.MONITOR;
+    }
+
+    /**
+     * Waits for the next occurrence.
+     *
+     * @return what occurred, or null if nothing did for now; a monitor that has nothing to tell should wait rather than
+     *     return null at once
+     * @throws InterruptedException if the thread is told to stop while it waits; that is never an error
+     * @throws Exception any failure: it is reported and counted, and the monitor is called again after a pause that
+     *     grows from 0.1 s to 5 s while it keeps failing
+     */
+    protected abstract @Nullable O getEvent() throws Exception;
+}

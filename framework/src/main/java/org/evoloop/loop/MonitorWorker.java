@@ -1,0 +1,60 @@
+package org.evoloop.loop;
+
+import java.time.Duration;
+import org.evoloop.time.Clock;
+
+/**
+ * The thread of a monitor.
+ *
+ * @param <O> an occurrence
+ */
+final class MonitorWorker<O> extends Worker {
+    private static final Duration FIRST_PAUSE = Duration.ofMillis(100);
+    private static final Duration LONGEST_PAUSE = Duration.ofSeconds(5);
+
+    private final Monitor<O> monitor;
+    private final Sequencer<O> sequencer;
+    private final Clock clock;
+    private Duration pause = FIRST_PAUSE;
+
+    MonitorWorker(Monitor<O> monitor, LoopConfig config, Sequencer<O> sequencer) {
+        super(monitor, config);
+        this.monitor = monitor;
+        this.sequencer = sequencer;
+        this.clock = config.clock();
+    }
+
+    @Override
+    void work() throws InterruptedException {
+        sequencer.awaitOpen();
+        if (!isRetired() && !observe()) {
+            clock.sleep(pause);
+            pause = pause.compareTo(LONGEST_PAUSE.dividedBy(2)) > 0 ? LONGEST_PAUSE : pause.multipliedBy(2);
+        }
+    }
+
+    /** Asks the monitor once, on the caller's thread; false if it failed. */
+    boolean observe() throws InterruptedException {
+        try {
+            O occurrence = monitor.getEvent();
+            if (occurrence != null) {
+                sequencer.offer(occurrence);
+            } else {
+                // Such a monitor polls; at least it shall not starve the others.
+                giveWay();
+            }
+            pause = FIRST_PAUSE;
+            return true;
+        } catch (InterruptedException stop) {
+            throw stop;
+        } catch (Throwable cause) {
+            sequencer.report(this, "getEvent", 0, null, cause);
+            return false;
+        }
+    }
+
+    @Override
+    boolean isWorking() {
+        return false;
+    }
+}

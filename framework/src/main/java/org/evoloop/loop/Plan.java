@@ -1,0 +1,37 @@
+package org.evoloop.loop;
+
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Superclass of the one component that decides what to do.
+ *
+ * <p>Threading: {@link #plan} is called on the component's own thread, once an occurrence.
+ *
+ * @param <A> an analysis
+ * @param <P> a plan, what {@link Execute} takes
+ */
+public abstract non-sealed class Plan<A, P> extends Component {
+
+    /** A component that is called like its class. */
+    protected Plan() {
+        this("");
+    }
+
+    /** @param name what the console calls it, unique within a loop */
+    protected Plan(String name) {
+        super(name);
+    }
+
+    @Override
+    public final Role role() {
+        return Role.PLAN;
+    }
+
+    /**
+     * Decides what to do about {@code analysis}.
+     *
+     * @return the plan, or null if there is nothing to do, which ends the cycle
+     * @throws Exception any failure: it is reported, and this occurrence ends here
+     */
+    protected abstract @Nullable P plan(A analysis) throws Exception;
+}

@@ -1,0 +1,346 @@
+package org.evoloop.loop;
+
+import java.time.Duration;
+import java.util.ArrayDeque;
+import java.util.Queue;
+import java.util.concurrent.TimeoutException;
+import java.util.concurrent.locks.Condition;
+import java.util.concurrent.locks.ReentrantLock;
+import java.util.function.Predicate;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The order of the loop: the queue before it, the one occurrence that is in it, and whose turn it is.
+ *
+ * <p>All of it is guarded by one lock, which is never held while a component or a listener runs. A cycle that was given
+ * up has another number than the current one, so whatever its component still returns is ignored.
+ */
+final class Sequencer<O> {
+    private final LoopConfig config;
+    private final LoopListener<O> listener;
+    private final Predicate<O> neverDropped;
+    private final ReentrantLock lock = new ReentrantLock();
+    private final Condition opened = lock.newCondition();
+    private final Condition quiet = lock.newCondition();
+    private final Condition room = lock.newCondition();
+
+    private final Queue<O> queue = new ArrayDeque<>();
+    private LoopState state = LoopState.NEW;
+    private boolean paused;
+    private boolean stepping;
+    private @Nullable StageWorker<O> analyze;
+    private long cycle;
+    private @Nullable O occurrence;
+    private @Nullable StageWorker<?> busy;
+    private long busySinceNanos;
+    private boolean watched;
+    private boolean dropping;
+    private QueueStatus counts = QueueStatus.EMPTY;
+
+    Sequencer(LoopConfig config, LoopListener<O> listener, Predicate<O> neverDropped) {
+        this.config = config;
+        this.listener = listener;
+        this.neverDropped = neverDropped;
+    }
+
+    /** Waits until the loop is open. */
+    void awaitOpen() throws InterruptedException {
+        lock.lockInterruptibly();
+        try {
+            while (state == LoopState.STOPPED || state == LoopState.NEW) {
+                opened.await();
+            }
+        } finally {
+            lock.unlock();
+        }
+    }
+
+    /** Queues an occurrence; false if the loop is closed, or the queue full and the occurrence one that may be lost. */
+    boolean offer(O offered) {
+        boolean first;
+        lock.lock();
+        try {
+            if (state != LoopState.RUNNING) {
+                counts = counts.plusRefused(1);
+                return false;
+            }
+            if (queue.size() < config.queueCapacity() || neverDropped.test(offered)) {
+                dropping = false;
+                enqueue(offered);
+                return true;
+            }
+            first = !dropping;
+            dropping = true;
+            counts = counts.plusDropped();
+        } finally {
+            lock.unlock();
+        }
+        listener.dropped(offered, first);
+        return false;
+    }
+
+    /** Queues an occurrence, waiting for room if it must; false if the loop closes meanwhile. */
+    boolean put(O offered) throws InterruptedException {
+        lock.lockInterruptibly();
+        try {
+            // Without threads nobody would make room.
+            while (config.threads() && state == LoopState.RUNNING && queue.size() >= config.queueCapacity()) {
+                room.await();
+            }
+            if (state != LoopState.RUNNING) {
+                counts = counts.plusRefused(1);
+                return false;
+            }
+            enqueue(offered);
+            return true;
+        } finally {
+            lock.unlock();
+        }
+    }
+
+    private void enqueue(O offered) {
+        queue.add(offered);
+        counts = counts.plusTaken(queue.size());
+        begin();
+    }
+
+    /** Starts the next cycle if there is something to do and nothing in the way; the lock is held. */
+    private void begin() {
+        StageWorker<O> first = analyze;
+        boolean mayBegin = busy == null && state == LoopState.RUNNING && !paused && (config.threads() || stepping);
+        O next = mayBegin && first != null ? queue.poll() : null;
+        if (next != null && first != null) {
+            room.signal();
+            cycle++;
+            occurrence = next;
+            hand(first, next);
+        }
+    }
+
+    private <I> void hand(StageWorker<I> worker, I input) {
+        busy = worker;
+        busySinceNanos = config.clock().nanoTime();
+        worker.give(cycle, input);
+        if (!watched && config.threads()) {
+            watched = true;
+            config.clock().schedule(config.stepLimit(), this::watch);
+        }
+    }
+
+    /** Hands the result of a stage on; a null result or nobody to take it ends the cycle. */
+    <I> void passOn(long fromCycle, @Nullable I result, @Nullable StageWorker<I> next) {
+        Failure<O> failure = null;
+        lock.lock();
+        try {
+            if (fromCycle != cycle || busy == null) {
+                return;
+            }
+            if (result == null || next == null) {
+                endCycle();
+            } else if (next.isStuck()) {
+                failure = failure(next, "is stuck in its thread " + next.threadName() + "; exchange it");
+                endCycle();
+            } else {
+                hand(next, result);
+            }
+        } finally {
+            lock.unlock();
+        }
+        if (failure != null) {
+            report(next, failure);
+        }
+    }
+
+    private void endCycle() {
+        busy = null;
+        occurrence = null;
+        quiet.signalAll();
+        begin();
+    }
+
+    /** A stage threw; the cycle ends unless it was given up before. */
+    void failed(Worker worker, long inCycle, Throwable cause) {
+        O about;
+        lock.lock();
+        try {
+            if (inCycle != cycle || busy == null) {
+                return;
+            }
+            about = occurrence;
+        } finally {
+            lock.unlock();
+        }
+        report(worker, phase(worker), inCycle, about, cause);
+        passOn(inCycle, null, null);
+    }
+
+    private Failure<O> failure(Worker worker, String what) {
+        return new Failure<>(worker.component().name(), phase(worker), cycle, occurrence, new TimeoutException(what));
+    }
+
+    private static String phase(Worker worker) {
+        return worker.component().role().name().toLowerCase(java.util.Locale.ROOT);
+    }
+
+    void report(Worker worker, String phase, long inCycle, @Nullable O about, Throwable cause) {
+        report(worker, new Failure<>(worker.component().name(), phase, inCycle, about, cause));
+    }
+
+    private void report(@Nullable Worker worker, Failure<O> failure) {
+        if (worker != null) {
+            worker.countFailure(failure.toString());
+        }
+        listener.failed(failure);
+    }
+
+    /** Gives a component up that has worked on its occurrence for too long; called by the clock while there is work. */
+    private void watch() {
+        StageWorker<?> late = null;
+        Failure<O> failure = null;
+        lock.lock();
+        try {
+            if (busy == null) {
+                watched = false;
+                return;
+            }
+            long left = config.stepLimit().toNanos() - (config.clock().nanoTime() - busySinceNanos);
+            if (left <= 0) {
+                late = busy;
+                failure = failure(
+                        late, "has not returned for " + config.stepLimit().toMillis() + " ms");
+                giveUp(late);
+                left = config.stepLimit().toNanos();
+            }
+            config.clock().schedule(Duration.ofNanos(left), this::watch);
+        } finally {
+            lock.unlock();
+        }
+        if (failure != null) {
+            report(late, failure);
+        }
+    }
+
+    private void giveUp(StageWorker<?> worker) {
+        worker.setStuck(true);
+        worker.interrupt();
+        endCycle();
+    }
+
+    /**
+     * Changes the loop between two occurrences. The one that is in the loop may finish within the join limit; then it is
+     * given up.
+     */
+    void quietly(Runnable change) {
+        StageWorker<?> late = null;
+        Failure<O> failure = null;
+        lock.lock();
+        try {
+            paused = true;
+            boolean interrupted = awaitQuiet();
+            late = busy;
+            if (late != null) {
+                failure = failure(
+                        late,
+                        "was interrupted: it did not return within "
+                                + config.joinLimit().toMillis() + " ms");
+                giveUp(late);
+            }
+            change.run();
+            paused = false;
+            begin();
+            if (interrupted) {
+                Thread.currentThread().interrupt();
+            }
+        } finally {
+            paused = false;
+            lock.unlock();
+        }
+        if (failure != null) {
+            report(late, failure);
+        }
+    }
+
+    private boolean awaitQuiet() {
+        boolean interrupted = false;
+        long left = config.joinLimit().toNanos();
+        while (busy != null && left > 0 && config.threads()) {
+            try {
+                left = quiet.awaitNanos(left);
+            } catch (InterruptedException e) {
+                interrupted = true;
+            }
+        }
+        return interrupted;
+    }
+
+    /** Moves to another state; waiting monitors and putters look again. The change itself is up to the caller. */
+    void become(LoopState next) {
+        lock.lock();
+        try {
+            state = next;
+            opened.signalAll();
+            room.signalAll();
+            if (next != LoopState.RUNNING) {
+                counts = counts.plusRefused(queue.size());
+                queue.clear();
+            }
+            begin();
+        } finally {
+            lock.unlock();
+        }
+    }
+
+    void setAnalyze(@Nullable StageWorker<O> worker) {
+        lock.lock();
+        try {
+            analyze = worker;
+        } finally {
+            lock.unlock();
+        }
+    }
+
+    /** Runs one cycle on the caller's thread; false if nothing waited. */
+    boolean step() {
+        lock.lock();
+        try {
+            stepping = true;
+            begin();
+        } finally {
+            stepping = false;
+            lock.unlock();
+        }
+        boolean worked = false;
+        for (StageWorker<?> turn = turn(); turn != null; turn = turn()) {
+            turn.runGiven();
+            worked = true;
+        }
+        return worked;
+    }
+
+    private @Nullable StageWorker<?> turn() {
+        lock.lock();
+        try {
+            return busy;
+        } finally {
+            lock.unlock();
+        }
+    }
+
+    LoopState state() {
+        lock.lock();
+        try {
+            return state;
+        } finally {
+            lock.unlock();
+        }
+    }
+
+    QueueStatus queueStatus() {
+        lock.lock();
+        try {
+            return counts.withDepth(queue.size(), config.queueCapacity());
+        } finally {
+            lock.unlock();
+        }
+    }
+}

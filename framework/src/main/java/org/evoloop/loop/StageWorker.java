@@ -1,0 +1,89 @@
+package org.evoloop.loop;
+
+import java.util.concurrent.locks.LockSupport;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The thread of an analyze, plan or execute component: it takes one piece of work at a time from its slot.
+ *
+ * @param <I> what its component works on
+ */
+final class StageWorker<I> extends Worker {
+
+    /** What the worker does with its input. */
+    interface Work<I> {
+        void run(long cycle, I input) throws Exception;
+    }
+
+    /** Told when the work throws. */
+    interface Failed {
+        void failed(Worker worker, long cycle, Throwable cause);
+    }
+
+    // A thread that yields a few times before it parks is often still awake when its turn comes.
+    private static final int YIELDS = 10;
+
+    private final Work<I> work;
+    private final Failed failed;
+    private @Nullable I input;
+    private long cycle;
+    private volatile boolean full;
+    private volatile boolean working;
+
+    StageWorker(Component component, LoopConfig config, Work<I> work, Failed failed) {
+        super(component, config);
+        this.work = work;
+        this.failed = failed;
+    }
+
+    /** Puts a piece of work into the slot, which must be empty. */
+    void give(long givenCycle, I givenInput) {
+        cycle = givenCycle;
+        input = givenInput;
+        full = true;
+        unpark();
+    }
+
+    @Override
+    void work() throws InterruptedException {
+        for (int yields = 0; !full; yields++) {
+            if (isRetired()) {
+                return;
+            }
+            if (yields < YIELDS) {
+                giveWay();
+            } else {
+                LockSupport.park(this);
+                if (Thread.interrupted()) {
+                    throw new InterruptedException();
+                }
+            }
+        }
+        runGiven();
+    }
+
+    /** Does the work in the slot, on the caller's thread. */
+    void runGiven() {
+        I given = input;
+        if (given == null) {
+            return;
+        }
+        long givenCycle = cycle;
+        input = null;
+        full = false;
+        working = true;
+        try {
+            work.run(givenCycle, given);
+        } catch (Throwable cause) {
+            failed.failed(this, givenCycle, cause);
+        } finally {
+            working = false;
+            setStuck(false);
+        }
+    }
+
+    @Override
+    boolean isWorking() {
+        return working;
+    }
+}

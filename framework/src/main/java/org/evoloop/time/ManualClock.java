@@ -1,0 +1,78 @@
+package org.evoloop.time;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.PriorityQueue;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A clock that stands still until it is told to advance. {@link #advance} returns after all work that became due has
+ * run, in the order of its times, on the caller's thread.
+ *
+ * <p>Threading: thread-safe; one thread at a time should advance it.
+ */
+public final class ManualClock implements Clock {
+    private final PriorityQueue<Task> tasks = new PriorityQueue<>();
+    private long nowNanos;
+    private long scheduled;
+
+    private record Task(long dueNanos, long order, Runnable action) implements Comparable<Task> {
+        @Override
+        public int compareTo(Task other) {
+            int byTime = Long.compare(dueNanos, other.dueNanos);
+            return byTime != 0 ? byTime : Long.compare(order, other.order);
+        }
+    }
+
+    @Override
+    public synchronized long nanoTime() {
+        return nowNanos;
+    }
+
+    @Override
+    public Instant wallTime() {
+        return Instant.EPOCH.plusNanos(nanoTime());
+    }
+
+    @Override
+    public synchronized Timer schedule(Duration delay, Runnable action) {
+        Task task = new Task(nowNanos + delay.toNanos(), scheduled++, action);
+        tasks.add(task);
+        return () -> cancel(task);
+    }
+
+    private synchronized void cancel(Task task) {
+        tasks.remove(task);
+    }
+
+    /** Lets {@code duration} pass and runs what falls due meanwhile, tasks that those tasks schedule included. */
+    public void advance(Duration duration) {
+        long until = nanoTime() + duration.toNanos();
+        for (Task due = pollDue(until); due != null; due = pollDue(until)) {
+            due.action().run();
+        }
+        synchronized (this) {
+            nowNanos = until;
+        }
+    }
+
+    private synchronized @Nullable Task pollDue(long until) {
+        Task next = tasks.peek();
+        if (next == null || next.dueNanos() > until) {
+            return null;
+        }
+        nowNanos = Math.max(nowNanos, next.dueNanos());
+        return tasks.poll();
+    }
+
+    /** How many tasks wait for their time; for tests that look for timers left behind. */
+    public synchronized int pendingTasks() {
+        return tasks.size();
+    }
+
+    /** Forgets all tasks. */
+    @Override
+    public synchronized void close() {
+        tasks.clear();
+    }
+}
