@@ -27,6 +27,7 @@ final class Sequencer<O> {
     private final Queue<O> queue = new ArrayDeque<>();
     private LoopState state = LoopState.NEW;
     private boolean paused;
+    private boolean breakingOff;
     private boolean stepping;
     private @Nullable StageWorker<O> analyze;
     private long cycle;
@@ -107,7 +108,8 @@ final class Sequencer<O> {
     /** Starts the next cycle if there is something to do and nothing in the way; the lock is held. */
     private void begin() {
         StageWorker<O> first = analyze;
-        boolean mayBegin = busy == null && state == LoopState.RUNNING && !paused && (config.threads() || stepping);
+        boolean mayBegin =
+                busy == null && !breakingOff && !paused && state == LoopState.RUNNING && (config.threads() || stepping);
         O next = mayBegin && first != null ? queue.poll() : null;
         if (next != null && first != null) {
             room.signal();
@@ -138,17 +140,14 @@ final class Sequencer<O> {
             if (result == null || next == null) {
                 endCycle();
             } else if (next.isStuck()) {
-                failure = failure(next, "is stuck in its thread " + next.threadName() + "; exchange it");
-                endCycle();
+                failure = breakOff(next, "is stuck in its thread " + next.threadName() + "; exchange it");
             } else {
                 hand(next, result);
             }
         } finally {
             lock.unlock();
         }
-        if (failure != null) {
-            report(next, failure);
-        }
+        goOn(next, failure);
     }
 
     private void endCycle() {
@@ -156,6 +155,31 @@ final class Sequencer<O> {
         occurrence = null;
         quiet.signalAll();
         begin();
+    }
+
+    /**
+     * Takes the occurrence out of the loop, from whatever component has it. The next one does not begin before the
+     * failure was reported, see {@link #goOn}: the listener may have to put things in order first.
+     */
+    private Failure<O> breakOff(Worker worker, String what) {
+        Failure<O> failure =
+                new Failure<>(worker.component().name(), phase(worker), cycle, occurrence, new TimeoutException(what));
+        breakingOff = true;
+        busy = null;
+        return failure;
+    }
+
+    private void goOn(@Nullable Worker worker, @Nullable Failure<O> failure) {
+        if (failure != null && worker != null) {
+            report(worker, failure);
+            lock.lock();
+            try {
+                breakingOff = false;
+                endCycle();
+            } finally {
+                lock.unlock();
+            }
+        }
     }
 
     /** A stage threw; the cycle ends unless it was given up before. */
@@ -174,10 +198,6 @@ final class Sequencer<O> {
         passOn(inCycle, null, null);
     }
 
-    private Failure<O> failure(Worker worker, String what) {
-        return new Failure<>(worker.component().name(), phase(worker), cycle, occurrence, new TimeoutException(what));
-    }
-
     private static String phase(Worker worker) {
         return worker.component().role().name().toLowerCase(java.util.Locale.ROOT);
     }
@@ -186,10 +206,8 @@ final class Sequencer<O> {
         report(worker, new Failure<>(worker.component().name(), phase, inCycle, about, cause));
     }
 
-    private void report(@Nullable Worker worker, Failure<O> failure) {
-        if (worker != null) {
-            worker.countFailure(failure.toString());
-        }
+    private void report(Worker worker, Failure<O> failure) {
+        worker.countFailure(failure.toString());
         listener.failed(failure);
     }
 
@@ -206,24 +224,21 @@ final class Sequencer<O> {
             long left = config.stepLimit().toNanos() - (config.clock().nanoTime() - busySinceNanos);
             if (left <= 0) {
                 late = busy;
-                failure = failure(
+                failure = giveUp(
                         late, "has not returned for " + config.stepLimit().toMillis() + " ms");
-                giveUp(late);
                 left = config.stepLimit().toNanos();
             }
             config.clock().schedule(Duration.ofNanos(left), this::watch);
         } finally {
             lock.unlock();
         }
-        if (failure != null) {
-            report(late, failure);
-        }
+        goOn(late, failure);
     }
 
-    private void giveUp(StageWorker<?> worker) {
+    private Failure<O> giveUp(StageWorker<?> worker, String why) {
         worker.setStuck(true);
         worker.interrupt();
-        endCycle();
+        return breakOff(worker, why);
     }
 
     /**
@@ -239,31 +254,27 @@ final class Sequencer<O> {
             boolean interrupted = awaitQuiet();
             late = busy;
             if (late != null) {
-                failure = failure(
+                failure = giveUp(
                         late,
                         "was interrupted: it did not return within "
                                 + config.joinLimit().toMillis() + " ms");
-                giveUp(late);
             }
             change.run();
-            paused = false;
-            begin();
             if (interrupted) {
                 Thread.currentThread().interrupt();
             }
         } finally {
             paused = false;
+            begin();
             lock.unlock();
         }
-        if (failure != null) {
-            report(late, failure);
-        }
+        goOn(late, failure);
     }
 
     private boolean awaitQuiet() {
         boolean interrupted = false;
         long left = config.joinLimit().toNanos();
-        while (busy != null && left > 0 && config.threads()) {
+        while ((busy != null || breakingOff) && left > 0 && config.threads()) {
             try {
                 left = quiet.awaitNanos(left);
             } catch (InterruptedException e) {

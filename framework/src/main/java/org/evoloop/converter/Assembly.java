@@ -1,0 +1,108 @@
+package org.evoloop.converter;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.evoloop.evolution.Decision;
+import org.evoloop.evolution.DecisionTable;
+import org.evoloop.evolution.DeviceEvents;
+import org.evoloop.evolution.ModelPair;
+import org.evoloop.loop.Component;
+import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.ModelException;
+
+/**
+ * The components of a converter by name, and what they can do together with its models.
+ *
+ * <p>Threading: guarded by its converter.
+ */
+final class Assembly {
+    private final Map<String, Component> components = new LinkedHashMap<>();
+
+    void add(Component component) {
+        if (components.putIfAbsent(component.name(), component) != null) {
+            throw new IllegalStateException(
+                    "there is a component named " + component.name() + " already; give one of them another name");
+        }
+    }
+
+    void remove(String name) {
+        components.remove(name);
+    }
+
+    /** A copy in which {@code next} stands in for the component {@code name}. */
+    Assembly with(String name, Component next) {
+        Assembly changed = new Assembly();
+        components.forEach((key, component) -> changed.add(key.equals(name) ? next : component));
+        return changed;
+    }
+
+    /** A copy without the component {@code name}. */
+    Assembly without(String name) {
+        Assembly changed = new Assembly();
+        changed.components.putAll(components);
+        changed.remove(name);
+        return changed;
+    }
+
+    Collection<Component> all() {
+        return components.values();
+    }
+
+    List<EventExecute> executes() {
+        return components.values().stream()
+                .filter(EventExecute.class::isInstance)
+                .map(EventExecute.class::cast)
+                .toList();
+    }
+
+    boolean has(Component.Role role) {
+        return components.values().stream().anyMatch(component -> component.role() == role);
+    }
+
+    /**
+     * The decisions that these components can carry out.
+     *
+     * @throws ModelException if there is a decision that they cannot, or they send events that the device does not have
+     */
+    DecisionTable decisions(StateKnowledge knowledge) {
+        ModelPair pair = knowledge.models();
+        List<String> problems = new ArrayList<>();
+        Set<Event> sendable = new HashSet<>();
+        for (EventExecute execute : executes()) {
+            sendable.addAll(execute.events());
+            requireOriginal(pair, execute.name() + " can send", execute.events(), problems);
+        }
+        Set<Event> spontaneous = new HashSet<>();
+        for (Component component : components.values()) {
+            if (component instanceof EventMonitor monitor) {
+                Set<Event> events = new HashSet<>();
+                monitor.spontaneousEvents().forEach(name -> events.add(new Event(name)));
+                spontaneous.addAll(events);
+                requireOriginal(pair, monitor.name() + " names as the device's own", events, problems);
+            }
+        }
+        DecisionTable table = DecisionTable.compile(pair, new DeviceEvents(sendable, spontaneous));
+        for (Decision.Impossible impossible : table.problems()) {
+            problems.add("no plan in " + impossible.before() + ": " + impossible.reason());
+        }
+        if (!problems.isEmpty()) {
+            throw new ModelException("the device cannot become what '"
+                    + pair.evolved().name() + "' asks for:\n  " + String.join("\n  ", problems));
+        }
+        return table;
+    }
+
+    private static void requireOriginal(ModelPair pair, String who, Set<Event> events, List<String> problems) {
+        for (Event event : events) {
+            if (!pair.original().events().contains(event)) {
+                problems.add(who + " " + event + ", which is not an event of the original model '"
+                        + pair.original().name() + "'");
+            }
+        }
+    }
+}

@@ -1,0 +1,15 @@
+package org.evoloop.converter;
+
+import org.evoloop.function.NewFunction;
+import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.State;
+
+/**
+ * A transition of the new model as the knowledge registers it (paper, section V.B): the current state, the incoming
+ * event, the next state, and the function to be called.
+ *
+ * <p>Threading: immutable.
+ *
+ * @param action what runs in {@code target}; {@link NewFunction#none()} where the device does the work
+ */
+public record BoundTransition(State source, Event event, State target, NewFunction action) {}

@@ -1,0 +1,324 @@
+package org.evoloop.converter;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.evoloop.converter.HistoryEntry.Outcome;
+import org.evoloop.evolution.Configuration;
+import org.evoloop.evolution.Decision;
+import org.evoloop.evolution.DecisionTable;
+import org.evoloop.evolution.Occurrence;
+import org.evoloop.evolution.Source;
+import org.evoloop.evolution.Step;
+import org.evoloop.function.FunctionRunner;
+import org.evoloop.function.NewFunction;
+import org.evoloop.function.Visit;
+import org.evoloop.function.VisitHost;
+import org.evoloop.loop.Execute;
+import org.evoloop.loop.Failure;
+import org.evoloop.loop.LoopConfig;
+import org.evoloop.loop.LoopListener;
+import org.evoloop.loop.MapeLoop;
+import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.State;
+import org.evoloop.time.Clock;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * What the components of a converter do together: decide, plan, carry out, visit states, and keep the books.
+ *
+ * <p>Threading: the loop calls it for one event at a time; visits and the clock call it from their own threads.
+ */
+final class ConverterCore implements VisitHost, LoopListener<Occurrence> {
+    private static final Logger LOG = LoggerFactory.getLogger(SystemEventConverter.class);
+
+    private final LoopConfig config;
+    private final StateKnowledge knowledge;
+    private final Transcript transcript = new Transcript();
+    private final FailureLog failures = new FailureLog();
+    private final FunctionRunner functions;
+    final History history;
+    final LatencyWindow latency = new LatencyWindow();
+    final MapeLoop<Occurrence, Decision, Conversion> loop;
+    private volatile List<EventExecute> executes = List.of();
+    private volatile @Nullable Occurrence observed;
+    private volatile @Nullable Conversion active;
+    private volatile @Nullable Visit visit;
+    private long visits;
+
+    ConverterCore(LoopConfig config, StateKnowledge knowledge) {
+        this.config = config;
+        this.knowledge = knowledge;
+        this.functions = new FunctionRunner(this, config.joinLimit());
+        this.history = new History(config.clock());
+        this.loop = new MapeLoop<>(config, this, this::dispatch, ConverterCore::isFact);
+    }
+
+    /** What has happened already must not be lost to a full queue; it comes no faster than devices and timers act. */
+    private static boolean isFact(Occurrence occurrence) {
+        return occurrence.deviceActed() || occurrence.source() == Source.TIMER;
+    }
+
+    /** From the next event on, decides by {@code table}. */
+    void use(DecisionTable table, List<EventExecute> present) {
+        knowledge.use(table);
+        executes = List.copyOf(present);
+    }
+
+    DecisionTable table() {
+        return knowledge.table();
+    }
+
+    StateKnowledge knowledge() {
+        return knowledge;
+    }
+
+    Configuration configuration() {
+        return knowledge.configuration();
+    }
+
+    /** Lets every execute component see to what the device needs in the current state; the loop is closed. */
+    void settle() {
+        for (EventExecute execute : executes) {
+            try {
+                execute.settled(knowledge.configuration());
+            } catch (InterruptedException stop) {
+                Thread.currentThread().interrupt();
+            } catch (Exception cause) {
+                failures.log(new Failure<>(execute.name(), "settled", 0, null, cause));
+            }
+        }
+    }
+
+    // Analyze
+
+    @Nullable
+    Decision decide(Occurrence occurrence) {
+        Configuration before = knowledge.configuration();
+        Visit current = visit;
+        if (occurrence.visit() != Occurrence.ANY_VISIT && (current == null || occurrence.visit() != current.number())) {
+            history.record(occurrence, before, before, Outcome.STALE, "the state that raised it has been left");
+            return null;
+        }
+        observed = occurrence;
+        active = null;
+        transcript.observed(occurrence);
+        Decision decision = knowledge.table().decide(before, occurrence.event(), occurrence.deviceActed());
+        transcript.analyzed(decision);
+        return decision;
+    }
+
+    // Plan
+
+    @Nullable
+    Conversion plan(Decision decision) {
+        Occurrence occurrence = observed;
+        if (occurrence == null) {
+            return null;
+        }
+        Conversion conversion = new Conversion(this, occurrence, decision);
+        active = conversion;
+        transcript.planned(decision instanceof Decision.ExistingFunction
+                && !decision.steps().isEmpty());
+        return conversion;
+    }
+
+    // Execute
+
+    private @Nullable Execute<Conversion> dispatch(
+            Conversion conversion, List<Execute<Conversion>> inOrder, @Nullable Execute<Conversion> last) {
+        if (conversion.isOver()) {
+            return null;
+        }
+        Event next = conversion.nextToSend();
+        for (Execute<Conversion> execute : inOrder) {
+            if (next != null
+                    && execute instanceof EventExecute sender
+                    && sender.events().contains(next)) {
+                return execute;
+            }
+        }
+        return inOrder.get(0);
+    }
+
+    boolean dispatchable(Event event) {
+        return executes.stream().anyMatch(execute -> execute.events().contains(event));
+    }
+
+    void begins(Conversion conversion) {
+        latency.record(config.clock().nanoTime() - conversion.occurrence().observedNanos());
+        if (conversion.leavesState()) {
+            // Before the first command leaves: a function that still moved the device would contradict it.
+            functions.end();
+        }
+    }
+
+    void transcribe(Decision decision, Step step) {
+        if (decision instanceof Decision.ExistingFunction) {
+            transcript.step(step.event());
+        }
+    }
+
+    void took(Step step) {
+        if (!step.byDevice()) {
+            transcript.command(step.event());
+        }
+        knowledge.move(knowledge.configuration().withOriginal(step.target()));
+    }
+
+    /** All steps are taken: the evolved system enters its next state. Returns the visit, null if it stays. */
+    @Nullable
+    Visit arrives(Conversion conversion) {
+        Decision decision = conversion.decision();
+        Configuration after = decision.after();
+        knowledge.move(after);
+        Visit entered = null;
+        if (conversion.leavesState()) {
+            entered = enter(after.evolved());
+        }
+        if (decision instanceof Decision.NewFunction) {
+            transcript.starts(after.evolved());
+        }
+        transcript.executed(after);
+        record(conversion, after);
+        return entered;
+    }
+
+    private void record(Conversion conversion, Configuration after) {
+        Decision decision = conversion.decision();
+        Outcome outcome = Outcome.HANDLED;
+        String detail = "";
+        if (decision instanceof Decision.NotAcceptable) {
+            outcome = Outcome.IGNORED;
+            detail = "not acceptable in " + decision.before().evolved();
+        } else if (decision instanceof Decision.Impossible impossible) {
+            outcome = Outcome.FAILED;
+            detail = impossible.reason();
+            LOG.warn("{} in {}: {}", conversion.occurrence(), decision.before(), detail);
+        } else if (decision instanceof Decision.NewFunction) {
+            detail = "new function of " + after.evolved();
+        } else if (!decision.steps().isEmpty()) {
+            List<String> steps = new ArrayList<>();
+            decision.steps().forEach(step -> steps.add(step.event() + (step.byDevice() ? " (by the device)" : "")));
+            detail = String.join(", ", steps);
+        }
+        history.record(conversion.occurrence(), decision.before(), after, outcome, detail);
+    }
+
+    // Visits
+
+    private synchronized Visit enter(State state) {
+        Visit entered = new Visit(state, ++visits, this);
+        functions.begin(entered);
+        visit = entered;
+        knowledge
+                .timersOf(state)
+                .forEach((event, delay) -> entered.after(
+                        delay,
+                        () -> loop.offer(new Occurrence(
+                                event,
+                                Source.TIMER,
+                                false,
+                                entered.number(),
+                                config.clock().nanoTime()))));
+        return entered;
+    }
+
+    void startFunction(@Nullable Visit entered, Decision decision, Occurrence occurrence) {
+        if (entered != null && entered == visit && decision instanceof Decision.NewFunction) {
+            functions.run(knowledge
+                    .getTransition(decision.before().evolved(), occurrence.event())
+                    .map(BoundTransition::action)
+                    .orElse(NewFunction.none()));
+        }
+    }
+
+    /** Enters the current state anew, as after a start or an attempt to leave it that failed. */
+    void enterAgain() {
+        State state = knowledge.getCurrentState();
+        enter(state);
+        if (knowledge.models().isNew(state)) {
+            functions.run(knowledge.functionOf(state));
+        }
+    }
+
+    /** Ends the current visit. */
+    synchronized void leave() {
+        functions.end();
+        visit = null;
+    }
+
+    ConverterStatus.RunningFunction runningFunction() {
+        Visit running = functions.running();
+        return new ConverterStatus.RunningFunction(
+                running == null ? "" : running.state().name(), functions.threadName());
+    }
+
+    // VisitHost
+
+    @Override
+    public Clock clock() {
+        return config.clock();
+    }
+
+    @Override
+    public boolean threads() {
+        return config.threads();
+    }
+
+    @Override
+    public void raise(Visit raising, Event event) throws InterruptedException {
+        loop.put(new Occurrence(
+                event, Source.FUNCTION, false, raising.number(), config.clock().nanoTime()));
+    }
+
+    @Override
+    public void notice(String line) {
+        transcript.notice(line);
+    }
+
+    @Override
+    public void failed(Visit failing, Throwable cause) {
+        failures.log(new Failure<>(failing.state().name(), "function", 0, null, cause));
+    }
+
+    // LoopListener
+
+    @Override
+    public void failed(Failure<Occurrence> failure) {
+        failures.log(failure);
+        Occurrence occurrence = failure.occurrence();
+        if (occurrence == null) {
+            return;
+        }
+        Configuration now = knowledge.configuration();
+        Conversion conversion = active;
+        if (conversion == null || !conversion.occurrence().equals(occurrence)) {
+            endInFailure(occurrence, now, now, failure);
+        } else if (conversion.giveUp()) {
+            endInFailure(occurrence, conversion.decision().before(), now, failure);
+            if (conversion.hasLeftState()) {
+                enterAgain();
+            }
+        }
+    }
+
+    private void endInFailure(
+            Occurrence occurrence, Configuration before, Configuration now, Failure<Occurrence> failure) {
+        history.record(occurrence, before, now, Outcome.FAILED, failure.toString());
+        transcript.brokenOff(now);
+    }
+
+    @Override
+    public void dropped(Occurrence occurrence, boolean first) {
+        Configuration now = knowledge.configuration();
+        history.record(occurrence, now, now, Outcome.DROPPED, "the queue was full");
+        if (first) {
+            LOG.warn(
+                    "the queue of {} events is full: {} is lost; what follows is counted and shown by status",
+                    config.queueCapacity(),
+                    occurrence);
+        }
+    }
+}

@@ -1,0 +1,56 @@
+package org.evoloop.converter;
+
+import java.util.List;
+import org.evoloop.evolution.Configuration;
+import org.evoloop.loop.ComponentStatus;
+import org.evoloop.loop.LoopState;
+import org.evoloop.loop.QueueStatus;
+
+/**
+ * A picture of a converter at one moment.
+ *
+ * <p>Threading: immutable.
+ *
+ * @param name the converter's name
+ * @param loop where the loop is in its life
+ * @param states the current states of both models
+ * @param queue what waits and what was lost
+ * @param events what became of the events so far
+ * @param conversionTime how long conversions take
+ * @param components every component and its thread
+ * @param function the new function that runs
+ * @param link the connection to the device
+ */
+public record ConverterStatus(
+        String name,
+        LoopState loop,
+        Configuration states,
+        QueueStatus queue,
+        EventCounts events,
+        ConversionTime conversionTime,
+        List<ComponentStatus> components,
+        RunningFunction function,
+        Link link) {
+
+    /** How many events had which outcome, see {@link HistoryEntry.Outcome}. */
+    public record EventCounts(long handled, long ignored, long stale, long failed) {}
+
+    /**
+     * Time from an event being observed to its execution beginning, in nanoseconds of the converter's clock, over the
+     * last events.
+     *
+     * @param events how many events these figures are of, 0 to 1024
+     */
+    public record ConversionTime(int events, long lastNanos, long medianNanos, long percentile99Nanos) {}
+
+    /**
+     * The new function of the current state.
+     *
+     * @param state the state, empty if the device does the work
+     * @param thread the thread, empty if it has returned or has none
+     */
+    public record RunningFunction(String state, String thread) {}
+
+    /** The connection, see {@link DeviceLink}; down with an empty text if the converter was told of none. */
+    public record Link(boolean up, String text) {}
+}

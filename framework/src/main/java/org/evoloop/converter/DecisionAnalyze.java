@@ -1,0 +1,27 @@
+package org.evoloop.converter;
+
+import org.evoloop.evolution.Decision;
+import org.evoloop.evolution.Occurrence;
+import org.evoloop.loop.Analyze;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Finds out what an event means in the current states: not acceptable, an existing function, or a new function. A
+ * converter has one without being told; extend it to watch or to refine decisions.
+ */
+public class DecisionAnalyze extends Analyze<Occurrence, Decision> {
+    private @Nullable ConverterCore core;
+
+    /** A component that is called like its class. */
+    public DecisionAnalyze() {}
+
+    void attach(ConverterCore converterCore) {
+        core = converterCore;
+    }
+
+    /** The decision; null for an event that was raised during an earlier visit of a state and means nothing now. */
+    @Override
+    protected @Nullable Decision analyze(Occurrence occurrence) {
+        return core == null ? null : core.decide(occurrence);
+    }
+}

@@ -1,0 +1,70 @@
+package org.evoloop.converter;
+
+import java.util.Set;
+import org.evoloop.evolution.Occurrence;
+import org.evoloop.evolution.Source;
+import org.evoloop.loop.LoopConfig;
+import org.evoloop.loop.Monitor;
+import org.evoloop.statemachine.Event;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Superclass of monitors of a converter: {@link #getEvent} waits for an event of the controller or the device and
+ * returns it, made by one of the methods {@code from...}.
+ *
+ * <p>Threading: as {@link Monitor}; the methods {@code from...} may be called from any thread.
+ */
+public abstract class EventMonitor extends Monitor<Occurrence> {
+    private volatile @Nullable LoopConfig config;
+
+    /** A monitor that is called like its class. */
+    protected EventMonitor() {}
+
+    /** @param name what the console calls it, unique within a converter */
+    protected EventMonitor(String name) {
+        super(name);
+    }
+
+    void attach(LoopConfig loopConfig) {
+        config = loopConfig;
+    }
+
+    /** Whether this monitor has a thread of its own; without, {@link #getEvent} must not wait. */
+    protected final boolean hasThread() {
+        LoopConfig attached = config;
+        return attached == null || attached.threads();
+    }
+
+    /**
+     * Events that can be sent to the device but that it may take by itself as well, such as those of its own buttons.
+     * Events that cannot be sent need not be named: they are always the device's own.
+     */
+    protected Set<String> spontaneousEvents() {
+        return Set.of();
+    }
+
+    /** A control of the controller was operated; the device knows nothing of it. */
+    protected final Occurrence fromController(String event) {
+        return occurrence(event, Source.CONTROLLER, false);
+    }
+
+    /**
+     * A control on the device was operated.
+     *
+     * @param deviceActed true if the device has acted on it by itself, false if it merely reports it
+     */
+    protected final Occurrence fromPanel(String event, boolean deviceActed) {
+        return occurrence(event, Source.PANEL, deviceActed);
+    }
+
+    /** The device did something of its own accord. */
+    protected final Occurrence fromDevice(String event) {
+        return occurrence(event, Source.DEVICE, true);
+    }
+
+    private Occurrence occurrence(String event, Source source, boolean deviceActed) {
+        LoopConfig attached = config;
+        long now = attached == null ? 0 : attached.clock().nanoTime();
+        return new Occurrence(new Event(event), source, deviceActed, Occurrence.ANY_VISIT, now);
+    }
+}

@@ -1,0 +1,45 @@
+package org.evoloop.converter;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+import org.evoloop.loop.Failure;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Logs failures so that one that happens again and again cannot flood the log: the first, the second, the fourth, the
+ * eighth, and so on.
+ *
+ * <p>Threading: thread-safe.
+ */
+final class FailureLog {
+    private static final Logger LOG = LoggerFactory.getLogger(SystemEventConverter.class);
+    private static final int DISTINCT = 100;
+
+    private final Map<String, Long> counts = new LinkedHashMap<>();
+
+    void log(Failure<?> failure) {
+        long count = count(failure.toString());
+        if (Long.bitCount(count) != 1) {
+            return;
+        }
+        String times = count == 1 ? "" : " (" + count + " times)";
+        if (count == 1 && isBug(failure.cause())) {
+            LOG.error("{}", failure, failure.cause());
+        } else {
+            LOG.warn("{}{}", failure, times);
+        }
+    }
+
+    /** A stack trace helps whoever wrote the component, and says nothing to whoever unplugged the device. */
+    private static boolean isBug(Throwable cause) {
+        return cause instanceof RuntimeException || cause instanceof Error;
+    }
+
+    private synchronized long count(String what) {
+        if (counts.size() >= DISTINCT && !counts.containsKey(what)) {
+            counts.remove(counts.keySet().iterator().next());
+        }
+        return counts.merge(what, 1L, Long::sum);
+    }
+}

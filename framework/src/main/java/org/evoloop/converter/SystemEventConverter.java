@@ -1,0 +1,299 @@
+package org.evoloop.converter;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.function.Supplier;
+import org.evoloop.evolution.DecisionTable;
+import org.evoloop.evolution.Occurrence;
+import org.evoloop.loop.Component;
+import org.evoloop.loop.LoopConfig;
+import org.evoloop.loop.LoopState;
+import org.evoloop.statemachine.ModelException;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * An event converter: connects the components of a MAPE-K loop and controls them (paper, section V.A).
+ *
+ * <pre>{@code
+ * SystemEventConverter converter = new SystemEventConverter(LoopConfig.defaults("lamp", clock));
+ * converter.addMonitor(new WallSwitch());
+ * converter.addExecute(new LampExecute());
+ * converter.addKnowledge(new LampKnowledge(models));
+ * converter.build();
+ * converter.start();
+ * }</pre>
+ *
+ * <p>Lifecycle: see {@link LoopState}. {@link #stop} ends the running new function and refuses events; {@link #start}
+ * enters the current state anew and goes on from there.
+ *
+ * <p>Threading: all methods may be called from any thread, but those that change the converter not from its own.
+ */
+public final class SystemEventConverter implements AutoCloseable {
+    private final LoopConfig config;
+    private final Map<String, Supplier<? extends Component>> spares = new LinkedHashMap<>();
+    private Assembly assembly = new Assembly();
+    private @Nullable StateKnowledge knowledge;
+    private @Nullable DeviceLink link;
+    private volatile @Nullable ConverterCore core;
+
+    /** @param config its options; they are checked by {@link #build} */
+    public SystemEventConverter(LoopConfig config) {
+        this.config = config;
+    }
+
+    /** Adds a monitor, also while the converter runs. @throws IllegalStateException if the name is taken */
+    public synchronized void addMonitor(EventMonitor monitor) {
+        add(monitor);
+    }
+
+    /** Sets the analyze component, in place of the usual one; before {@link #build}. */
+    public synchronized void addAnalyze(DecisionAnalyze analyze) {
+        add(analyze);
+    }
+
+    /** Sets the plan component, in place of the usual one; before {@link #build}. */
+    public synchronized void addPlan(DecisionPlan plan) {
+        add(plan);
+    }
+
+    /**
+     * Adds an execute component, also while the converter runs.
+     *
+     * @throws IllegalStateException if the name is taken
+     * @throws ModelException if it sends what the device does not know
+     */
+    public synchronized void addExecute(EventExecute execute) {
+        add(execute);
+    }
+
+    /** Sets the knowledge, before {@link #build}. @throws IllegalStateException if there is one already */
+    public synchronized void addKnowledge(StateKnowledge stateKnowledge) {
+        if (knowledge != null) {
+            throw new IllegalStateException("there is knowledge already, " + knowledge.name());
+        }
+        knowledge = stateKnowledge;
+    }
+
+    /** Tells what connects the device, for {@link #status}. */
+    public synchronized void addLink(DeviceLink deviceLink) {
+        link = deviceLink;
+    }
+
+    /** Keeps a component at hand for {@link #exchange(String, String)}, under a name of its own. */
+    public synchronized void addSpare(String name, Supplier<? extends Component> spare) {
+        spares.put(name, spare);
+    }
+
+    private void add(Component component) {
+        ConverterCore built = core;
+        assembly.add(component);
+        if (built != null) {
+            try {
+                DecisionTable table = assembly.decisions(built.knowledge());
+                join(built, component);
+                built.use(table, assembly.executes());
+            } catch (RuntimeException refused) {
+                assembly.remove(component.name());
+                throw refused;
+            }
+        }
+    }
+
+    /**
+     * Checks everything, compiles the decisions of all configurations that can be reached, and gives every component its
+     * thread.
+     *
+     * @throws ModelException if models and components do not fit; the message lists all problems
+     * @throws IllegalStateException if something is missing or this was done before
+     * @throws IllegalArgumentException if an option is out of range; the message lists all of them
+     */
+    public synchronized void build() {
+        StateKnowledge known = knowledge;
+        if (core != null) {
+            throw new IllegalStateException("converter " + config.name() + " has been built before");
+        }
+        if (known == null || !assembly.has(Component.Role.EXECUTE)) {
+            throw new IllegalStateException("converter " + config.name() + ": "
+                    + (known == null ? "no knowledge, call addKnowledge" : "no execute component, call addExecute"));
+        }
+        if (!assembly.has(Component.Role.ANALYZE)) {
+            assembly.add(new DecisionAnalyze());
+        }
+        if (!assembly.has(Component.Role.PLAN)) {
+            assembly.add(new DecisionPlan());
+        }
+        known.registerNewFunctions();
+        List<String> problems = new ArrayList<>(known.problems());
+        ConverterCore built = new ConverterCore(config, known);
+        try {
+            built.use(assembly.decisions(known), assembly.executes());
+        } catch (ModelException undecidable) {
+            problems.add(undecidable.getMessage());
+        }
+        if (!problems.isEmpty()) {
+            throw new ModelException(String.join("\n", problems));
+        }
+        assembly.all().forEach(component -> join(built, component));
+        built.loop.build();
+        core = built;
+    }
+
+    private void join(ConverterCore built, Component component) {
+        attach(built, component);
+        switch (component.role()) {
+            case MONITOR -> built.loop.addMonitor((EventMonitor) component);
+            case ANALYZE -> built.loop.addAnalyze((DecisionAnalyze) component);
+            case PLAN -> built.loop.addPlan((DecisionPlan) component);
+            case EXECUTE -> built.loop.addExecute((EventExecute) component);
+        }
+    }
+
+    private void attach(ConverterCore built, Component component) {
+        if (component instanceof EventMonitor monitor) {
+            monitor.attach(config);
+        } else if (component instanceof DecisionAnalyze analyze) {
+            analyze.attach(built);
+        } else if (component instanceof DecisionPlan plan) {
+            plan.attach(built);
+        } else if (!(component instanceof EventExecute)) {
+            throw new IllegalArgumentException(component.name() + " is not a component of a converter");
+        }
+    }
+
+    /** Opens the loop; does nothing if it is open. @throws IllegalStateException if it is not built, or has ended */
+    public synchronized void start() {
+        ConverterCore built = built();
+        if (built.loop.state() != LoopState.RUNNING) {
+            built.settle();
+            built.loop.start();
+            built.enterAgain();
+        }
+    }
+
+    /**
+     * Closes the loop: the event that is in it comes to its end, those that wait are refused, and the running new function
+     * ends. Does nothing if it is closed.
+     */
+    public synchronized void stop() {
+        ConverterCore built = built();
+        built.loop.stop();
+        built.leave();
+    }
+
+    /** Ends the converter and its threads, see {@link org.evoloop.loop.MapeLoop#close}. Idempotent. */
+    @Override
+    public synchronized void close() {
+        ConverterCore built = core;
+        if (built != null) {
+            built.loop.close();
+            built.leave();
+        }
+    }
+
+    /**
+     * Removes a component.
+     *
+     * @throws IllegalArgumentException if there is none of that name
+     * @throws IllegalStateException if the converter needs it
+     * @throws ModelException if decisions are left that nobody could carry out
+     */
+    public synchronized void remove(String name) {
+        ConverterCore built = built();
+        Assembly changed = assembly.without(name);
+        DecisionTable table =
+                changed.has(Component.Role.EXECUTE) ? changed.decisions(built.knowledge()) : built.table();
+        built.loop.remove(name);
+        assembly = changed;
+        built.use(table, changed.executes());
+    }
+
+    /**
+     * Puts {@code next} in the place of the component {@code name}, between two events.
+     *
+     * @throws IllegalArgumentException if there is none of that name, or it has another role
+     * @throws ModelException if decisions are left that nobody could carry out
+     */
+    public synchronized void exchange(String name, Component next) {
+        ConverterCore built = built();
+        Assembly changed = assembly.with(name, next);
+        attach(built, next);
+        DecisionTable table = changed.decisions(built.knowledge());
+        built.loop.exchange(name, next);
+        assembly = changed;
+        built.use(table, changed.executes());
+    }
+
+    /**
+     * Puts a spare in the place of the component {@code name}, between two events.
+     *
+     * @param spare as named by {@link #addSpare}
+     * @throws IllegalArgumentException if there is no such component or spare, or their roles differ
+     */
+    public synchronized void exchange(String name, String spare) {
+        Supplier<? extends Component> supplier = spares.get(spare);
+        if (supplier == null) {
+            throw new IllegalArgumentException("no spare is named " + spare + "; there are "
+                    + (spares.isEmpty() ? "none" : String.join(", ", spares.keySet())));
+        }
+        exchange(name, supplier.get());
+    }
+
+    /** The names of the spares. */
+    public synchronized Set<String> spares() {
+        return Set.copyOf(spares.keySet());
+    }
+
+    /** Queues an occurrence as if a monitor had told it; false if it was refused or dropped. */
+    public boolean offer(Occurrence occurrence) {
+        return built().loop.offer(occurrence);
+    }
+
+    /** The step of a monitor in a converter without threads: asks it once and queues what it tells. */
+    public void observe(EventMonitor monitor) throws InterruptedException {
+        built().loop.observe(monitor);
+    }
+
+    /** The step of a converter without threads: converts one event that waits; false if none does. */
+    public boolean step() {
+        return built().loop.step();
+    }
+
+    /** What the converter knows. @throws IllegalStateException if it is not built yet */
+    public StateKnowledge knowledge() {
+        return built().knowledge();
+    }
+
+    /** A picture of this moment. @throws IllegalStateException if the converter is not built yet */
+    public ConverterStatus status() {
+        ConverterCore built = built();
+        DeviceLink device = link;
+        return new ConverterStatus(
+                config.name(),
+                built.loop.state(),
+                built.configuration(),
+                built.loop.queueStatus(),
+                built.history.counts(),
+                built.latency.summary(),
+                built.loop.components(),
+                built.runningFunction(),
+                device == null
+                        ? new ConverterStatus.Link(false, "")
+                        : new ConverterStatus.Link(device.isUp(), device.describe()));
+    }
+
+    /** The last events and what became of them, oldest first. */
+    public List<HistoryEntry> history() {
+        return built().history.entries();
+    }
+
+    private ConverterCore built() {
+        ConverterCore built = core;
+        if (built == null) {
+            throw new IllegalStateException("converter " + config.name() + " is not built yet");
+        }
+        return built;
+    }
+}

@@ -1,0 +1,110 @@
+package org.evoloop.converter;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.evoloop.evolution.Configuration;
+import org.evoloop.evolution.Decision;
+import org.evoloop.evolution.Occurrence;
+import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.State;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * The log of the paper's experiment, word for word, a line a message, as the SLF4J logger {@value #LOGGER}.
+ *
+ * <p>The lines of one event stand together: what a new function says meanwhile follows after them.
+ *
+ * <p>Threading: thread-safe.
+ */
+final class Transcript {
+    static final String LOGGER = "org.evoloop.transcript";
+
+    private static final Logger LOG = LoggerFactory.getLogger(LOGGER);
+
+    private final List<String> later = new ArrayList<>();
+    private boolean inEvent;
+
+    synchronized void observed(Occurrence occurrence) {
+        inEvent = true;
+        line("----   " + (occurrence.source().isButton() ? "button_event" : "internal_event") + " : "
+                + occurrence.event() + "   -----");
+        line("");
+        line("Monitor");
+        line(" inputs " + occurrence.event() + " event.");
+    }
+
+    synchronized void analyzed(Decision decision) {
+        line("Analyze");
+        states(decision.before());
+        line(" mode: " + mode(decision));
+    }
+
+    /** A detour counts as new: no single function of the device does what it does. */
+    private static String mode(Decision decision) {
+        if (decision instanceof Decision.NotAcceptable) {
+            return "Not acceptable";
+        }
+        boolean isNew = decision instanceof Decision.NewFunction
+                || (decision instanceof Decision.ExistingFunction existing && existing.isDetour());
+        return isNew ? "Use new functions" : "Use existing functions";
+    }
+
+    synchronized void planned(boolean anyEvents) {
+        line("Plan");
+        if (!anyEvents) {
+            line(" MAPE-K loop does not send events. ");
+        }
+        line("Execute");
+    }
+
+    synchronized void step(Event event) {
+        line(" MAPE-K loop will send this event : " + event);
+    }
+
+    synchronized void command(Event event) {
+        line(" " + event + " command");
+    }
+
+    synchronized void starts(State state) {
+        line(" Operate existing functions for " + state + " in the another thread");
+    }
+
+    /** The event's last lines; what was said meanwhile follows. */
+    synchronized void executed(Configuration now) {
+        states(now);
+        line("");
+        closeEvent();
+    }
+
+    /** The event came to no good end. */
+    synchronized void brokenOff(Configuration now) {
+        if (inEvent) {
+            executed(now);
+        }
+    }
+
+    private void closeEvent() {
+        inEvent = false;
+        later.forEach(Transcript::line);
+        later.clear();
+    }
+
+    /** Something that does not belong to the event in the loop. */
+    synchronized void notice(String line) {
+        if (inEvent) {
+            later.add(line);
+        } else {
+            line(line);
+        }
+    }
+
+    private static void states(Configuration configuration) {
+        line(" original_current_state: " + configuration.original());
+        line(" new_current_state: " + configuration.evolved());
+    }
+
+    private static void line(String line) {
+        LOG.info(line);
+    }
+}

@@ -1,0 +1,13 @@
+/**
+ * The event converter (paper, sections III to V): the loop wired with the decisions. Whoever builds a converter extends
+ * {@link org.evoloop.converter.EventMonitor}, {@link org.evoloop.converter.EventExecute} and {@link
+ * org.evoloop.converter.StateKnowledge}, and puts them together in a {@link
+ * org.evoloop.converter.SystemEventConverter}.
+ *
+ * <p>This room may use {@code org.evoloop.loop}, {@code org.evoloop.evolution}, {@code org.evoloop.function} and what
+ * those use.
+ */
+@NullMarked
+package org.evoloop.converter;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,206 @@
+package org.evoloop.function;
+
+import java.time.Duration;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.List;
+import java.util.concurrent.CountDownLatch;
+import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.State;
+import org.evoloop.time.Clock;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * One stay of the evolved system in a state. What belongs to a visit ends with it: its function, its timers, and the
+ * events it has raised that nobody has looked at yet.
+ *
+ * <p>Threading: all methods may be called from any thread.
+ */
+public final class Visit {
+    private final State state;
+    private final long number;
+    private final VisitHost host;
+    private final CountDownLatch ended = new CountDownLatch(1);
+    private final Object lock = new Object();
+    private final List<Clock.Timer> timers = new ArrayList<>();
+    private final Deque<Runnable> endings = new ArrayDeque<>();
+    private boolean running;
+    private @Nullable Event last;
+    private boolean finished;
+
+    /** @param number counts the visits of all states, from 1 */
+    public Visit(State state, long number, VisitHost host) {
+        this.state = state;
+        this.number = number;
+        this.host = host;
+    }
+
+    /** The state that is visited. */
+    public State state() {
+        return state;
+    }
+
+    /** The number of the visit; no two are equal. */
+    public long number() {
+        return number;
+    }
+
+    /** The converter's time; durations of a function are durations of this clock. */
+    public Clock clock() {
+        return host.clock();
+    }
+
+    /** Whether functions have threads of their own; without, nothing may block. */
+    public boolean threads() {
+        return host.threads();
+    }
+
+    /** Whether the state has not been left yet. */
+    public boolean isActive() {
+        return ended.getCount() > 0;
+    }
+
+    /** Waits until the state is left, which a function's own thread learns by an interrupt. */
+    public void awaitEnd() throws InterruptedException {
+        ended.await();
+    }
+
+    /** Waits for {@code duration}. @throws InterruptedException if the state is left first */
+    public void sleep(Duration duration) throws InterruptedException {
+        host.clock().sleep(duration);
+    }
+
+    /**
+     * Raises {@code event} and goes on; nothing happens if the state has been left.
+     *
+     * @throws InterruptedException if the state is left while this waits for room in the queue
+     */
+    public void raise(String event) throws InterruptedException {
+        if (isActive()) {
+            host.raise(this, new Event(event));
+        }
+    }
+
+    /**
+     * Ends the function with {@code event}, its last: the event is raised when {@link NewFunction#run} has returned. Only
+     * the first call counts, and none once the state has been left.
+     */
+    public void finish(String event) {
+        synchronized (lock) {
+            if (finished || !isActive()) {
+                return;
+            }
+            finished = true;
+            last = new Event(event);
+            if (running) {
+                return;
+            }
+        }
+        deliverLast();
+    }
+
+    /** Ends the function with {@code event} after {@code delay}, unless the state is left or it has finished before. */
+    public void finishAfter(Duration delay, String event) {
+        after(delay, () -> finish(event));
+    }
+
+    /** Runs {@code task} on the clock's thread after {@code delay}, unless the state is left first. */
+    public void after(Duration delay, Runnable task) {
+        synchronized (lock) {
+            if (isActive()) {
+                timers.add(host.clock().schedule(delay, () -> {
+                    if (isActive()) {
+                        task.run();
+                    }
+                }));
+            }
+        }
+    }
+
+    /** Writes {@code text} into the transcript. */
+    public void say(String text) {
+        if (isActive()) {
+            host.notice("***  " + text + "  ***  ");
+        }
+    }
+
+    /**
+     * Has {@code ending} run when the state is left, last come first; at once if it has been. An ending must come to its
+     * end by itself: nothing interrupts it.
+     */
+    public void onEnd(Runnable ending) {
+        synchronized (lock) {
+            if (isActive()) {
+                endings.push(ending);
+                return;
+            }
+        }
+        runEnding(ending);
+    }
+
+    /** Calls {@code function} and delivers its last event. */
+    void run(NewFunction function) {
+        synchronized (lock) {
+            running = true;
+        }
+        try {
+            function.run(this);
+        } catch (InterruptedException stop) {
+            if (isActive()) {
+                host.failed(this, stop);
+            }
+        } catch (Throwable cause) {
+            host.failed(this, cause);
+        }
+        synchronized (lock) {
+            running = false;
+        }
+        deliverLast();
+    }
+
+    private void deliverLast() {
+        Event event;
+        synchronized (lock) {
+            event = last;
+            last = null;
+        }
+        if (event != null && isActive()) {
+            host.notice("***  Send " + event + " event to EventConverter.  ***  ");
+            host.notice("***  Stop new functions  ***");
+            try {
+                host.raise(this, event);
+            } catch (InterruptedException left) {
+                // The state was left while the event waited for room: it means nothing any more.
+                Thread.currentThread().interrupt();
+            }
+        }
+    }
+
+    /** The state is left: timers are called off and endings run. Idempotent. */
+    void end() {
+        List<Runnable> todo;
+        synchronized (lock) {
+            ended.countDown();
+            timers.forEach(Clock.Timer::cancel);
+            timers.clear();
+            todo = List.copyOf(endings);
+            endings.clear();
+        }
+        todo.forEach(this::runEnding);
+    }
+
+    private void runEnding(Runnable ending) {
+        try {
+            ending.run();
+        } catch (RuntimeException cause) {
+            host.failed(this, cause);
+        }
+    }
+
+    /** For messages: {@code visit 3 of Move}. */
+    @Override
+    public String toString() {
+        return "visit " + number + " of " + state;
+    }
+}

@@ -1,0 +1,31 @@
+package org.evoloop.function;
+
+import org.evoloop.statemachine.Event;
+import org.evoloop.time.Clock;
+
+/**
+ * What a visit needs of the converter that it belongs to.
+ *
+ * <p>Threading: called from any thread.
+ */
+public interface VisitHost {
+
+    /** The converter's time. */
+    Clock clock();
+
+    /** Whether functions have threads of their own. */
+    boolean threads();
+
+    /**
+     * Queues an event that the visit raises; waits while the queue is full.
+     *
+     * @throws InterruptedException if the thread is told to stop while it waits
+     */
+    void raise(Visit visit, Event event) throws InterruptedException;
+
+    /** A line of the transcript. */
+    void notice(String line);
+
+    /** The function failed. */
+    void failed(Visit visit, Throwable cause);
+}
