@@ -1,0 +1,34 @@
+package org.evoloop.roomba.link;
+
+/**
+ * Waits that an interrupt does not cut short, because what waits here leaves the robot safe; each has a limit instead.
+ * The interrupt flag is restored for the caller.
+ */
+final class BoundedWait {
+    private BoundedWait() {}
+
+    /** One wait, as the concurrency library offers it. */
+    @FunctionalInterface
+    interface Attempt {
+        /** Returns whether that came which was waited for. */
+        boolean within(long nanos) throws InterruptedException;
+    }
+
+    static boolean uninterruptibly(long limitNanos, Attempt attempt) {
+        long deadline = System.nanoTime() + limitNanos;
+        boolean interrupted = false;
+        try {
+            while (true) {
+                try {
+                    return attempt.within(Math.max(0, deadline - System.nanoTime()));
+                } catch (InterruptedException later) {
+                    interrupted = true;
+                }
+            }
+        } finally {
+            if (interrupted) {
+                Thread.currentThread().interrupt();
+            }
+        }
+    }
+}

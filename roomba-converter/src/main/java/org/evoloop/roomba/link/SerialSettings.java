@@ -1,0 +1,64 @@
+package org.evoloop.roomba.link;
+
+/**
+ * Which serial port, and how. Always 8 data bits, no parity, one stop bit and no flow control, as the robot has it
+ * (Open Interface specification, "Serial Port Settings").
+ *
+ * @param port a path such as {@code /dev/ttyUSB0}, which may be a symbolic link, or a bare name such as {@code ttyUSB0}
+ * @param baud the rate; a Roomba of the 500 and 600 series has 115200, or 19200 when told so
+ * @param wakeSignal which output wakes the robot
+ * @param sendLimitMillis how much longer than the bytes need on the line a send may take before the link counts as lost
+ */
+public record SerialSettings(String port, int baud, WakeSignal wakeSignal, int sendLimitMillis) {
+    public static final int DEFAULT_BAUD = 115_200;
+    public static final int DEFAULT_SEND_LIMIT_MILLIS = 1_000;
+
+    /** A start bit, eight data bits and a stop bit. */
+    private static final long BITS_PER_BYTE = 10;
+
+    public SerialSettings {
+        if (port.isBlank()) {
+            throw new IllegalArgumentException("the serial port has no name; give one such as /dev/ttyUSB0");
+        }
+        requirePositive("baud", baud);
+        requirePositive("sendLimitMillis", sendLimitMillis);
+    }
+
+    /** The settings of a robot as it is delivered, on an adapter whose RTS wakes it. */
+    public SerialSettings(String port) {
+        this(port, DEFAULT_BAUD, WakeSignal.RTS, DEFAULT_SEND_LIMIT_MILLIS);
+    }
+
+    public SerialSettings withBaud(int newBaud) {
+        return new SerialSettings(port, newBaud, wakeSignal, sendLimitMillis);
+    }
+
+    public SerialSettings withWakeSignal(WakeSignal newWakeSignal) {
+        return new SerialSettings(port, baud, newWakeSignal, sendLimitMillis);
+    }
+
+    public SerialSettings withSendLimitMillis(int newSendLimitMillis) {
+        return new SerialSettings(port, baud, wakeSignal, newSendLimitMillis);
+    }
+
+    /** The port without its folder, for names of threads; {@code pts/3} keeps its own. */
+    String shortName() {
+        return port.startsWith("/dev/") ? port.substring("/dev/".length()) : port.substring(port.lastIndexOf('/') + 1);
+    }
+
+    /** How long so many bytes are on the line. */
+    long lineNanos(int bytes) {
+        return bytes * BITS_PER_BYTE * 1_000_000_000L / baud;
+    }
+
+    @Override
+    public String toString() {
+        return "serial port " + port + " at " + baud + " baud";
+    }
+
+    private static void requirePositive(String name, int value) {
+        if (value <= 0) {
+            throw new IllegalArgumentException(name + " is " + value + " and must be above 0");
+        }
+    }
+}

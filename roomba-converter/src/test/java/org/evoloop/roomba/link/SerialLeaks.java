@@ -1,0 +1,37 @@
+package org.evoloop.roomba.link;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+
+/** What a serial link holds while it lives. */
+final class SerialLeaks {
+    private SerialLeaks() {}
+
+    static List<String> threads() {
+        return Thread.getAllStackTraces().keySet().stream()
+                .map(Thread::getName)
+                .filter(name -> name.startsWith("evoloop-serial-"))
+                .toList();
+    }
+
+    /** The terminals that this process has open. */
+    static List<String> terminals() throws IOException {
+        try (Stream<Path> descriptors = Files.list(Path.of("/proc/self/fd"))) {
+            return descriptors
+                    .map(SerialLeaks::target)
+                    .filter(target -> target.startsWith("/dev/pt"))
+                    .toList();
+        }
+    }
+
+    private static String target(Path descriptor) {
+        try {
+            return Files.readSymbolicLink(descriptor).toString();
+        } catch (IOException gone) {
+            return "";
+        }
+    }
+}
