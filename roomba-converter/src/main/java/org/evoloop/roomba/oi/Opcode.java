@@ -1,0 +1,105 @@
+package org.evoloop.roomba.oi;
+
+import java.util.Arrays;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Function;
+import java.util.stream.Collectors;
+
+/**
+ * The first byte of every command, how many data bytes follow it, and in which modes the robot accepts it
+ * (specification, "Open Interface Commands Quick Reference"). In other modes the robot consumes and ignores it.
+ */
+public enum Opcode {
+    RESET(7, Command.Reset.class, OiMode.OFF, 0),
+    START(128, Command.Start.class, OiMode.OFF, 0),
+    BAUD(129, Command.Baud.class, OiMode.PASSIVE, 1),
+    CONTROL(130, Command.Control.class, OiMode.PASSIVE, 0),
+    SAFE(131, Command.Safe.class, OiMode.PASSIVE, 0),
+    FULL(132, Command.Full.class, OiMode.PASSIVE, 0),
+    POWER(133, Command.Power.class, OiMode.PASSIVE, 0),
+    SPOT(134, Command.Spot.class, OiMode.PASSIVE, 0),
+    CLEAN(135, Command.Clean.class, OiMode.PASSIVE, 0),
+    MAX(136, Command.Max.class, OiMode.PASSIVE, 0),
+    DRIVE(137, ActuatorCommand.Drive.class, OiMode.SAFE, 4),
+    MOTORS(138, ActuatorCommand.Motors.class, OiMode.SAFE, 1),
+    LEDS(139, ActuatorCommand.Leds.class, OiMode.SAFE, 3),
+    SONG(140, ActuatorCommand.Song.class, OiMode.PASSIVE, 2, 2),
+    PLAY(141, ActuatorCommand.Play.class, OiMode.SAFE, 1),
+    SENSORS(142, InputCommand.Sensors.class, OiMode.PASSIVE, 1),
+    SEEK_DOCK(143, Command.SeekDock.class, OiMode.PASSIVE, 0),
+    PWM_MOTORS(144, ActuatorCommand.PwmMotors.class, OiMode.SAFE, 3),
+    DRIVE_DIRECT(145, ActuatorCommand.DriveDirect.class, OiMode.SAFE, 4),
+    DRIVE_PWM(146, ActuatorCommand.DrivePwm.class, OiMode.SAFE, 4),
+    STREAM(148, InputCommand.Stream.class, OiMode.PASSIVE, 1, 1),
+    QUERY_LIST(149, InputCommand.QueryList.class, OiMode.PASSIVE, 1, 1),
+    PAUSE_RESUME_STREAM(150, InputCommand.PauseResumeStream.class, OiMode.PASSIVE, 1),
+    SCHEDULING_LEDS(162, ActuatorCommand.SchedulingLeds.class, OiMode.SAFE, 2),
+    DIGIT_LEDS_RAW(163, ActuatorCommand.DigitLedsRaw.class, OiMode.SAFE, 4),
+    DIGIT_LEDS_ASCII(164, ActuatorCommand.DigitLedsAscii.class, OiMode.SAFE, 4),
+    BUTTONS(165, ActuatorCommand.Buttons.class, OiMode.PASSIVE, 1),
+    SCHEDULE(167, Command.Schedule.class, OiMode.PASSIVE, 15),
+    SET_DAY_TIME(168, Command.SetDayTime.class, OiMode.PASSIVE, 3),
+    STOP(173, Command.Stop.class, OiMode.PASSIVE, 0);
+
+    private static final Map<Integer, Opcode> BY_CODE =
+            Arrays.stream(values()).collect(Collectors.toUnmodifiableMap(Opcode::code, Function.identity()));
+    private static final Map<Class<? extends Command>, Opcode> BY_TYPE =
+            Arrays.stream(values()).collect(Collectors.toUnmodifiableMap(Opcode::type, Function.identity()));
+
+    private final int code;
+    private final Class<? extends Command> type;
+    private final OiMode lowestMode;
+    private final int headBytes;
+    private final int itemBytes;
+
+    Opcode(int code, Class<? extends Command> type, OiMode lowestMode, int dataBytes) {
+        this(code, type, lowestMode, dataBytes, 0);
+    }
+
+    Opcode(int code, Class<? extends Command> type, OiMode lowestMode, int headBytes, int itemBytes) {
+        this.code = code;
+        this.type = type;
+        this.lowestMode = lowestMode;
+        this.headBytes = headBytes;
+        this.itemBytes = itemBytes;
+    }
+
+    /** The first byte, 0 to 255. */
+    public int code() {
+        return code;
+    }
+
+    /** The record of this command. */
+    public Class<? extends Command> type() {
+        return type;
+    }
+
+    /** Whether a robot in this mode obeys the command. */
+    public boolean isAcceptedIn(OiMode mode) {
+        return mode.compareTo(lowestMode) >= 0;
+    }
+
+    /** Data bytes that every such command has; if it has items too, the last of these bytes says how many. */
+    int headBytes() {
+        return headBytes;
+    }
+
+    /** Data bytes of one item; 0 for a command of fixed length. */
+    int itemBytes() {
+        return itemBytes;
+    }
+
+    /** The opcode with this first byte. */
+    public static Optional<Opcode> of(int code) {
+        return Optional.ofNullable(BY_CODE.get(code));
+    }
+
+    static Opcode of(Command command) {
+        Opcode opcode = BY_TYPE.get(command.getClass());
+        if (opcode == null) {
+            throw new IllegalStateException(command.getClass() + " has no row in the table of opcodes");
+        }
+        return opcode;
+    }
+}

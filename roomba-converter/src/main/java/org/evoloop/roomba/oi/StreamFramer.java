@@ -1,0 +1,144 @@
+package org.evoloop.roomba.oi;
+
+import java.util.Collection;
+import java.util.List;
+import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Finds the frames of a stream among whatever bytes come: boot text, charging lines, noise, frames cut short. The
+ * header is no proof of a frame, since 19 occurs in data too; so a frame must fit from end to end, in header, length,
+ * ids and checksum. As soon as a byte does not fit, the search goes on one byte behind the start of the candidate, so
+ * no byte is passed over that could begin a frame.
+ *
+ * <p>Guarantee: an intact frame is delivered if no other bytes that make up a whole valid frame overlap it from before.
+ * A framer made for {@link #StreamFramer(Collection, Consumer) given packets} delivers it with its last byte. One
+ * {@link #forAnyPackets for any packets} may take a wrong length byte before it for that of a longer frame, and then
+ * delivers it at most 252 bytes later.
+ *
+ * <p>Threading: not thread-safe; the consumer is called from {@code feed} and must not call back.
+ */
+public final class StreamFramer {
+    private static final int LENGTH_AT = 1;
+    private static final int PAYLOAD_AT = 2;
+
+    private final @Nullable List<PacketId> expected;
+    private final int expectedPayload;
+    private final Consumer<SensorValues> consumer;
+
+    /** The candidate from its header on, and behind it what is still to be looked at. */
+    private final byte[] buffer = new byte[StreamFrame.LONGEST_PAYLOAD + StreamFrame.OVERHEAD];
+
+    private int buffered;
+
+    /** How many bytes of the candidate fit so far. */
+    private int fitting;
+
+    private int sum;
+    private int checksumAt;
+    private int nextIdAt;
+    private int idsSeen;
+
+    private long frames;
+    private long badChecksums;
+    private long skippedBytes;
+
+    private StreamFramer(@Nullable List<PacketId> expected, int expectedPayload, Consumer<SensorValues> consumer) {
+        this.expected = expected;
+        this.expectedPayload = expectedPayload;
+        this.consumer = consumer;
+    }
+
+    /**
+     * A framer for the one list of packets that the stream was asked for; frames of any other stream are skipped.
+     *
+     * @throws IllegalArgumentException if the packets do not fit into a frame
+     */
+    public StreamFramer(Collection<? extends PacketId> packets, Consumer<SensorValues> consumer) {
+        this(List.copyOf(packets), StreamFrame.payloadLength(packets), consumer);
+    }
+
+    /** A framer for a stream that somebody else asked for: frames of any known packets, but at least one. */
+    public static StreamFramer forAnyPackets(Consumer<SensorValues> consumer) {
+        return new StreamFramer(null, 0, consumer);
+    }
+
+    /** Takes {@code count} bytes from {@code offset} on. */
+    public void feed(byte[] bytes, int offset, int count) {
+        for (int i = offset; i < offset + count; i++) {
+            feed(bytes[i]);
+        }
+    }
+
+    /** Takes one byte. */
+    public void feed(byte octet) {
+        buffer[buffered++] = octet;
+        while (fitting < buffered) {
+            if (!fits(Bytes.unsigned8(buffer, fitting))) {
+                skippedBytes++;
+                drop(1);
+            } else if (fitting++ == checksumAt) {
+                deliver();
+            }
+        }
+    }
+
+    /** Whether this byte can be the candidate's next one, at {@link #fitting}. */
+    private boolean fits(int octet) {
+        if (fitting == 0) {
+            sum = octet;
+            checksumAt = Integer.MAX_VALUE;
+            nextIdAt = PAYLOAD_AT;
+            idsSeen = 0;
+            return octet == StreamFrame.HEADER;
+        }
+        sum += octet;
+        if (fitting == LENGTH_AT) {
+            checksumAt = PAYLOAD_AT + octet;
+            return expected == null ? octet > 0 : octet == expectedPayload;
+        }
+        if (fitting == checksumAt) {
+            boolean right = (sum & 0xFF) == 0;
+            badChecksums += right ? 0 : 1;
+            return right;
+        }
+        return fitting < nextIdAt || fitsAsId(octet);
+    }
+
+    private boolean fitsAsId(int octet) {
+        PacketId packet = expected == null ? PacketId.of(octet).orElse(null) : expected.get(idsSeen++);
+        if (packet == null || packet.id() != octet) {
+            return false;
+        }
+        nextIdAt = fitting + 1 + packet.size();
+        return nextIdAt <= checksumAt;
+    }
+
+    private void deliver() {
+        SensorValues values = SensorValues.decodePayload(buffer, PAYLOAD_AT, checksumAt);
+        frames++;
+        drop(fitting);
+        consumer.accept(values);
+    }
+
+    private void drop(int count) {
+        buffered -= count;
+        System.arraycopy(buffer, count, buffer, 0, buffered);
+        fitting = 0;
+    }
+
+    /** Frames delivered so far. */
+    public long frames() {
+        return frames;
+    }
+
+    /** Candidates so far that were frames in everything but the checksum. */
+    public long badChecksums() {
+        return badChecksums;
+    }
+
+    /** Bytes so far that belonged to no delivered frame; those of an unfinished candidate are not counted yet. */
+    public long skippedBytes() {
+        return skippedBytes;
+    }
+}
