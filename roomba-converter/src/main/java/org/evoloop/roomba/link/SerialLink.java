@@ -1,6 +1,5 @@
 package org.evoloop.roomba.link;
 
-import com.fazecast.jSerialComm.SerialPort;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 
@@ -34,7 +33,7 @@ public final class SerialLink implements Link {
      * has one that closes all ports, and the hooks of a program run in no order.
      */
     public static void addShutdownHook(Thread hook) {
-        SerialPort.addShutdownHook(hook);
+        SerialPorts.addShutdownHook(hook);
     }
 
     @Override

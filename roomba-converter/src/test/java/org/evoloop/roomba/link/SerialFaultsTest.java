@@ -10,7 +10,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Set;
+import java.nio.file.attribute.PosixFilePermissions;
 import org.evoloop.roomba.link.LinkException.Fault;
 import org.evoloop.roomba.simulator.Pty;
 import org.junit.jupiter.api.Test;
@@ -96,24 +96,27 @@ class SerialFaultsTest {
     void aPortOfOthersNamesTheGroupToJoin() throws IOException {
         assumeFalse("root".equals(System.getProperty("user.name")), "root may use every port");
         try (Pty pty = Pty.open()) {
-            Files.setPosixFilePermissions(pty.slavePath(), Set.of());
-            assertThat(refusal(pty.path().toString(), Fault.NO_PERMISSION)).contains("sudo usermod -aG ");
+            String port = pty.path().toString();
+            Files.setPosixFilePermissions(pty.slavePath(), PosixFilePermissions.fromString("---rw----"));
+            assertThat(refusal(port, Fault.NO_PERMISSION)).contains("sudo usermod -aG ");
+            Files.setPosixFilePermissions(pty.slavePath(), PosixFilePermissions.fromString("---------"));
+            assertThat(refusal(port, Fault.NO_PERMISSION)).contains("is reserved for ");
         }
     }
 
     @Test
     void everySystemErrorHasItsWords() {
-        SerialSettings settings = new SerialSettings("/dev/ttyUSB0").withBaud(250_000);
-        Path device = Path.of("/dev/ttyUSB0");
+        SerialSettings settings = new SerialSettings("/dev/ttyMissing").withBaud(250_000);
+        Path device = Path.of("/dev/ttyMissing");
         String user = System.getProperty("user.name");
         assertThat(SerialFaults.notOpened(settings, device, 13))
-                .hasMessage("serial port /dev/ttyUSB0 at 250000 baud may not be used by " + user
+                .hasMessage("serial port /dev/ttyMissing at 250000 baud may not be used by " + user
                         + "; run 'sudo usermod -aG dialout " + user + "', then log out and in again");
         assertThat(SerialFaults.notOpened(settings, device, 16).getMessage())
                 .contains("in use by another program, such as a terminal program, ModemManager");
         assertThat(SerialFaults.notOpened(settings, device, 5).fault()).isEqualTo(Fault.HUNG_UP);
         assertThat(SerialFaults.notOpened(settings, device, 22))
-                .hasMessage("serial port /dev/ttyUSB0 at 250000 baud cannot be set up (system error 22);"
+                .hasMessage("serial port /dev/ttyMissing at 250000 baud cannot be set up (system error 22);"
                         + " try another baud rate, or plug the cable out and in again");
     }
 

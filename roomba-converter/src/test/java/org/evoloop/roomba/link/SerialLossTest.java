@@ -48,7 +48,7 @@ class SerialLossTest {
                         + " the cable was pulled or the other end is gone; plug it in again");
         assertThat(SerialLeaks.terminals()).isEmpty();
         assertFault(Fault.HUNG_UP, () -> link.send(new byte[1]));
-        await().until(() -> SerialLeaks.threads().isEmpty());
+        SerialLeaks.awaitNoThreads();
         link.close();
     }
 
@@ -67,7 +67,7 @@ class SerialLossTest {
         }
         long lifeNanos = System.nanoTime() - startNanos;
         assertThat(listener.threadCpuNanos()).as("of %d ns of life", lifeNanos).isLessThan(lifeNanos / 4);
-        assertThat(SerialLeaks.threads()).isEmpty();
+        SerialLeaks.awaitNoThreads();
     }
 
     @Test
@@ -83,7 +83,7 @@ class SerialLossTest {
                 link.close();
             }
             assertThat(SerialLeaks.terminals()).isEmpty();
-            assertThat(SerialLeaks.threads()).isEmpty();
+            SerialLeaks.awaitNoThreads();
         }
     }
 
@@ -98,7 +98,7 @@ class SerialLossTest {
                 assertThat(listener.awaitReceived(1)).containsExactly(i);
                 link.close();
                 assertThat(SerialLeaks.terminals()).hasSize(terminals);
-                assertThat(SerialLeaks.threads()).isEmpty();
+                SerialLeaks.awaitNoThreads();
             }
         }
     }
@@ -139,7 +139,7 @@ class SerialLossTest {
             assertThat(listener.awaitLost().fault()).isEqualTo(Fault.NOT_READING);
             assertFault(Fault.NOT_READING, () -> link.send(new byte[1]));
             link.close();
-            assertThat(SerialLeaks.threads()).isEmpty();
+            SerialLeaks.awaitNoThreads();
             assertThat(leftOver(pty))
                     .as("only what the terminal's far end had taken")
                     .isLessThan(2 * FAR_END_BUFFER);
@@ -163,7 +163,7 @@ class SerialLossTest {
             pty.hangUp();
             assertEnds(stuck, Fault.HUNG_UP);
             link.close();
-            assertThat(SerialLeaks.threads()).isEmpty();
+            SerialLeaks.awaitNoThreads();
         }
     }
 
@@ -174,7 +174,7 @@ class SerialLossTest {
             CompletableFuture<Void> stuck = stuckSend(pty, link);
             link.close();
             assertEnds(stuck, Fault.NOT_READING, Fault.CLOSED);
-            assertThat(SerialLeaks.threads()).isEmpty();
+            SerialLeaks.awaitNoThreads();
             assertThat(pty.clientPresent()).isFalse();
         }
     }
