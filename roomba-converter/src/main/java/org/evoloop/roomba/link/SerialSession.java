@@ -60,12 +60,9 @@ final class SerialSession {
     }
 
     void send(byte[] bytes) {
-        if (closing.get()) {
-            throw SerialFaults.closed(settings);
-        }
         switch (writer.write(bytes)) {
             case WRITTEN -> {}
-            case REFUSED -> throw end(SerialFaults.hungUp(settings));
+            case REFUSED -> throw closing.get() ? SerialFaults.closed(settings) : end(SerialFaults.hungUp(settings));
             case LATE -> throw end(SerialFaults.notReading(settings));
         }
     }
@@ -144,7 +141,7 @@ final class SerialSession {
 
     /** Waits for writes under way, and until what they wrote has left; a session that ends needs no more waiting. */
     private void awaitSilence() {
-        writer.write(new byte[0]);
+        writer.finish();
         long wait = writer.closableNanoTime() - System.nanoTime();
         if (wait > 0) {
             BoundedWait.uninterruptibly(

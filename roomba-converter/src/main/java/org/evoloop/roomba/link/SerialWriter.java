@@ -10,6 +10,7 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.TimeoutException;
+import java.util.function.Supplier;
 
 /**
  * Writes on a thread of its own, because a write to a port whose peer does not read never returns on Linux.
@@ -33,6 +34,7 @@ final class SerialWriter {
     private final SerialSettings settings;
     private final ExecutorService thread;
     private volatile boolean ending;
+
     /** When the last byte will be on the line, by {@link System#nanoTime()}. The writing thread's own. */
     private long lineIdleNanoTime = System.nanoTime();
 
@@ -51,13 +53,27 @@ final class SerialWriter {
     }
 
     Outcome write(byte[] bytes) {
+        return inTurn(() -> writeAll(bytes), settings.lineNanos(bytes.length));
+    }
+
+    /** Lets later writes fail once the earlier ones are through, or have had their time. */
+    Outcome finish() {
+        return inTurn(
+                () -> {
+                    ending = true;
+                    return Outcome.WRITTEN;
+                },
+                0);
+    }
+
+    private Outcome inTurn(Supplier<Outcome> task, long lineNanos) {
         CompletableFuture<Outcome> outcome = new CompletableFuture<>();
         try {
-            thread.execute(() -> outcome.complete(writeAll(bytes)));
+            thread.execute(() -> outcome.complete(task.get()));
         } catch (RejectedExecutionException ended) {
             return Outcome.REFUSED;
         }
-        long limitNanos = settings.sendLimitMillis() * 1_000_000L + settings.lineNanos(bytes.length);
+        long limitNanos = settings.sendLimitMillis() * 1_000_000L + lineNanos;
         BoundedWait.uninterruptibly(limitNanos, nanos -> completes(outcome, nanos));
         return outcome.getNow(Outcome.LATE);
     }
