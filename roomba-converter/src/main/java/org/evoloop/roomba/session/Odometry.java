@@ -24,10 +24,10 @@ public final class Odometry {
         SensorValues earlier = last;
         last = values;
         if (earlier != null) {
-            double left = MM_PER_COUNT
-                    * SensorValues.encoderDelta(earlier.leftEncoderCounts(), values.leftEncoderCounts());
-            double right = MM_PER_COUNT
-                    * SensorValues.encoderDelta(earlier.rightEncoderCounts(), values.rightEncoderCounts());
+            double left =
+                    MM_PER_COUNT * SensorValues.encoderDelta(earlier.leftEncoderCounts(), values.leftEncoderCounts());
+            double right =
+                    MM_PER_COUNT * SensorValues.encoderDelta(earlier.rightEncoderCounts(), values.rightEncoderCounts());
             pose = moved(pose, left, right);
         }
         return pose;

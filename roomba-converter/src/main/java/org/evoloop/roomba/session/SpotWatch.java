@@ -29,6 +29,9 @@ public final class SpotWatch {
     /** More flows through a brush motor, in mA, while it turns. */
     static final int BRUSH_CURRENT_MILLI_AMPS = 20;
 
+    /** At rest for this long the robot is taken to do nothing: 0.3 s. */
+    static final int REST_FRAMES = 20;
+
     /** How a spot cleaning came to its end. */
     public enum Ending {
         /** The robot finished, or was paused by its user. */
@@ -50,6 +53,7 @@ public final class SpotWatch {
     private Phase phase = Phase.NONE;
     private int frames;
     private int quietFrames;
+    private int restFrames = REST_FRAMES;
     private @Nullable SensorValues last;
 
     /** A spot cleaning was asked for, by a command or by the robot's own button. */
@@ -59,12 +63,11 @@ public final class SpotWatch {
         quietFrames = 0;
     }
 
-    /** Whether a spot cleaning is going on as far as can be seen. */
-    public boolean isWatching() {
-        return phase != Phase.NONE;
+    /** Whether the robot has moved or cleaned of late: then its SPOT button pauses it, else it starts a spot cleaning. */
+    public boolean isRobotActive() {
+        return restFrames < REST_FRAMES;
     }
 
-    /** Whether the robot moved or cleaned in the latest frame but one to the latest. */
     private boolean isActive(SensorValues values) {
         SensorValues earlier = last;
         boolean turned = earlier != null
@@ -80,6 +83,7 @@ public final class SpotWatch {
     public @Nullable Ending update(SensorValues values) {
         boolean active = isActive(values);
         last = values;
+        restFrames = active ? 0 : restFrames + 1;
         if (phase == Phase.NONE) {
             return null;
         }
