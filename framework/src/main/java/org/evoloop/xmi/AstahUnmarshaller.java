@@ -84,9 +84,7 @@ final class AstahUnmarshaller extends StreamReaderDelegate {
             element.line = stream.line();
             element.parent = open;
             open = element;
-            stream.keep(stream.attribute("xmi.id").length()
-                    + stream.attribute("xmi.idref").length()
-                    + stream.attribute("name").length());
+            stream.keep(stream.attribute("name").length());
         }
 
         @Override
@@ -109,11 +107,19 @@ final class AstahUnmarshaller extends StreamReaderDelegate {
             return END_ELEMENT;
         }
         int event = stream.next();
+        if (open == null) {
+            return event;
+        }
+        // JAXB would gather all text, even blanks; no element of a machine has any.
+        while (event != START_ELEMENT && event != END_ELEMENT) {
+            if ((event == CHARACTERS || event == CDATA) && !stream.isWhiteSpace()) {
+                problems.add(stream.line(), "text between the elements" + owner() + "; remove it");
+            }
+            event = stream.next();
+        }
         if (event == START_ELEMENT) {
             bound = false;
             visit();
-        } else if ((event == CHARACTERS || event == CDATA) && !stream.isWhiteSpace()) {
-            problems.add(stream.line(), "text between the elements" + owner() + "; remove it");
         }
         return event;
     }
@@ -141,7 +147,7 @@ final class AstahUnmarshaller extends StreamReaderDelegate {
             refuseStartTag(construct);
         }
         while (stream.nextElementWithin(depth)) {
-            refusedIds.add(stream.attribute("xmi.id"));
+            addRefusedId();
             if (role && stream.depth() == depth + 1) {
                 refuseStartTag(construct);
             }
@@ -152,9 +158,7 @@ final class AstahUnmarshaller extends StreamReaderDelegate {
     }
 
     private void refuseStartTag(AstahConstruct construct) {
-        String id = stream.attribute("xmi.id");
-        refusedIds.add(id);
-        linesById.remove(id);
+        String id = addRefusedId();
         String name = AstahXml.decode(stream.attribute("name"));
         problems.add(
                 stream.line(),
@@ -162,10 +166,19 @@ final class AstahUnmarshaller extends StreamReaderDelegate {
                         + construct.mend());
     }
 
+    private String addRefusedId() {
+        String id = stream.attribute("xmi.id");
+        stream.keep(id.length());
+        linesById.remove(id);
+        refusedIds.add(id);
+        return id;
+    }
+
     /** Notes the id and the reference of the current start tag. */
     private void visit() {
         String id = stream.attribute("xmi.id");
         if (!id.isEmpty()) {
+            stream.keep(id.length());
             Integer earlier = linesById.putIfAbsent(id, stream.line());
             if (earlier != null) {
                 problems.add(

@@ -33,9 +33,9 @@ final class XmiStream extends StreamReaderDelegate implements AutoCloseable {
     /** The parser never forgets a name; a real file has some 200. */
     private static final int MAX_NAMES = 10_000;
     /** Enough for 100,000 transitions. */
-    private static final int MAX_KEPT_CHARACTERS = 64_000_000;
-    /** What an element costs besides its texts. */
-    private static final int CHARACTERS_PER_ELEMENT = 40;
+    private static final int MAX_KEPT_BYTES = 256 << 20;
+    /** What an element costs besides its texts, about. */
+    private static final int BYTES_PER_ELEMENT = 140;
 
     private static final String EXPORT_AGAIN = "export it again with " + AstahDialect.MENU;
 
@@ -43,7 +43,7 @@ final class XmiStream extends StreamReaderDelegate implements AutoCloseable {
     private final BoundedInput input;
     private final Set<String> names = new HashSet<>();
     private int depth;
-    private long keptCharacters;
+    private long keptBytes;
 
     private XmiStream(String file, InputStream bytes) {
         this.file = file;
@@ -166,8 +166,8 @@ final class XmiStream extends StreamReaderDelegate implements AutoCloseable {
      * @throws ModelException if the file asks for too many
      */
     void keep(int characters) {
-        keptCharacters += CHARACTERS_PER_ELEMENT + characters;
-        if (keptCharacters > MAX_KEPT_CHARACTERS) {
+        keptBytes += BYTES_PER_ELEMENT + characters;
+        if (keptBytes > MAX_KEPT_BYTES) {
             throw refuse("its state machines are too large", "split them into several files");
         }
     }
@@ -181,8 +181,6 @@ final class XmiStream extends StreamReaderDelegate implements AutoCloseable {
                 case START_ELEMENT -> startElement();
                 case END_ELEMENT -> depth--;
                 case DTD -> throw refuse("holds a DOCTYPE, which is not read for safety", "remove it");
-                case ENTITY_REFERENCE ->
-                    throw refuse("holds an entity, " + Problems.quote(getLocalName()), "write the text itself");
                 case PROCESSING_INSTRUCTION -> name(getPITarget());
                 default -> {}
             }
