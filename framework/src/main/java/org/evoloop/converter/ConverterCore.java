@@ -182,6 +182,10 @@ final class ConverterCore implements VisitHost, LoopListener<Occurrence> {
         }
         transcript.executed(after);
         record(conversion, after);
+        if (decision instanceof Decision.Impossible) {
+            // Its timers start anew: what was impossible now may be possible the next time.
+            enterAgain();
+        }
         return entered;
     }
 
