@@ -80,14 +80,26 @@ final class ConverterCore implements VisitHost, LoopListener<Occurrence> {
 
     /** Lets every execute component see to what the device needs in the current state; the loop is closed. */
     void settle() {
-        for (EventExecute execute : executes) {
-            try {
-                execute.settled(knowledge.configuration());
-            } catch (InterruptedException stop) {
-                Thread.currentThread().interrupt();
-            } catch (Exception cause) {
-                failures.log(new Failure<>(execute.name(), "settled", 0, null, cause));
-            }
+        executes.forEach(execute -> tell(execute, "settled", () -> execute.settled(knowledge.configuration())));
+    }
+
+    /** Ends the current visit and lets go of the device; the loop is closed. */
+    void release() {
+        leave();
+        executes.forEach(execute -> tell(execute, "released", execute::released));
+    }
+
+    private interface Notice {
+        void tell() throws Exception;
+    }
+
+    private void tell(EventExecute execute, String phase, Notice notice) {
+        try {
+            notice.tell();
+        } catch (InterruptedException stop) {
+            Thread.currentThread().interrupt();
+        } catch (Exception cause) {
+            failures.log(new Failure<>(execute.name(), phase, 0, null, cause));
         }
     }
 
@@ -182,6 +194,10 @@ final class ConverterCore implements VisitHost, LoopListener<Occurrence> {
         }
         transcript.executed(after);
         record(conversion, after);
+        if (decision instanceof Decision.Impossible) {
+            // Its timers start anew: what was impossible now may be possible the next time.
+            enterAgain();
+        }
         return entered;
     }
 
@@ -243,8 +259,7 @@ final class ConverterCore implements VisitHost, LoopListener<Occurrence> {
         }
     }
 
-    /** Ends the current visit. */
-    synchronized void leave() {
+    private synchronized void leave() {
         functions.end();
         visit = null;
     }

@@ -10,8 +10,8 @@ import org.evoloop.statemachine.Event;
 /**
  * Superclass of the components that send events to the device.
  *
- * <p>Threading: all methods are called on the component's own thread; only {@link #settled} is called once more, by {@link
- * SystemEventConverter#start} before the loop opens.
+ * <p>Threading: all methods are called on the component's own thread, one at a time; only {@link #settled} is called once
+ * more by whoever starts the converter, before the loop opens, and {@link #released} by whoever stops it.
  */
 public abstract class EventExecute extends Execute<Conversion> {
 
@@ -53,6 +53,14 @@ public abstract class EventExecute extends Execute<Conversion> {
      * @throws Exception any failure: it is reported
      */
     protected void settled(Configuration now) throws Exception {}
+
+    /**
+     * The converter has stopped and its new function has ended: the device is on its own from now on. Called by whoever
+     * stops or closes the converter.
+     *
+     * @throws Exception any failure: it is reported
+     */
+    protected void released() throws Exception {}
 
     @Override
     protected final void execute(Conversion conversion) throws Exception {

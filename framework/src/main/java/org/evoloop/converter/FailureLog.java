@@ -33,7 +33,8 @@ final class FailureLog {
 
     /** A stack trace helps whoever wrote the component, and says nothing to whoever unplugged the device. */
     private static boolean isBug(Throwable cause) {
-        return cause instanceof RuntimeException || cause instanceof Error;
+        return cause.getClass().getName().startsWith("java.")
+                && (cause instanceof RuntimeException || cause instanceof Error);
     }
 
     private synchronized long count(String what) {

@@ -175,12 +175,14 @@ public final class SystemEventConverter implements AutoCloseable {
 
     /**
      * Closes the loop: the event that is in it comes to its end, those that wait are refused, and the running new function
-     * ends. Does nothing if it is closed.
+     * ends. Then the execute components let go of the device. Does nothing if it is closed.
      */
     public synchronized void stop() {
         ConverterCore built = built();
-        built.loop.stop();
-        built.leave();
+        if (built.loop.state() == LoopState.RUNNING) {
+            built.loop.stop();
+            built.release();
+        }
     }
 
     /** Ends the converter and its threads, see {@link org.evoloop.loop.MapeLoop#close}. Idempotent. */
@@ -188,8 +190,11 @@ public final class SystemEventConverter implements AutoCloseable {
     public synchronized void close() {
         ConverterCore built = core;
         if (built != null) {
+            boolean wasRunning = built.loop.state() == LoopState.RUNNING;
             built.loop.close();
-            built.leave();
+            if (wasRunning) {
+                built.release();
+            }
         }
     }
 

@@ -17,8 +17,10 @@ import org.jspecify.annotations.Nullable;
  * that deciding at run time is a look-up.
  *
  * <p>Reached means by events as they should go: asked for by a controller, a timer or a function, or taken by the device
- * where its model says that it can. Where a plan broke off between two steps, or the device did what its model does not
- * know, the system stands elsewhere; decisions there are made by the same function when they are first needed.
+ * where its model says that it can. What the device may do although it could have been asked, such as act on its own
+ * buttons, is explored last, so that a decision that cannot be carried out is known to be a {@linkplain #problems()
+ * problem} of the models or a {@linkplain #hazards() hazard} of such interference. Where a plan broke off between two
+ * steps the system stands elsewhere; decisions there are made by the same function when they are first needed.
  *
  * <p>Threading: thread-safe.
  */
@@ -28,6 +30,7 @@ public final class DecisionTable {
     private final Map<Configuration, Row> rows = new ConcurrentHashMap<>();
     private final Set<Configuration> reachable = new LinkedHashSet<>();
     private final Set<Decision.Impossible> problems = new LinkedHashSet<>();
+    private final Set<Decision.Impossible> hazards = new LinkedHashSet<>();
 
     /** The decisions of one configuration, by event: asked for, or already acted on by the device. */
     private record Row(Map<Event, Decision> asked, Map<Event, Decision> acted) {}
@@ -44,24 +47,46 @@ public final class DecisionTable {
      */
     public static DecisionTable compile(ModelPair pair, DeviceEvents device) {
         DecisionTable table = new DecisionTable(pair, device);
-        Queue<Configuration> frontier = new ArrayDeque<>(List.of(pair.initial()));
-        for (Configuration at = frontier.poll(); at != null; at = frontier.poll()) {
-            if (table.reachable.add(at)) {
-                Row row = table.row(at);
-                for (Event event : pair.evolved().events()) {
-                    table.follow(row.asked().get(event), frontier);
-                    if (device.mayTake(event) && pair.original().hasTransition(at.original(), event)) {
-                        table.follow(row.acted().get(event), frontier);
-                    }
-                }
-            }
+        table.explore(new ArrayDeque<>(List.of(pair.initial())), device, false, table.problems);
+        Queue<Configuration> interfered = new ArrayDeque<>();
+        for (Configuration at : table.reachable) {
+            table.followInterference(at, device, table.hazards, interfered);
         }
+        table.explore(interfered, device, true, table.hazards);
         return table;
     }
 
-    private void follow(@Nullable Decision decision, Queue<Configuration> frontier) {
-        if (decision instanceof Decision.Impossible impossible) {
-            problems.add(impossible);
+    private void explore(
+            Queue<Configuration> frontier,
+            DeviceEvents device,
+            boolean interference,
+            Set<Decision.Impossible> impossible) {
+        for (Configuration at = frontier.poll(); at != null; at = frontier.poll()) {
+            if (reachable.add(at)) {
+                Row row = row(at);
+                for (Event event : pair.evolved().events()) {
+                    follow(row.asked().get(event), impossible, frontier);
+                }
+                if (interference) {
+                    followInterference(at, device, impossible, frontier);
+                }
+            }
+        }
+    }
+
+    private void followInterference(
+            Configuration at, DeviceEvents device, Set<Decision.Impossible> impossible, Queue<Configuration> frontier) {
+        for (Event event : device.spontaneous()) {
+            if (pair.original().hasTransition(at.original(), event)) {
+                follow(row(at).acted().get(event), impossible, frontier);
+            }
+        }
+    }
+
+    private static void follow(
+            @Nullable Decision decision, Set<Decision.Impossible> impossible, Queue<Configuration> frontier) {
+        if (decision instanceof Decision.Impossible found) {
+            impossible.add(found);
         } else if (decision != null) {
             frontier.add(decision.after());
         }
@@ -102,5 +127,13 @@ public final class DecisionTable {
     /** Decisions that lead to a state of the device to which no plan leads; an evolution must have none. */
     public List<Decision.Impossible> problems() {
         return List.copyOf(problems);
+    }
+
+    /**
+     * The same, but only after the device has done by itself what it could have been asked for. Such an event fails, and
+     * the system stays where it is.
+     */
+    public List<Decision.Impossible> hazards() {
+        return List.copyOf(hazards);
     }
 }

@@ -18,9 +18,4 @@ public record DeviceEvents(Set<Event> sendable, Set<Event> spontaneous) {
         sendable = Set.copyOf(sendable);
         spontaneous = Set.copyOf(spontaneous);
     }
-
-    /** Whether the device may take {@code event} of the original model by itself. */
-    boolean mayTake(Event event) {
-        return spontaneous.contains(event) || !sendable.contains(event);
-    }
 }

@@ -51,7 +51,7 @@ public final class StateMachineBuilder {
 
     /** Adds an event that no transition needs to carry. */
     public StateMachineBuilder event(String event) {
-        addEvent(new Event(event));
+        addEvent(new Event(event), "");
         return this;
     }
 
@@ -70,7 +70,7 @@ public final class StateMachineBuilder {
         Transition transition = added.transition();
         states.add(transition.source());
         states.add(transition.target());
-        addEvent(transition.event());
+        addEvent(transition.event(), place);
         Placed present = outgoing.computeIfAbsent(transition.source(), state -> new LinkedHashMap<>())
                 .putIfAbsent(transition.event(), added);
         if (present != null) {
@@ -80,14 +80,19 @@ public final class StateMachineBuilder {
         return this;
     }
 
-    private void addEvent(Event event) {
+    private void addEvent(Event event, String place) {
         if (events.add(event)) {
             try {
                 event.timeTrigger();
             } catch (ModelException malformed) {
-                problems.add(malformed.getMessage());
+                problems.add(malformed.getMessage() + (place.isEmpty() ? "" : " (" + place + ")"));
             }
         }
+    }
+
+    /** What {@link #build()} would refuse in the transitions added so far. */
+    public List<String> problems() {
+        return List.copyOf(problems);
     }
 
     /**

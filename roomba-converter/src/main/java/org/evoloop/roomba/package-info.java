@@ -1,4 +1,8 @@
-/** Filled in by the commits that follow. */
+/**
+ * The Roomba converter: an event converter that gives a cleaning robot the functions Move and SpotWait.
+ *
+ * <p>This room may use everything else of this module and the framework.
+ */
 @NullMarked
 package org.evoloop.roomba;
 

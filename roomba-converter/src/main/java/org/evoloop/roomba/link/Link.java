@@ -15,10 +15,7 @@ package org.evoloop.roomba.link;
  */
 public interface Link extends AutoCloseable {
 
-    /**
-     * What the owner of a link is told, one call at a time. Exceptions are the receiver's own business; the link logs
-     * them and goes on.
-     */
+    /** What the owner of a link is told, one call at a time. It must not throw. */
     interface Receiver {
         /**
          * Bytes have come, in order and cut anywhere.

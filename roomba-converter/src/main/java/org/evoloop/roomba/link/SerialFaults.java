@@ -5,6 +5,7 @@ import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFileAttributes;
+import java.nio.file.attribute.PosixFilePermission;
 import java.util.List;
 import java.util.stream.Stream;
 import org.evoloop.roomba.link.LinkException.Fault;
@@ -64,11 +65,25 @@ final class SerialFaults {
 
     static LinkException noPermission(SerialSettings settings, Path device) {
         String user = System.getProperty("user.name", "?");
-        String group = group(device);
         return new LinkException(
-                Fault.NO_PERMISSION,
-                settings + " may not be used by " + user + "; run 'sudo usermod -aG " + group + " " + user
-                        + "', then log out and in again");
+                Fault.NO_PERMISSION, settings + " may not be used by " + user + "; " + waysIn(device, user));
+    }
+
+    /** A device is for its group, on Debian and the Raspberry Pi dialout, unless the system's console runs on it. */
+    private static String waysIn(Path device, String user) {
+        String group = "dialout";
+        try {
+            PosixFileAttributes attributes = Files.readAttributes(device, PosixFileAttributes.class);
+            if (!attributes.permissions().contains(PosixFilePermission.GROUP_WRITE)) {
+                return "it is reserved for " + attributes.owner().getName()
+                        + ", as a serial console is: switch that off (on a Raspberry Pi with raspi-config),"
+                        + " or use another port";
+            }
+            group = attributes.group().getName();
+        } catch (IOException | UnsupportedOperationException hidden) {
+            // The usual group is the best guess.
+        }
+        return "run 'sudo usermod -aG " + group + " " + user + "', then log out and in again";
     }
 
     static LinkException hungUp(SerialSettings settings) {
@@ -92,17 +107,6 @@ final class SerialFaults {
         return ports.isEmpty()
                 ? "check the adapter: this computer shows no serial port"
                 : "choose one of: " + String.join(", ", ports);
-    }
-
-    /** The group that owns the device; Debian, and with it the Raspberry Pi, calls it dialout. */
-    private static String group(Path device) {
-        try {
-            return Files.readAttributes(device, PosixFileAttributes.class)
-                    .group()
-                    .getName();
-        } catch (IOException | UnsupportedOperationException unknown) {
-            return "dialout";
-        }
     }
 
     /** The processes that have the device open, as far as this user may see them. */

@@ -1,6 +1,5 @@
 package org.evoloop.roomba.link;
 
-import com.fazecast.jSerialComm.SerialPort;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 
@@ -12,8 +11,8 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>Threading: receives on a daemon thread named {@code evoloop-serial-<port>} that waits inside the operating system,
  * and writes on another named {@code evoloop-serial-<port>-writer}. Both end with the link. A peer that takes no bytes
- * holds {@link #send} for {@link SerialSettings#sendLimitMillis()} at most, then the link is lost and unsent bytes are
- * dropped, so that no command reaches the robot late.
+ * holds {@link #send} for {@link SerialSettings#sendLimitMillis()} at most; then the link is lost, and bytes that have
+ * not reached the peer's end are dropped so that they do not come to the robot late.
  */
 public final class SerialLink implements Link {
     private final SerialSettings settings;
@@ -34,7 +33,7 @@ public final class SerialLink implements Link {
      * has one that closes all ports, and the hooks of a program run in no order.
      */
     public static void addShutdownHook(Thread hook) {
-        SerialPort.addShutdownHook(hook);
+        SerialPorts.addShutdownHook(hook);
     }
 
     @Override

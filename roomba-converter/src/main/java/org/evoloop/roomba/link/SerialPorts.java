@@ -19,7 +19,15 @@ final class SerialPorts {
     private static final Object LIBRARY = new Object();
     private static final int DATA_BITS = 8;
 
+    static {
+        HangupSignal.keptDuring(SerialPort::getVersion);
+    }
+
     private SerialPorts() {}
+
+    static void addShutdownHook(Thread hook) {
+        SerialPort.addShutdownHook(hook);
+    }
 
     static List<String> available() {
         synchronized (LIBRARY) {
@@ -30,7 +38,7 @@ final class SerialPorts {
         }
     }
 
-    /** The open port, with nothing in its buffers. */
+    /** The open port, with nothing in its buffers and its wake line at rest. */
     static SerialPort open(SerialSettings settings) {
         Path device = device(settings);
         synchronized (LIBRARY) {
@@ -38,6 +46,7 @@ final class SerialPorts {
             port.setComPortParameters(settings.baud(), DATA_BITS, SerialPort.ONE_STOP_BIT, SerialPort.NO_PARITY);
             port.setFlowControl(SerialPort.FLOW_CONTROL_DISABLED);
             port.setComPortTimeouts(SerialPort.TIMEOUT_READ_SEMI_BLOCKING, 0, 0);
+            settings.wakeSignal().drive(port, false);
             port.flushIOBuffers();
             if (!port.openPort()) {
                 throw SerialFaults.notOpened(settings, device, port.getLastErrorCode());

@@ -24,12 +24,6 @@ final class SerialSession {
 
     private static final int BUFFER_BYTES = 4_096;
 
-    /**
-     * Closing a port throws away what still stands in its buffers. So long must the line have been silent before: an
-     * adapter's full buffer of 512 bytes needs 44 ms at 115200 baud, a simulator on a busy computer sometimes more.
-     */
-    private static final long SILENCE_NANOS = MILLISECONDS.toNanos(100);
-
     private static final long LONGEST_SILENCE_WAIT_NANOS = MILLISECONDS.toNanos(2_000);
     private static final long FLUSH_INTERVAL_NANOS = MILLISECONDS.toNanos(10);
     private static final long WRITER_END_LIMIT_NANOS = MILLISECONDS.toNanos(1_000);
@@ -62,34 +56,21 @@ final class SerialSession {
     }
 
     void start() {
-        setWakeLine(false);
         reader.start();
     }
 
     void send(byte[] bytes) {
-        if (closing.get()) {
-            throw SerialFaults.closed(settings);
-        }
         switch (writer.write(bytes)) {
             case WRITTEN -> {}
-            case REFUSED -> throw end(SerialFaults.hungUp(settings));
+            case REFUSED -> throw closing.get() ? SerialFaults.closed(settings) : end(SerialFaults.hungUp(settings));
             case LATE -> throw end(SerialFaults.notReading(settings));
         }
     }
 
     boolean setWakeLine(boolean low) {
         synchronized (wakeLineLock) {
-            return end.get() == null && drive(low);
+            return end.get() == null && settings.wakeSignal().drive(port, low);
         }
-    }
-
-    /** Asserting an output of an adapter with TTL levels pulls its pin low. */
-    private boolean drive(boolean low) {
-        return switch (settings.wakeSignal()) {
-            case RTS -> low ? port.setRTS() : port.clearRTS();
-            case DTR -> low ? port.setDTR() : port.clearDTR();
-            case BOTH -> port.setDTRandRTS(low, low);
-        };
     }
 
     /** Ends the session; returns its first cause, which is the given one unless it has ended before. */
@@ -142,7 +123,7 @@ final class SerialSession {
             port.flushIOBuffers();
         }
         synchronized (wakeLineLock) {
-            drive(false);
+            settings.wakeSignal().drive(port, false);
             port.closePort();
         }
     }
@@ -160,8 +141,8 @@ final class SerialSession {
 
     /** Waits for writes under way, and until what they wrote has left; a session that ends needs no more waiting. */
     private void awaitSilence() {
-        writer.write(new byte[0]);
-        long wait = writer.silentNanoTime() + SILENCE_NANOS - System.nanoTime();
+        writer.finish();
+        long wait = writer.closableNanoTime() - System.nanoTime();
         if (wait > 0) {
             BoundedWait.uninterruptibly(
                     Math.min(wait, LONGEST_SILENCE_WAIT_NANOS), nanos -> released.await(nanos, NANOSECONDS));

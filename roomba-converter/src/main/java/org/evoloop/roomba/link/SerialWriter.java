@@ -10,6 +10,7 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.TimeoutException;
+import java.util.function.Supplier;
 
 /**
  * Writes on a thread of its own, because a write to a port whose peer does not read never returns on Linux.
@@ -23,11 +24,21 @@ final class SerialWriter {
     /** What the line is thought to hold at most; a driver's and an adapter's buffers are of this order. */
     private static final int BUFFERED_BYTES = 4_096;
 
+    /**
+     * Closing a port throws away what still stands in its buffers. So long must the line have been silent before: an
+     * adapter's full buffer of 512 bytes needs 44 ms at 115200 baud, a simulator on a busy computer sometimes more.
+     */
+    private static final long SILENCE_NANOS = 100_000_000;
+
     private final SerialPort port;
     private final SerialSettings settings;
     private final ExecutorService thread;
     private volatile boolean ending;
-    private volatile long silentNanoTime = System.nanoTime();
+
+    /** When the last byte will be on the line, by {@link System#nanoTime()}. The writing thread's own. */
+    private long lineIdleNanoTime = System.nanoTime();
+
+    private volatile long closableNanoTime = System.nanoTime();
 
     enum Outcome {
         WRITTEN,
@@ -42,13 +53,27 @@ final class SerialWriter {
     }
 
     Outcome write(byte[] bytes) {
+        return inTurn(() -> writeAll(bytes), settings.lineNanos(bytes.length));
+    }
+
+    /** Lets later writes fail once the earlier ones are through, or have had their time. */
+    Outcome finish() {
+        return inTurn(
+                () -> {
+                    ending = true;
+                    return Outcome.WRITTEN;
+                },
+                0);
+    }
+
+    private Outcome inTurn(Supplier<Outcome> task, long lineNanos) {
         CompletableFuture<Outcome> outcome = new CompletableFuture<>();
         try {
-            thread.execute(() -> outcome.complete(writeAll(bytes)));
+            thread.execute(() -> outcome.complete(task.get()));
         } catch (RejectedExecutionException ended) {
             return Outcome.REFUSED;
         }
-        long limitNanos = settings.sendLimitMillis() * 1_000_000L + settings.lineNanos(bytes.length);
+        long limitNanos = settings.sendLimitMillis() * 1_000_000L + lineNanos;
         BoundedWait.uninterruptibly(limitNanos, nanos -> completes(outcome, nanos));
         return outcome.getNow(Outcome.LATE);
     }
@@ -69,15 +94,16 @@ final class SerialWriter {
                 return Outcome.REFUSED;
             }
             long now = System.nanoTime();
-            long silent = Math.max(now, silentNanoTime) + settings.lineNanos(chunk.length);
-            silentNanoTime = Math.min(silent, now + settings.lineNanos(BUFFERED_BYTES));
+            long sent = Math.max(now, lineIdleNanoTime) + settings.lineNanos(chunk.length);
+            lineIdleNanoTime = Math.min(sent, now + settings.lineNanos(BUFFERED_BYTES));
+            closableNanoTime = lineIdleNanoTime + SILENCE_NANOS;
         }
         return Outcome.WRITTEN;
     }
 
-    /** When the last byte has left, by {@link System#nanoTime()} and the line's rate; past if nothing was written. */
-    long silentNanoTime() {
-        return silentNanoTime;
+    /** From when on the port can be closed without losing what was written, by {@link System#nanoTime()}. */
+    long closableNanoTime() {
+        return closableNanoTime;
     }
 
     /** Lets waiting and later writes fail, and waits for the thread's end; false if it did not come in time. */

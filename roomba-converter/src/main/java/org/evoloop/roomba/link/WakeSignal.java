@@ -1,5 +1,7 @@
 package org.evoloop.roomba.link;
 
+import com.fazecast.jSerialComm.SerialPort;
+
 /**
  * Which output of the serial adapter is wired to the robot's BRC pin. Cables differ: iRobot's own uses RTS, others DTR,
  * and some that should use RTS are miswired.
@@ -8,5 +10,14 @@ public enum WakeSignal {
     RTS,
     DTR,
     /** Both together, for a cable nobody knows. */
-    BOTH
+    BOTH;
+
+    /** Asserting an output of an adapter with TTL levels pulls its pin low. On a port yet to open: how it starts. */
+    boolean drive(SerialPort port, boolean low) {
+        return switch (this) {
+            case RTS -> low ? port.setRTS() : port.clearRTS();
+            case DTR -> low ? port.setDTR() : port.clearDTR();
+            case BOTH -> port.setDTRandRTS(low, low);
+        };
+    }
 }

@@ -1,8 +1,12 @@
 package org.evoloop.roomba.link;
 
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.awaitility.Awaitility.await;
+
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.List;
 import java.util.stream.Stream;
 
@@ -10,7 +14,14 @@ import java.util.stream.Stream;
 final class SerialLeaks {
     private SerialLeaks() {}
 
-    static List<String> threads() {
+    /** An ended link's threads may need a moment to leave the system's list. */
+    static void awaitNoThreads() {
+        await().pollDelay(Duration.ZERO)
+                .pollInterval(Duration.ofMillis(1))
+                .untilAsserted(() -> assertThat(threads()).isEmpty());
+    }
+
+    private static List<String> threads() {
         return Thread.getAllStackTraces().keySet().stream()
                 .map(Thread::getName)
                 .filter(name -> name.startsWith("evoloop-serial-"))

@@ -105,7 +105,7 @@ class SerialLinkTest {
                     .as("the interrupt is still to be seen")
                     .isTrue();
             assertThat(peer.awaitHeard(COMMAND.length)).isEqualTo(COMMAND);
-            assertThat(SerialLeaks.threads()).isEmpty();
+            SerialLeaks.awaitNoThreads();
         }
     }
 
@@ -171,7 +171,7 @@ class SerialLinkTest {
             pty.write(COMMAND, COMMAND.length);
             assertThat(closed.get(Listener.PATIENCE_SECONDS, TimeUnit.SECONDS)).isTrue();
             link.close();
-            assertThat(SerialLeaks.threads()).isEmpty();
+            SerialLeaks.awaitNoThreads();
         }
     }
 

@@ -1,0 +1,101 @@
+package org.evoloop.console;
+
+import java.io.PrintStream;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * The commands of a console by name, and how a line calls one of them.
+ *
+ * <p>Threading: not thread-safe; filled before the console runs, then used by its thread.
+ */
+final class CommandSet {
+    private final Map<String, ConsoleCommand> commands = new LinkedHashMap<>();
+
+    /** @throws IllegalArgumentException if there is a command of that name */
+    void add(ConsoleCommand command) {
+        if (commands.putIfAbsent(command.name(), command) != null) {
+            throw new IllegalArgumentException("there is a command named " + command.name() + " already");
+        }
+    }
+
+    Collection<ConsoleCommand> all() {
+        return commands.values();
+    }
+
+    Collection<String> names() {
+        return commands.keySet();
+    }
+
+    /** @throws IllegalArgumentException if there is none of that name */
+    ConsoleCommand require(String name) {
+        ConsoleCommand command = commands.get(name);
+        if (command == null) {
+            throw new IllegalArgumentException("unknown command '" + name + "'; help lists the commands");
+        }
+        return command;
+    }
+
+    /** The words that may stand after {@code before}. */
+    Collection<String> completions(List<String> before) {
+        if (before.isEmpty()) {
+            return names();
+        }
+        ConsoleCommand command = commands.get(before.get(0));
+        return command == null ? List.of() : command.completion().apply(before.subList(1, before.size()));
+    }
+
+    /**
+     * Performs the command that {@code line} calls; an empty line calls none.
+     *
+     * @throws IllegalArgumentException if there is no such command, or it takes other arguments
+     * @throws Exception whatever the command throws
+     */
+    void perform(String line, PrintStream out) throws Exception {
+        List<String> words = split(line);
+        if (!words.isEmpty()) {
+            ConsoleCommand command = require(words.get(0));
+            List<String> arguments = words.subList(1, words.size());
+            if (!command.accepts(arguments.size())) {
+                throw new IllegalArgumentException("usage: " + command.usage());
+            }
+            command.action().run(arguments, out);
+        }
+    }
+
+    /** The words of a line; blanks divide them, except between two quotes of the same kind. */
+    static List<String> split(String line) {
+        List<String> words = new ArrayList<>();
+        StringBuilder word = new StringBuilder();
+        boolean inWord = false;
+        char quote = 0;
+        for (int i = 0; i < line.length(); i++) {
+            char next = line.charAt(i);
+            if (quote != 0 && next == quote) {
+                quote = 0;
+            } else if (quote == 0 && (next == '"' || next == '\'')) {
+                quote = next;
+                inWord = true;
+            } else if (quote == 0 && Character.isWhitespace(next)) {
+                if (inWord) {
+                    words.add(word.toString());
+                }
+                word.setLength(0);
+                inWord = false;
+            } else {
+                word.append(next);
+                inWord = true;
+            }
+        }
+        if (quote != 0) {
+            throw new IllegalArgumentException("the quote " + quote + " is not closed");
+        }
+        if (inWord) {
+            words.add(word.toString());
+        }
+        return words;
+    }
+}

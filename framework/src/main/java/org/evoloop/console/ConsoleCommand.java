@@ -1,0 +1,66 @@
+package org.evoloop.console;
+
+import java.io.PrintStream;
+import java.util.Arrays;
+import java.util.Collection;
+import java.util.List;
+import java.util.function.Function;
+
+/**
+ * A command of a {@link Console}.
+ *
+ * <pre>{@code
+ * ConsoleCommand.of("press BUTTON", "presses a button of the robot", (arguments, out) -> panel.press(arguments.get(0)))
+ *         .completing(before -> List.of("clean", "spot"));
+ * }</pre>
+ *
+ * <p>Threading: immutable; its action and completion are called on the console's thread.
+ *
+ * @param usage the command's name and one word for each argument, those that may be left out in brackets: {@code exchange
+ *     COMPONENT SPARE}, {@code status [--json]}. The console refuses any other number of arguments
+ * @param help what the command does, for {@code help}; the first line stands in the list of all commands
+ * @param action what it does
+ * @param completion the words that may stand after those given, which begin with the first argument
+ */
+public record ConsoleCommand(
+        String usage, String help, Action action, Function<List<String>, Collection<String>> completion) {
+
+    /** What a command does. */
+    @FunctionalInterface
+    public interface Action {
+        /**
+         * Performs the command.
+         *
+         * @param arguments as many as the usage says
+         * @param out for results
+         * @throws Exception any failure: its message, which should say how to mend it, becomes the console's error line
+         */
+        void run(List<String> arguments, PrintStream out) throws Exception;
+    }
+
+    /** A command whose arguments are not completed. */
+    public static ConsoleCommand of(String usage, String help, Action action) {
+        return new ConsoleCommand(usage, help, action, before -> List.of());
+    }
+
+    /** The same with another completion. */
+    public ConsoleCommand completing(Function<List<String>, Collection<String>> words) {
+        return new ConsoleCommand(usage, help, action, words);
+    }
+
+    /** What the user types. */
+    public String name() {
+        return words().get(0);
+    }
+
+    /** Whether the command can be called with so many arguments. */
+    boolean accepts(int arguments) {
+        List<String> words = words();
+        long required = words.stream().filter(word -> !word.startsWith("[")).count();
+        return required <= arguments + 1 && arguments + 1 <= words.size();
+    }
+
+    private List<String> words() {
+        return Arrays.asList(usage.split(" +"));
+    }
+}

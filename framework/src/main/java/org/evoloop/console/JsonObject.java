@@ -1,0 +1,63 @@
+package org.evoloop.console;
+
+import java.util.List;
+
+/**
+ * A JSON object in the making; its text is one line.
+ *
+ * <p>Threading: not thread-safe.
+ */
+final class JsonObject {
+    private final StringBuilder members = new StringBuilder();
+
+    JsonObject put(String key, String value) {
+        return putText(key, quote(value));
+    }
+
+    JsonObject put(String key, long value) {
+        return putText(key, Long.toString(value));
+    }
+
+    JsonObject put(String key, boolean value) {
+        return putText(key, Boolean.toString(value));
+    }
+
+    JsonObject put(String key, JsonObject value) {
+        return putText(key, value.toString());
+    }
+
+    JsonObject put(String key, List<JsonObject> values) {
+        return putText(
+                key,
+                "[" + String.join(",", values.stream().map(JsonObject::toString).toList()) + "]");
+    }
+
+    private JsonObject putText(String key, String json) {
+        members.append(members.length() == 0 ? "" : ",")
+                .append(quote(key))
+                .append(':')
+                .append(json);
+        return this;
+    }
+
+    private static String quote(String text) {
+        StringBuilder quoted = new StringBuilder("\"");
+        for (int i = 0; i < text.length(); i++) {
+            char next = text.charAt(i);
+            if (next == '"' || next == '\\') {
+                quoted.append('\\').append(next);
+            } else if (next >= ' ' && next <= '~') {
+                quoted.append(next);
+            } else {
+                // Whatever the encoding of the output, ASCII survives it.
+                quoted.append(String.format("\\u%04x", (int) next));
+            }
+        }
+        return quoted.append('"').toString();
+    }
+
+    @Override
+    public String toString() {
+        return "{" + members + "}";
+    }
+}

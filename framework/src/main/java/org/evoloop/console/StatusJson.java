@@ -1,0 +1,85 @@
+package org.evoloop.console;
+
+import java.util.Locale;
+import org.evoloop.converter.ConverterStatus;
+import org.evoloop.loop.ComponentStatus;
+
+/**
+ * The status of a converter for programs: one line of JSON. Every key is always there:
+ *
+ * <ul>
+ *   <li>{@code name}; {@code loop}: new, stopped, running or exited
+ *   <li>{@code originalState}, {@code newState}: the current states of the models
+ *   <li>{@code queue}: {@code depth}, {@code capacity}, {@code highest}, {@code taken}, {@code dropped}, {@code refused}
+ *   <li>{@code events}: {@code handled}, {@code ignored}, {@code stale}, {@code failed}
+ *   <li>{@code conversionTime}: {@code events}, {@code lastNanos}, {@code medianNanos}, {@code percentile99Nanos}
+ *   <li>{@code components}, a list: {@code name}, {@code role} (monitor, analyze, plan, execute), {@code thread}, {@code
+ *       activity} (waiting, working, stuck, ended), {@code failures}, {@code lastFailure}
+ *   <li>{@code function}: {@code state}, {@code thread}, both empty if no new function runs
+ *   <li>{@code link}: {@code up}, {@code text}, false and empty if the converter was told of none
+ * </ul>
+ */
+final class StatusJson {
+    private StatusJson() {}
+
+    static String of(ConverterStatus status) {
+        return new JsonObject()
+                .put("name", status.name())
+                .put("loop", lowerCase(status.loop()))
+                .put("originalState", status.states().original().name())
+                .put("newState", status.states().evolved().name())
+                .put(
+                        "queue",
+                        new JsonObject()
+                                .put("depth", status.queue().depth())
+                                .put("capacity", status.queue().capacity())
+                                .put("highest", status.queue().highest())
+                                .put("taken", status.queue().taken())
+                                .put("dropped", status.queue().dropped())
+                                .put("refused", status.queue().refused()))
+                .put(
+                        "events",
+                        new JsonObject()
+                                .put("handled", status.events().handled())
+                                .put("ignored", status.events().ignored())
+                                .put("stale", status.events().stale())
+                                .put("failed", status.events().failed()))
+                .put(
+                        "conversionTime",
+                        new JsonObject()
+                                .put("events", status.conversionTime().events())
+                                .put("lastNanos", status.conversionTime().lastNanos())
+                                .put("medianNanos", status.conversionTime().medianNanos())
+                                .put(
+                                        "percentile99Nanos",
+                                        status.conversionTime().percentile99Nanos()))
+                .put(
+                        "components",
+                        status.components().stream().map(StatusJson::component).toList())
+                .put(
+                        "function",
+                        new JsonObject()
+                                .put("state", status.function().state())
+                                .put("thread", status.function().thread()))
+                .put(
+                        "link",
+                        new JsonObject()
+                                .put("up", status.link().up())
+                                .put("text", status.link().text()))
+                .toString();
+    }
+
+    private static JsonObject component(ComponentStatus component) {
+        return new JsonObject()
+                .put("name", component.name())
+                .put("role", lowerCase(component.role()))
+                .put("thread", component.thread())
+                .put("activity", lowerCase(component.activity()))
+                .put("failures", component.failures())
+                .put("lastFailure", component.lastFailure());
+    }
+
+    static String lowerCase(Enum<?> constant) {
+        return constant.name().toLowerCase(Locale.ROOT);
+    }
+}

@@ -1,0 +1,65 @@
+package org.evoloop.xmi;
+
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.Optional;
+import org.evoloop.statemachine.ModelException;
+import org.evoloop.statemachine.StateMachine;
+
+/**
+ * Names one state machine of one file, as on a command line: {@code FILE#NAME}.
+ *
+ * <p>Threading: immutable.
+ *
+ * @param file the XMI file
+ * @param machine diagram name, machine name or id; empty for the file's only machine
+ */
+public record ModelReference(Path file, Optional<String> machine) {
+
+    /**
+     * Splits at the last {@code #}, unless the whole text is the path of something that exists.
+     *
+     * @throws ModelException if the text names no file, or nothing follows the {@code #}
+     */
+    public static ModelReference parse(String text) {
+        int hash = text.lastIndexOf('#');
+        if (hash < 0 || Files.exists(path(text, text))) {
+            return new ModelReference(path(text, text), Optional.empty());
+        }
+        String name = text.substring(hash + 1).strip();
+        if (name.isEmpty()) {
+            throw new ModelException(
+                    "'" + text + "' names no state machine after '#'; write FILE#NAME, or FILE if it holds only one");
+        }
+        return new ModelReference(path(text.substring(0, hash), text), Optional.of(name));
+    }
+
+    private static Path path(String file, String text) {
+        if (file.isBlank()) {
+            throw new ModelException("'" + text + "' names no file; write FILE#NAME, for example robot.xml#original");
+        }
+        try {
+            return Path.of(file);
+        } catch (InvalidPathException notAPath) {
+            throw new ModelException(
+                    "'" + text + "' is not the path of a file (" + notAPath.getReason() + "); correct it", notAPath);
+        }
+    }
+
+    /**
+     * Reads the file and picks the machine.
+     *
+     * @throws ModelException as {@link XmiFile#read}, {@link XmiFile#pick} and {@link XmiFile#only} do
+     */
+    public StateMachine load() {
+        XmiFile read = XmiFile.read(file);
+        return machine.isPresent() ? read.pick(machine.get()) : read.only();
+    }
+
+    /** The text that {@link #parse} takes. */
+    @Override
+    public String toString() {
+        return machine.map(name -> file + "#" + name).orElse(file.toString());
+    }
+}

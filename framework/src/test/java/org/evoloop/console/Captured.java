@@ -1,0 +1,20 @@
+package org.evoloop.console;
+
+import java.io.ByteArrayOutputStream;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+
+/** An output that remembers what was printed. */
+final class Captured {
+    private final ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+    final PrintStream stream = new PrintStream(bytes, true, StandardCharsets.UTF_8);
+
+    String text() {
+        return bytes.toString(StandardCharsets.UTF_8);
+    }
+
+    List<String> lines() {
+        return text().lines().toList();
+    }
+}

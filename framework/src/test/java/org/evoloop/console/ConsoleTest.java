@@ -1,0 +1,251 @@
+package org.evoloop.console;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.PipedInputStream;
+import java.io.PipedOutputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.concurrent.FutureTask;
+import org.evoloop.loop.LoopConfig;
+import org.evoloop.loop.LoopState;
+import org.evoloop.statemachine.ModelException;
+import org.evoloop.time.ManualClock;
+import org.junit.jupiter.api.Test;
+
+/** The console as programs use it: lines in, lines out. */
+class ConsoleTest {
+    private static final String FRESH_COMPONENTS = """
+            monitor     WallSwitch       ended    no thread
+            analyze     DecisionAnalyze  ended    no thread
+            plan        DecisionPlan     ended    no thread
+            execute     Lamp             ended    no thread
+            """;
+
+    private final LampConverter lamp =
+            new LampConverter(LoopConfig.defaults("lamp", new ManualClock()).withoutThreads());
+    private final Captured out = new Captured();
+    private final Captured err = new Captured();
+
+    private Console console(InputStream in) {
+        Console console = new Console(lamp.converter, in, out.stream, err.stream);
+        console.addCommand(lamp.switchCommand());
+        return console;
+    }
+
+    private int run(String... lines) {
+        return console(input(lines)).run();
+    }
+
+    private static InputStream input(String... lines) {
+        return new ByteArrayInputStream(String.join("\n", lines).concat("\n").getBytes(StandardCharsets.UTF_8));
+    }
+
+    @Test
+    void startAndStopOpenAndCloseTheLoopWithoutAWord() {
+        run("switch", "start", "switch", "stop", "switch", "status");
+
+        assertThat(err.text()).isEmpty();
+        assertThat(out.text()).isEqualTo("""
+                        converter   lamp, stopped
+                        states      original on, new on
+                        queue       0 of 8 waiting, highest 1; 0 dropped, 2 refused
+                        events      1 handled, 0 ignored, 0 stale, 0 failed
+                        conversion  last 0 us, median 0 us, 99th percentile 0 us
+                        function    none
+                        link        none
+                        """ + FRESH_COMPONENTS);
+    }
+
+    @Test
+    void statusAsJsonIsOneLineWithEveryKey() {
+        run("start", "status --json");
+
+        String component = "{\"name\":\"%s\",\"role\":\"%s\",\"thread\":\"\",\"activity\":\"ended\","
+                + "\"failures\":0,\"lastFailure\":\"\"}";
+        assertThat(out.text())
+                .isEqualTo("{\"name\":\"lamp\",\"loop\":\"running\",\"originalState\":\"off\",\"newState\":\"off\","
+                        + "\"queue\":{\"depth\":0,\"capacity\":8,\"highest\":0,"
+                        + "\"taken\":0,\"dropped\":0,\"refused\":0},"
+                        + "\"events\":{\"handled\":0,\"ignored\":0,\"stale\":0,\"failed\":0},"
+                        + "\"conversionTime\":{\"events\":0,\"lastNanos\":0,\"medianNanos\":0,"
+                        + "\"percentile99Nanos\":0},"
+                        + "\"components\":["
+                        + component.formatted("WallSwitch", "monitor") + ","
+                        + component.formatted("DecisionAnalyze", "analyze") + ","
+                        + component.formatted("DecisionPlan", "plan") + ","
+                        + component.formatted("Lamp", "execute") + "],"
+                        + "\"function\":{\"state\":\"\",\"thread\":\"\"},"
+                        + "\"link\":{\"up\":false,\"text\":\"\"}}" + System.lineSeparator());
+    }
+
+    @Test
+    void listShowsComponentsAndSpares() {
+        run("list");
+
+        assertThat(out.text()).isEqualTo(FRESH_COMPONENTS + "spares      spareSwitch\n");
+    }
+
+    @Test
+    void exchangePutsTheSpareInPlace() {
+        run("start", "exchange WallSwitch spareSwitch", "list");
+
+        assertThat(err.text()).isEmpty();
+        assertThat(out.text()).contains("SpareSwitch").doesNotContain("WallSwitch");
+    }
+
+    @Test
+    void exchangeTellsWhatThereIsWhenTheNameIsWrong() {
+        run("exchange WallSwitch Nothing", "exchange Nobody spareSwitch");
+
+        assertThat(err.lines())
+                .containsExactly(
+                        "error: no spare is named Nothing; there are spareSwitch",
+                        "error: no component is named Nobody; there are WallSwitch, DecisionAnalyze, DecisionPlan, Lamp");
+    }
+
+    @Test
+    void historyShowsTheLastEventsAndWhatBecameOfThem() {
+        run("start", "switch", "switch", "switch", "history 2", "history");
+
+        List<String> lines = out.lines();
+        assertThat(lines).hasSize(5);
+        assertThat(lines.get(0))
+                .matches("2  \\d\\d:\\d\\d:00.000  switch \\(controller\\)  \\(on, on\\) -> \\(on, wait\\)  handled: "
+                        + "new function of wait");
+        assertThat(lines.get(2))
+                .matches("1  \\d\\d:\\d\\d:00.000  switch \\(controller\\)  \\(off, off\\) -> \\(on, on\\)  handled: "
+                        + "switch");
+        assertThat(lines.subList(3, 5)).isEqualTo(lines.subList(0, 2));
+    }
+
+    @Test
+    void helpListsTheCommandsAndExplainsOne() {
+        run("help", "help switch");
+
+        assertThat(out.text())
+                .contains("  start  ", "  stop  ", "  status [--json]  ", "  list  ", "  exchange COMPONENT SPARE  ")
+                .contains("  history [N]  ", "  help [COMMAND]  ", "  exit  ")
+                .contains("  switch                    operates the wall switch\n")
+                .endsWith("switch\n  operates the wall switch\n  like a finger\n");
+    }
+
+    @Test
+    void aMistakeIsOneLineOfErrorAndTheConsoleGoesOn() {
+        run(
+                "swich",
+                "help swich",
+                "exchange WallSwitch",
+                "exit now",
+                "status --xml",
+                "history none",
+                "history 0",
+                "switch \"wall",
+                "",
+                "  \t ",
+                "start");
+
+        assertThat(out.text()).isEmpty();
+        assertThat(err.lines())
+                .containsExactly(
+                        "error: unknown command 'swich'; help lists the commands",
+                        "error: unknown command 'swich'; help lists the commands",
+                        "error: usage: exchange COMPONENT SPARE",
+                        "error: usage: exit",
+                        "error: status takes --json or nothing, not '--xml'",
+                        "error: history takes a number from 1 on, not 'none'",
+                        "error: history takes a number from 1 on, not '0'",
+                        "error: the quote \" is not closed");
+    }
+
+    @Test
+    void aCommandThatFailsTellsItsMessageAndNoStackTrace() {
+        Console console = console(input("state", "argument", "model", "io", "bug", "switch"));
+        console.addCommand(failing("state", new IllegalStateException("not now")));
+        console.addCommand(failing("argument", new IllegalArgumentException("not that")));
+        console.addCommand(failing("model", new ModelException("not so")));
+        console.addCommand(failing("io", new IOException("not there")));
+        console.addCommand(failing("bug", new NullPointerException()));
+
+        assertThat(console.run()).isZero();
+        assertThat(err.lines())
+                .containsExactly(
+                        "error: not now",
+                        "error: not that",
+                        "error: not so",
+                        "error: not there",
+                        "error: NullPointerException");
+    }
+
+    private static ConsoleCommand failing(String name, Exception failure) {
+        return ConsoleCommand.of(name, "fails", (arguments, out) -> {
+            throw failure;
+        });
+    }
+
+    @Test
+    void quotesKeepBlanksTogether() {
+        Console console = console(input("say  'two words' \"it's\" x\"y z\"'' ''"));
+        console.addCommand(ConsoleCommand.of("say A B C D", "says", (words, to) -> to.println(words)));
+
+        console.run();
+
+        assertThat(out.text()).isEqualTo("[two words, it's, xy z, ]\n");
+    }
+
+    @Test
+    void exitEndsTheConsoleAndClosesTheConverter() {
+        assertThat(run("start", "exit", "status")).isZero();
+
+        assertThat(out.text()).isEmpty();
+        assertThat(lamp.converter.status().loop()).isEqualTo(LoopState.EXITED);
+    }
+
+    @Test
+    void theEndOfTheInputIsAnExitEvenWithoutALineEnd() {
+        InputStream cutOff = new ByteArrayInputStream("start\nswitch".getBytes(StandardCharsets.UTF_8));
+
+        assertThat(console(cutOff).run()).isZero();
+
+        assertThat(lamp.converter.status().states().original()).hasToString("on");
+        assertThat(lamp.converter.status().loop()).isEqualTo(LoopState.EXITED);
+    }
+
+    @Test
+    void anInputThatBreaksIsToldAndGivesAnotherExitStatus() {
+        InputStream unplugged = new PipedInputStream();
+
+        assertThat(console(unplugged).run()).isEqualTo(1);
+
+        assertThat(err.text()).isEqualTo("error: the input cannot be read: Pipe not connected\n");
+        assertThat(lamp.converter.status().loop()).isEqualTo(LoopState.EXITED);
+    }
+
+    @Test
+    void anInterruptEndsTheConsoleThoughThePipeStaysOpen() throws Exception {
+        try (PipedOutputStream keyboard = new PipedOutputStream();
+                PipedInputStream pipe = new PipedInputStream(keyboard)) {
+            FutureTask<Integer> running = new FutureTask<>(console(pipe)::run);
+            Thread thread = new Thread(running, "console-under-test");
+            thread.start();
+
+            thread.interrupt();
+
+            assertThat(running.get()).isZero();
+            assertThat(lamp.converter.status().loop()).isEqualTo(LoopState.EXITED);
+        }
+    }
+
+    @Test
+    void aCommandOfTheSameNameIsRefused() {
+        Console console = console(input());
+
+        assertThatThrownBy(() -> console.addCommand(ConsoleCommand.of("stop", "stops it all", (words, to) -> {})))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessage("there is a command named stop already");
+    }
+}

@@ -1,0 +1,86 @@
+package org.evoloop.console;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import org.evoloop.converter.ConverterStatus;
+import org.evoloop.evolution.Configuration;
+import org.evoloop.loop.Component;
+import org.evoloop.loop.ComponentStatus;
+import org.evoloop.loop.LoopState;
+import org.evoloop.loop.QueueStatus;
+import org.evoloop.statemachine.State;
+import org.junit.jupiter.api.Test;
+
+/** What a busy converter with everything in it looks like. */
+class StatusFormatTest {
+    private static final ConverterStatus BUSY = new ConverterStatus(
+            "robot",
+            LoopState.RUNNING,
+            new Configuration(new State("On"), new State("Move")),
+            new QueueStatus(2, 8, 5, 40, 1, 3),
+            new ConverterStatus.EventCounts(30, 4, 2, 1),
+            new ConverterStatus.ConversionTime(33, 180_499, 999_499, 12_340_000),
+            List.of(
+                    new ComponentStatus(
+                            "Panel",
+                            Component.Role.MONITOR,
+                            "mapek-robot-monitor-Panel",
+                            ComponentStatus.Activity.WAITING,
+                            0,
+                            ""),
+                    new ComponentStatus(
+                            "Motors",
+                            Component.Role.EXECUTE,
+                            "mapek-robot-execute-Motors",
+                            ComponentStatus.Activity.STUCK,
+                            2,
+                            "Motors.execute: \"no\\answer\"\t\u00e9")),
+            new ConverterStatus.RunningFunction("Move", "function-Move-7"),
+            new ConverterStatus.Link(true, "/dev/ttyUSB0"));
+
+    @Test
+    void asText() {
+        Captured out = new Captured();
+
+        StatusText.status(BUSY, out.stream);
+
+        assertThat(out.lines())
+                .startsWith(
+                        "converter   robot, running",
+                        "states      original On, new Move",
+                        "queue       2 of 8 waiting, highest 5; 1 dropped, 3 refused",
+                        "events      30 handled, 4 ignored, 2 stale, 1 failed",
+                        "conversion  last 180 us, median 999 us, 99th percentile 12.3 ms",
+                        "function    Move, thread function-Move-7",
+                        "link        up, /dev/ttyUSB0",
+                        "monitor     Panel   waiting  mapek-robot-monitor-Panel")
+                .anyMatch(line -> line.startsWith("execute     Motors  stuck    mapek-robot-execute-Motors"
+                        + "  2 failures, the last: Motors.execute: \"no\\answer\""));
+    }
+
+    @Test
+    void asJson() {
+        assertThat(StatusJson.of(BUSY))
+                .startsWith("{\"name\":\"robot\",\"loop\":\"running\",\"originalState\":\"On\",\"newState\":\"Move\","
+                        + "\"queue\":{\"depth\":2,\"capacity\":8,\"highest\":5,"
+                        + "\"taken\":40,\"dropped\":1,\"refused\":3},"
+                        + "\"events\":{\"handled\":30,\"ignored\":4,\"stale\":2,\"failed\":1},"
+                        + "\"conversionTime\":{\"events\":33,\"lastNanos\":180499,\"medianNanos\":999499,"
+                        + "\"percentile99Nanos\":12340000},\"components\":[")
+                .contains("\"activity\":\"stuck\",\"failures\":2,"
+                        + "\"lastFailure\":\"Motors.execute: \\\"no\\\\answer\\\"\\u0009\\u00e9\"}]")
+                .endsWith("\"function\":{\"state\":\"Move\",\"thread\":\"function-Move-7\"},"
+                        + "\"link\":{\"up\":true,\"text\":\"/dev/ttyUSB0\"}}");
+    }
+
+    @Test
+    void durationsHaveTheUnitThatFits() {
+        assertThat(StatusText.duration(0)).isEqualTo("0 us");
+        assertThat(StatusText.duration(999_499)).isEqualTo("999 us");
+        assertThat(StatusText.duration(999_500)).isEqualTo("1.0 ms");
+        assertThat(StatusText.duration(999_400_000)).isEqualTo("999.4 ms");
+        assertThat(StatusText.duration(999_500_000)).isEqualTo("1.0 s");
+        assertThat(StatusText.duration(75_000_000_000L)).isEqualTo("75.0 s");
+    }
+}

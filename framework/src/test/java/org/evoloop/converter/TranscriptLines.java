@@ -1,0 +1,39 @@
+package org.evoloop.converter;
+
+import ch.qos.logback.classic.Level;
+import ch.qos.logback.classic.Logger;
+import ch.qos.logback.classic.spi.ILoggingEvent;
+import ch.qos.logback.core.AppenderBase;
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import org.slf4j.LoggerFactory;
+
+/** What the transcript says while this is open: trimmed lines without the empty ones. */
+final class TranscriptLines extends AppenderBase<ILoggingEvent> implements AutoCloseable {
+    private final Logger logger = (Logger) LoggerFactory.getLogger(Transcript.LOGGER);
+    private final List<String> lines = new CopyOnWriteArrayList<>();
+
+    TranscriptLines() {
+        setContext(logger.getLoggerContext());
+        start();
+        logger.setLevel(Level.INFO);
+        logger.addAppender(this);
+    }
+
+    @Override
+    protected void append(ILoggingEvent event) {
+        String line = event.getFormattedMessage().stripTrailing();
+        if (!line.isEmpty()) {
+            lines.add(line);
+        }
+    }
+
+    List<String> lines() {
+        return lines;
+    }
+
+    @Override
+    public void close() {
+        logger.detachAppender(this);
+    }
+}

@@ -1,0 +1,130 @@
+package org.evoloop.statemachine;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.time.Duration;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class StateMachineTest {
+    private final StateMachine lamp = StateMachine.named("lamp")
+            .initial("off")
+            .transition("off", "switch", "on")
+            .transition("on", "switch", "off")
+            .build();
+
+    @Test
+    void answersThePapersQuestions() {
+        State off = new State("off");
+        Event flip = new Event("switch");
+
+        assertThat(lamp.initial()).isEqualTo(off);
+        assertThat(lamp.states()).containsExactly(off, new State("on"));
+        assertThat(lamp.events()).containsExactly(flip);
+        assertThat(lamp.transitions())
+                .containsExactly(
+                        new Transition(off, flip, new State("on")), new Transition(new State("on"), flip, off));
+        assertThat(lamp.hasState(off)).isTrue();
+        assertThat(lamp.hasState(new State("dim"))).isFalse();
+        assertThat(lamp.hasTransition(off, flip)).isTrue();
+        assertThat(lamp.hasTransition(off, new Event("timeout"))).isFalse();
+        assertThat(lamp.nextState(off, flip)).contains(new State("on"));
+        assertThat(lamp.nextState(new State("dim"), flip)).isEmpty();
+        assertThat(lamp.transitionsFrom(off)).hasSize(1);
+        assertThat(lamp.transitionsFrom(new State("dim"))).isEmpty();
+    }
+
+    @Test
+    void cannotBeChanged() {
+        assertThatThrownBy(() -> lamp.states().clear()).isInstanceOf(UnsupportedOperationException.class);
+        assertThatThrownBy(() -> lamp.events().clear()).isInstanceOf(UnsupportedOperationException.class);
+        assertThatThrownBy(() -> lamp.transitions().clear()).isInstanceOf(UnsupportedOperationException.class);
+    }
+
+    @Test
+    void namesBothTransitionsThatMakeItNondeterministic() {
+        StateMachineBuilder builder = StateMachine.named("robot")
+                .initial("Clean")
+                .transition("Clean", "Clean", "On", "line 12")
+                .transition("Clean", "Clean", "SpotWait", "line 31");
+
+        assertThatThrownBy(builder::build)
+                .isInstanceOf(ModelException.class)
+                .hasMessageContaining("'robot'")
+                .hasMessageContaining("Clean --Clean--> On (line 12)")
+                .hasMessageContaining("Clean --Clean--> SpotWait (line 31)");
+    }
+
+    @Test
+    void refusesTheSameTransitionTwice() {
+        assertThatThrownBy(() -> StateMachine.named("m")
+                        .initial("A")
+                        .transition("A", "e", "B")
+                        .transition("A", "e", "B")
+                        .build())
+                .isInstanceOf(ModelException.class);
+    }
+
+    @Test
+    void reportsAllProblemsAtOnce() {
+        assertThatThrownBy(() -> StateMachine.named("m")
+                        .transition("A", "tm(soon)", "B")
+                        .transition("A", "tm(soon)", "C")
+                        .build())
+                .hasMessageContaining("no initial state")
+                .hasMessageContaining("tm(soon)")
+                .hasMessageContaining("two transitions");
+    }
+
+    @Test
+    void refusesASecondInitialState() {
+        assertThatThrownBy(
+                        () -> StateMachine.named("m").initial("A").initial("B").build())
+                .hasMessageContaining("two initial states, A and B");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"", " ", "\n"})
+    void refusesNamesOfNothing(String name) {
+        assertThatThrownBy(() -> new State(name)).isInstanceOf(ModelException.class);
+        assertThatThrownBy(() -> new Event(name)).isInstanceOf(ModelException.class);
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "tm(2s), 2000",
+        "tm(2 s), 2000",
+        "TM( 500ms ), 500",
+        "after(2s), 2000",
+        "after 2 s, 2000",
+        "After 1.5 minutes, 90000",
+        "after(0.25 sec), 250",
+        "tm(1h), 3600000",
+        "after 0 ms, 0",
+    })
+    void readsTimeTriggers(String name, long millis) {
+        assertThat(new Event(name).timeTrigger()).contains(Duration.ofMillis(millis));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"timeout", "switch", "afterwards", "after lunch", "tm", "atm(2s)", "onLogin(uname, pwd)"})
+    void takesOtherNamesForOrdinaryEvents(String name) {
+        assertThat(new Event(name).timeTrigger()).isEqualTo(Optional.empty());
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {"tm(2)", "tm()", "after(soon)", "after 2", "after 2 fortnights", "tm(-1s)", "tm(99999999999h)"})
+    void refusesTimeTriggersWithoutADuration(String name) {
+        assertThatThrownBy(() -> StateMachine.named("m")
+                        .initial("A")
+                        .transition("A", name, "B")
+                        .build())
+                .isInstanceOf(ModelException.class)
+                .hasMessageContaining(name);
+    }
+}

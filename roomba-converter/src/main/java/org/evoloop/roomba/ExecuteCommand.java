@@ -1,0 +1,71 @@
+package org.evoloop.roomba;
+
+import java.time.Duration;
+import java.util.Set;
+import org.evoloop.converter.EventExecute;
+import org.evoloop.evolution.Configuration;
+import org.evoloop.evolution.Step;
+import org.evoloop.roomba.oi.Command;
+import org.evoloop.roomba.session.RoombaSession;
+import org.evoloop.time.Clock;
+
+/**
+ * Sends events to the robot as commands, and keeps it in the mode that each state needs: while it stands by or cleans it
+ * is left to itself (Passive), while it is on and idle its buttons must not act on their own (Safe).
+ */
+final class ExecuteCommand extends EventExecute {
+    /** The robot tells nobody when it has digested a command; so long after one it is taken to be ready again. */
+    static final Duration HOLD_OFF = Duration.ofMillis(200);
+
+    private final RoombaSession session;
+    private final Clock clock;
+    private boolean commanded;
+    private long commandedNanos;
+
+    ExecuteCommand(RoombaSession session, Clock clock) {
+        this.session = session;
+        this.clock = clock;
+    }
+
+    @Override
+    protected Set<String> sendableEvents() {
+        return Set.of(RobotEvents.CLEAN, RobotEvents.SPOT);
+    }
+
+    @Override
+    protected void awaitReady(Step step) throws InterruptedException {
+        long leftNanos = HOLD_OFF.toNanos() - (clock.nanoTime() - commandedNanos);
+        if (commanded && leftNanos > 0 && session.mayWait()) {
+            clock.sleep(Duration.ofNanos(leftNanos));
+        }
+    }
+
+    @Override
+    protected void send(Step step) {
+        session.send(command(step));
+        commanded = true;
+        commandedNanos = clock.nanoTime();
+    }
+
+    private static Command command(Step step) {
+        boolean standsBy = step.source().name().equals(RobotEvents.STATE_OFF);
+        return switch (step.event().name()) {
+            // The command Clean would start to clean straight from stand-by; taking control only switches the robot on.
+            case RobotEvents.CLEAN -> standsBy ? new Command.Safe() : new Command.Clean();
+            case RobotEvents.SPOT -> new Command.Spot();
+            default -> throw new IllegalArgumentException("the robot has no command for " + step.event());
+        };
+    }
+
+    @Override
+    protected void settled(Configuration now) {
+        if (now.original().name().equals(RobotEvents.STATE_ON) && !session.isUnderControl()) {
+            session.send(new Command.Safe());
+        }
+    }
+
+    @Override
+    protected void released() {
+        session.letGo();
+    }
+}

@@ -1,0 +1,42 @@
+package org.evoloop.roomba;
+
+import java.util.Set;
+import org.evoloop.converter.PushMonitor;
+import org.evoloop.roomba.oi.Button;
+import org.evoloop.roomba.session.RoombaSession;
+import org.evoloop.roomba.session.SessionListener;
+import org.evoloop.roomba.session.SpotWatch;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Monitors the robot: its CLEAN and SPOT buttons, and the end of a spot cleaning. The OI mode tells whether the robot acts
+ * on a button by itself or merely reports it.
+ */
+final class MonitorEvent extends PushMonitor implements SessionListener {
+    private static final Logger LOG = LoggerFactory.getLogger(MonitorEvent.class);
+
+    MonitorEvent(RoombaSession session) {
+        session.addListener(this);
+    }
+
+    @Override
+    public void pressed(Button button, boolean robotActs) {
+        if (button == Button.CLEAN) {
+            push(fromPanel(RobotEvents.CLEAN, robotActs));
+        } else if (button == Button.SPOT) {
+            push(fromPanel(RobotEvents.SPOT, robotActs));
+        }
+    }
+
+    @Override
+    public void spotEnded(SpotWatch.Ending how) {
+        LOG.debug("spot cleaning has ended: {}", how);
+        push(fromDevice(RobotEvents.END_SPOT));
+    }
+
+    @Override
+    protected Set<String> spontaneousEvents() {
+        return Set.of(RobotEvents.CLEAN, RobotEvents.SPOT);
+    }
+}

@@ -1,0 +1,25 @@
+package org.evoloop.roomba.session;
+
+/**
+ * Where the robot is, seen from where it stood when the session began: x ahead, y to the left.
+ *
+ * <p>Threading: immutable.
+ *
+ * @param xMm ahead, in mm
+ * @param yMm to the left, in mm
+ * @param headingRad counterclockwise from ahead, in radians, not wrapped
+ */
+public record Pose(double xMm, double yMm, double headingRad) {
+    /** Where the session began. */
+    public static final Pose ORIGIN = new Pose(0, 0, 0);
+
+    /** How far it is to a point, in mm. */
+    public double distanceTo(double otherXMm, double otherYMm) {
+        return Math.hypot(otherXMm - xMm, otherYMm - yMm);
+    }
+
+    /** Where a point lies as seen from here, counterclockwise from straight ahead, -pi to pi. */
+    public double bearingTo(double otherXMm, double otherYMm) {
+        return Math.IEEEremainder(Math.atan2(otherYMm - yMm, otherXMm - xMm) - headingRad, 2 * Math.PI);
+    }
+}

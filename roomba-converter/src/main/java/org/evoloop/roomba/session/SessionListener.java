@@ -1,0 +1,24 @@
+package org.evoloop.roomba.session;
+
+import org.evoloop.roomba.oi.Button;
+
+/**
+ * Hears what goes on with the robot.
+ *
+ * <p>Threading: called on the thread that receives; must be quick.
+ */
+public interface SessionListener {
+
+    /** A frame has come. Called before anything that the frame tells. */
+    default void received(Telemetry telemetry) {}
+
+    /**
+     * A button on the robot was pressed.
+     *
+     * @param robotActs whether the robot acts on it by itself, as it does unless it is under control
+     */
+    default void pressed(Button button, boolean robotActs) {}
+
+    /** A spot cleaning has ended. */
+    default void spotEnded(SpotWatch.Ending how) {}
+}

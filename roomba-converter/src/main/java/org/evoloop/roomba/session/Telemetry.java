@@ -1,0 +1,23 @@
+package org.evoloop.roomba.session;
+
+import org.evoloop.roomba.oi.OiMode;
+import org.evoloop.roomba.oi.SensorValues;
+
+/**
+ * What one frame of the stream tells.
+ *
+ * <p>Threading: immutable.
+ *
+ * @param frame its number in the session, from 1; frames are 15 ms apart
+ * @param values the sensors
+ * @param pose where the robot is by its wheels
+ */
+public record Telemetry(long frame, SensorValues values, Pose pose) {
+
+    /** Whether the robot obeys drive commands. */
+    public boolean isUnderControl() {
+        return values.mode()
+                .filter(mode -> mode == OiMode.SAFE || mode == OiMode.FULL)
+                .isPresent();
+    }
+}

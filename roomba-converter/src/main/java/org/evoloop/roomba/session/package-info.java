@@ -1,0 +1,12 @@
+/**
+ * The robot behind the cable: a session keeps the stream of sensor values going and makes sense of it (buttons, where the
+ * robot is, when a spot cleaning has ended), and sends commands.
+ *
+ * <p>This room may use {@code org.evoloop.roomba.oi}, {@code org.evoloop.roomba.link}, {@code org.evoloop.time} and
+ * {@code org.evoloop.converter.DeviceLink}.
+ * What it infers is inferred by pure classes; only {@link org.evoloop.roomba.session.RoombaSession} does I/O.
+ */
+@NullMarked
+package org.evoloop.roomba.session;
+
+import org.jspecify.annotations.NullMarked;
