@@ -3,7 +3,10 @@ package org.evoloop.xmi;
 import java.io.BufferedInputStream;
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.InputStreamReader;
 import java.io.UncheckedIOException;
+import java.nio.charset.CharacterCodingException;
+import java.nio.charset.Charset;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
@@ -70,8 +73,10 @@ final class XmiStream extends StreamReaderDelegate implements AutoCloseable {
     static XmiStream of(String file, InputStream bytes) {
         XmiStream stream = new XmiStream(file, new BufferedInputStream(bytes));
         try {
-            stream.refuseOtherFormats();
-            stream.setParent(factory().createXMLStreamReader(stream.input));
+            Charset encoding = stream.encoding();
+            // A new decoder reports what it cannot decode; a reader's own would replace it without a word.
+            stream.setParent(
+                    factory().createXMLStreamReader(new InputStreamReader(stream.input, encoding.newDecoder())));
             return stream;
         } catch (XMLStreamException notXml) {
             stream.close();
@@ -93,21 +98,26 @@ final class XmiStream extends StreamReaderDelegate implements AutoCloseable {
         return factory;
     }
 
-    private void refuseOtherFormats() throws IOException {
-        input.mark(4);
-        byte[] magic = input.readNBytes(4);
+    private Charset encoding() throws IOException {
+        input.mark(XmlEncoding.HEAD_BYTES);
+        byte[] head = input.readNBytes(XmlEncoding.HEAD_BYTES);
         input.reset();
-        if (magic.length == 0) {
+        if (head.length == 0) {
             throw refuse("is empty", EXPORT_AGAIN);
         }
-        int firstTwo = magic.length < 2 ? 0 : (magic[0] & 0xFF) << 8 | (magic[1] & 0xFF);
-        switch (firstTwo) {
-            case 0x504B ->
-                throw refuse(
-                        "is a zip archive, such as an Astah project (.asta), not XML",
-                        "open it in Astah and use " + AstahDialect.MENU);
-            case 0x1F8B -> throw refuse("is compressed by gzip", "unpack it with gunzip");
-            default -> {}
+        if (head[0] == 'P' && head.length > 1 && head[1] == 'K') {
+            throw refuse(
+                    "is a zip archive, such as an Astah project (.asta), not XML",
+                    "open it in Astah and use " + AstahDialect.MENU);
+        }
+        if (head[0] == 0x1F) {
+            throw refuse("is compressed by gzip", "unpack it with gunzip");
+        }
+        input.skipNBytes(XmlEncoding.utf8MarkBytes(head));
+        try {
+            return XmlEncoding.of(head);
+        } catch (IllegalArgumentException unknown) {
+            throw refuse("is in the unknown encoding " + unknown.getMessage(), "save it in UTF-8");
         }
     }
 
@@ -234,6 +244,11 @@ final class XmiStream extends StreamReaderDelegate implements AutoCloseable {
         Location location = cause.getLocation();
         int line = location == null ? 0 : location.getLineNumber();
         // The parser's own text starts with the position, which the message gives anyway.
+        if (nested instanceof CharacterCodingException) {
+            return new ModelException(
+                    message("holds bytes that are no text in the encoding it announces", line, "save it in UTF-8"),
+                    cause);
+        }
         String text = String.valueOf(nested == null ? cause.getMessage() : nested.getMessage());
         String reason = text.substring(text.lastIndexOf("Message: ") < 0 ? 0 : text.lastIndexOf("Message: ") + 9);
         return new ModelException(message("is damaged or not XML, " + reason, line, EXPORT_AGAIN), cause);
