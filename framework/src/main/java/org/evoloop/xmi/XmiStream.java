@@ -30,9 +30,6 @@ final class XmiStream extends StreamReaderDelegate implements AutoCloseable {
     /** Astah nests two levels a package and two a composite state. */
     private static final int MAX_DEPTH = 500;
 
-    private static final int MAX_FILE_BYTES = 1 << 30;
-    /** The parser holds each tag, comment and the like as a whole. */
-    private static final int MAX_TOKEN_BYTES = 4 << 20;
     /** The parser never forgets a name; a real file has some 200. */
     private static final int MAX_NAMES = 10_000;
     /** Enough for 100,000 transitions. */
@@ -40,7 +37,7 @@ final class XmiStream extends StreamReaderDelegate implements AutoCloseable {
     /** What an element costs besides its texts, about. */
     private static final int BYTES_PER_ELEMENT = 140;
 
-    private static final String EXPORT_AGAIN = "export it again with " + AstahDialect.MENU;
+    static final String EXPORT_AGAIN = "export it again with " + AstahDialect.MENU;
 
     private final String file;
     private final BoundedInput input;
@@ -50,7 +47,7 @@ final class XmiStream extends StreamReaderDelegate implements AutoCloseable {
 
     private XmiStream(String file, InputStream bytes) {
         this.file = file;
-        this.input = new BoundedInput(bytes);
+        this.input = new BoundedInput(bytes, this::refuse);
     }
 
     /** @throws ModelException if the file cannot be opened or does not begin like XML */
@@ -264,63 +261,6 @@ final class XmiStream extends StreamReaderDelegate implements AutoCloseable {
             input.close();
         } catch (IOException failed) {
             throw new UncheckedIOException(failed);
-        }
-    }
-
-    /** Counts what the parser reads, so that no token and no file can be endless. */
-    private final class BoundedInput extends InputStream {
-        private final InputStream bytes;
-        private long fileBytes;
-        private long tokenBytes;
-
-        BoundedInput(InputStream bytes) {
-            this.bytes = bytes;
-        }
-
-        void startToken() {
-            tokenBytes = 0;
-        }
-
-        @Override
-        public int read() throws IOException {
-            int read = bytes.read();
-            count(read < 0 ? 0 : 1);
-            return read;
-        }
-
-        @Override
-        public int read(byte[] buffer, int offset, int length) throws IOException {
-            int read = bytes.read(buffer, offset, length);
-            count(Math.max(0, read));
-            return read;
-        }
-
-        private void count(int read) {
-            fileBytes += read;
-            tokenBytes += read;
-            if (fileBytes > MAX_FILE_BYTES) {
-                throw refuse("is larger than " + (MAX_FILE_BYTES >> 20) + " MiB", "export the state machines alone");
-            }
-            if (tokenBytes > MAX_TOKEN_BYTES) {
-                throw refuse(
-                        "holds a single tag, text or comment of more than " + (MAX_TOKEN_BYTES >> 20) + " MiB",
-                        EXPORT_AGAIN);
-            }
-        }
-
-        @Override
-        public void mark(int limit) {
-            bytes.mark(limit);
-        }
-
-        @Override
-        public void reset() throws IOException {
-            bytes.reset();
-        }
-
-        @Override
-        public void close() throws IOException {
-            bytes.close();
         }
     }
 }
