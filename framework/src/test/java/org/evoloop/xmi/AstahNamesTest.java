@@ -17,6 +17,7 @@ import org.evoloop.statemachine.StateMachineBuilder;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class AstahNamesTest {
     private static final String[] PIECES = {
@@ -51,6 +52,17 @@ class AstahNamesTest {
                 .text();
 
         assertThat(read(document).get(0).name()).isEqualTo("100% a+b %41");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"", "t", "x", "-1", "99999999999"})
+    void shouldNotCareWhatAttributesWithoutMeaningSay(String value) {
+        String document = new AstahDocument()
+                .add(AstahDocument.offOn("m"))
+                .text()
+                .replaceAll("(version|unSolvedFlag|isConcurrent|isRegion)=\"(0|true|false)\"", "$1=\"" + value + "\"");
+
+        assertThat(read(document).get(0).toStateMachine().states()).hasSize(2);
     }
 
     /** The seed of a failure is printed by the property library, the machine by its own message. */
