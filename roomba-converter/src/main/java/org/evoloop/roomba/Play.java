@@ -17,6 +17,7 @@ import org.evoloop.time.Clock;
  */
 final class Play {
     private static final Duration LOOK = Duration.ofMillis(20);
+    private static final Duration RELEASE = Duration.ofMillis(50);
     private static final Duration PATIENCE = Duration.ofMinutes(2);
 
     /** Something that a scenario promises did not come. */
@@ -39,6 +40,8 @@ final class Play {
     /** A button on the robot is pressed, once nobody holds one down any more. */
     Play robotButton(String event) throws InterruptedException, Unfulfilled {
         await("the robot's buttons to be released", () -> world.execute("state").contains("\"pressed\":[]"));
+        // Nobody presses so fast again that the robot's next frame does not show the release.
+        clock.sleep(RELEASE);
         String answer = world.execute("press " + event.toLowerCase(Locale.ROOT));
         if (!answer.equals("ok")) {
             throw new IllegalStateException("the simulator answered: " + answer);
