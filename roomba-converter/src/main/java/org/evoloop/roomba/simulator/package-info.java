@@ -1,7 +1,9 @@
 /**
- * The simulated Roomba and the pseudo-terminal through which any program can talk to it as if it were a serial port.
+ * The simulated Roomba as a program: the pseudo-terminal through which any program can talk to it as if it were a serial
+ * port, the thread that lets its time pass, and the text commands that press its buttons.
  *
- * <p>This room may use {@code org.evoloop.roomba.oi}. It never uses the converter, so that it stays an honest opponent.
+ * <p>This room may use {@code org.evoloop.roomba.oi}, {@code org.evoloop.time} and the rooms below it. It never uses the
+ * converter, so that it stays an honest opponent.
  */
 @NullMarked
 package org.evoloop.roomba.simulator;

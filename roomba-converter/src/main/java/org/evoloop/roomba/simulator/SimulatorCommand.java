@@ -1,0 +1,146 @@
+package org.evoloop.roomba.simulator;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.InputStreamReader;
+import java.io.PrintWriter;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.concurrent.Callable;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import org.evoloop.roomba.simulator.robot.RobotOptions;
+import org.evoloop.time.Clock;
+import org.evoloop.time.SystemClock;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+import picocli.CommandLine;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/**
+ * The simulator as a program: a robot at a port, and {@link WorldCommands} on standard input, answered on standard
+ * output. It ends with code 0 by the command {@code quit}, SIGTERM or SIGINT. The end of its input is no reason to end,
+ * so that it can run in the background.
+ */
+@Command(
+        name = "simulator",
+        description = "Runs a simulated Roomba at a pseudo-terminal.",
+        mixinStandardHelpOptions = true)
+public final class SimulatorCommand implements Callable<Integer> {
+    private static final Logger LOG = LoggerFactory.getLogger(SimulatorCommand.class);
+
+    private static final double MILLIS_PER_SECOND = 1000;
+    private static final long END_LIMIT_SECONDS = 5;
+
+    private final InputStream input;
+
+    @Option(
+            names = "--link",
+            required = true,
+            paramLabel = "PATH",
+            description = "The symbolic link to create; programs open it as the robot's serial port.")
+    private Path link = Path.of("");
+
+    @Option(
+            names = "--speed",
+            paramLabel = "N",
+            defaultValue = "1",
+            description = "How many times faster than real time the robot lives (default: ${DEFAULT-VALUE}).")
+    private double speed;
+
+    @Option(
+            names = "--spot-duration",
+            paramLabel = "SECONDS",
+            defaultValue = "45",
+            description = "How long spot cleaning lasts in robot time (default: ${DEFAULT-VALUE}).")
+    private double spotDurationSeconds;
+
+    @Spec
+    @SuppressWarnings("NullAway.Init") // picocli sets it before it calls.
+    private CommandSpec spec;
+
+    public SimulatorCommand() {
+        this(System.in);
+    }
+
+    SimulatorCommand(InputStream input) {
+        this.input = input;
+    }
+
+    @Override
+    public Integer call() throws InterruptedException {
+        CountDownLatch quit = new CountDownLatch(1);
+        CountDownLatch ended = new CountDownLatch(1);
+        Thread onSignal = new Thread(() -> endBySignal(quit, ended), "simulator-signal");
+        try (Clock clock = new SystemClock();
+                SimulatorServer server = start(clock)) {
+            Runtime.getRuntime().addShutdownHook(onSignal);
+            PrintWriter output = spec.commandLine().getOut();
+            output.println("ready " + server.path());
+            output.flush();
+            answerInBackground(new WorldCommands(server.robot()), output, quit);
+            quit.await();
+        }
+        ended.countDown();
+        removeHook(onSignal);
+        return CommandLine.ExitCode.OK;
+    }
+
+    private SimulatorServer start(Clock clock) {
+        try {
+            RobotOptions options = RobotOptions.defaults()
+                    .withSpotDurationMillis((int) Math.round(spotDurationSeconds * MILLIS_PER_SECOND));
+            return SimulatorServer.start(link, options, clock, speed);
+        } catch (IllegalArgumentException | IOException mistake) {
+            throw new CommandLine.ParameterException(
+                    spec.commandLine(), "cannot start the simulator: " + mistake.getMessage());
+        }
+    }
+
+    /** A daemon thread, since nothing but the end of input ends a read. */
+    private void answerInBackground(WorldCommands commands, PrintWriter output, CountDownLatch quit) {
+        Thread thread = new Thread(() -> answer(commands, output, quit), "simulator-input");
+        thread.setDaemon(true);
+        thread.start();
+    }
+
+    private void answer(WorldCommands commands, PrintWriter output, CountDownLatch quit) {
+        try {
+            BufferedReader lines = new BufferedReader(new InputStreamReader(input, StandardCharsets.UTF_8));
+            for (String line = lines.readLine(); line != null; line = lines.readLine()) {
+                output.println(commands.execute(line));
+                output.flush();
+                if (commands.hasQuit()) {
+                    quit.countDown();
+                    return;
+                }
+            }
+        } catch (IOException failure) {
+            LOG.warn("no more commands are read: {}", failure.getMessage());
+        }
+    }
+
+    /** A signal is an ordinary way to end; left alone, the JVM would report it as a failure. */
+    private static void endBySignal(CountDownLatch quit, CountDownLatch ended) {
+        quit.countDown();
+        try {
+            if (ended.await(END_LIMIT_SECONDS, TimeUnit.SECONDS)) {
+                Runtime.getRuntime().halt(CommandLine.ExitCode.OK);
+            }
+        } catch (InterruptedException stop) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    private static void removeHook(Thread hook) {
+        try {
+            Runtime.getRuntime().removeShutdownHook(hook);
+        } catch (IllegalStateException endingAlready) {
+            // A signal ended the simulator, and the hook is at work.
+        }
+    }
+}

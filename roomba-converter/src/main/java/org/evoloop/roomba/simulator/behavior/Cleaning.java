@@ -1,0 +1,30 @@
+package org.evoloop.roomba.simulator.behavior;
+
+import org.evoloop.roomba.simulator.body.Body;
+import org.evoloop.roomba.simulator.body.CleaningMotors;
+import org.evoloop.roomba.simulator.body.Pose;
+
+/** A spiral outwards, then straight runs to and fro until somebody pauses it. */
+public final class Cleaning implements Behavior {
+    private static final double SPIRAL_SECONDS = 20;
+
+    private final Spiral spiral;
+    private final Wandering wandering = new Wandering();
+    private long ticks;
+
+    /** From this pose on. */
+    public Cleaning(Pose start) {
+        this.spiral = new Spiral(start, SPIRAL_SECONDS);
+    }
+
+    @Override
+    public boolean steer(Body body) {
+        double elapsedSeconds = ticks++ * Body.TICK_SECONDS;
+        body.setCleaningMotors(CleaningMotors.ON);
+        if (elapsedSeconds < SPIRAL_SECONDS) {
+            spiral.steerOutward(body, elapsedSeconds);
+            return true;
+        }
+        return wandering.steer(body);
+    }
+}

@@ -1,0 +1,10 @@
+/**
+ * The simulated robot as a thing: wheels on a floor, motors that draw current, a battery. It knows nothing of the Open
+ * Interface and does what it is told, 15 ms at a time.
+ *
+ * <p>This room uses nothing of Evoloop.
+ */
+@NullMarked
+package org.evoloop.roomba.simulator.body;
+
+import org.jspecify.annotations.NullMarked;

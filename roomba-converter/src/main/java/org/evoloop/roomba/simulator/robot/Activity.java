@@ -1,0 +1,32 @@
+package org.evoloop.roomba.simulator.robot;
+
+/**
+ * What the robot truly does. The Open Interface has no packet that tells it; {@code RobotState} does.
+ *
+ * <pre>
+ *            CLEAN                 CLEAN, SPOT or DOCK
+ *   OFF ----------------&gt; ON ------------------------------&gt; CLEAN, SPOT or DOCK
+ *    ^                    ^                                          |
+ *    |  command Power     |  any of the three, or SPOT has ended     |
+ *    +---- (from all)     +------------------------------------------+
+ * </pre>
+ *
+ * <p>The arrows are presses of the robot's buttons, which it obeys in the modes Off and Passive. The commands Safe and
+ * Full lead to ON from everywhere; the commands Clean, Max, Spot and Seek Dock lead from OFF and ON to the activity, and
+ * from an activity to ON.
+ */
+public enum Activity {
+    /** Standby: it has power and listens, its light is off. */
+    OFF,
+    /** Awake, and does nothing of its own. */
+    ON,
+    CLEAN,
+    SPOT,
+    /** Looks for its dock. */
+    DOCK;
+
+    /** Whether the robot moves of its own accord. */
+    public boolean isRunning() {
+        return this != OFF && this != ON;
+    }
+}

@@ -1,0 +1,111 @@
+package org.evoloop.roomba.simulator;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.BufferedReader;
+import java.io.ByteArrayInputStream;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.LinkOption;
+import java.nio.file.Path;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import picocli.CommandLine;
+
+@EnabledOnOs(OS.LINUX)
+@Timeout(60)
+class SimulatorCommandTest {
+    @TempDir
+    Path folder;
+
+    private final StringWriter output = new StringWriter();
+    private final StringWriter errors = new StringWriter();
+
+    private int run(String input, String... arguments) {
+        CommandLine line =
+                new CommandLine(new SimulatorCommand(new ByteArrayInputStream(input.getBytes(StandardCharsets.UTF_8))));
+        return line.setOut(new PrintWriter(output))
+                .setErr(new PrintWriter(errors))
+                .execute(arguments);
+    }
+
+    @Test
+    void itTellsThatItIsReadyAnswersAndQuits() {
+        Path link = folder.resolve("roomba");
+        int exitCode = run("press clean\nnonsense\nquit\nstate\n", "--link", link.toString());
+        assertThat(output.toString().lines())
+                .containsExactly(
+                        "ready " + link,
+                        "ok",
+                        "error: 'nonsense' is no command, there are press, state and quit",
+                        "ok");
+        assertThat(errors.toString()).isEmpty();
+        assertThat(exitCode).isZero();
+        assertThat(Files.exists(link, LinkOption.NOFOLLOW_LINKS)).isFalse();
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "--speed 1             | Missing required option: '--link=PATH'",
+                "--link L --speed fast | Invalid value for option '--speed': 'fast' is not a double",
+                "--link L --speed 0    | cannot start the simulator: speed is 0.0; allowed is 0.01 to 1000.0 times real time",
+                "--link L --spot-duration 1 | cannot start the simulator: spot duration is 1000 ms; allowed is 8000 to 600000 ms",
+                "--link . | cannot start the simulator: . exists and is not a symbolic link; remove it or choose another path",
+            })
+    void aWrongOptionIsOneClearMessageAndCode2(String arguments, String message) {
+        assertThat(run(
+                        "",
+                        arguments
+                                .replace("L", folder.resolve("roomba").toString())
+                                .split(" ")))
+                .isEqualTo(2);
+        assertThat(errors.toString().lines().findFirst()).contains(message);
+        assertThat(output.toString()).isEmpty();
+        assertThat(folder).isEmptyDirectory();
+    }
+
+    @Test
+    void theEndOfInputIsNotItsEndButASignalIs() throws Exception {
+        Path link = folder.resolve("roomba");
+        Process process = new ProcessBuilder(
+                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                        "-cp",
+                        System.getProperty("java.class.path"),
+                        Program.class.getName(),
+                        "--link",
+                        link.toString())
+                .redirectErrorStream(true)
+                .start();
+        try (BufferedReader lines = process.inputReader()) {
+            process.getOutputStream().close();
+            assertThat(lines.readLine()).isEqualTo("ready " + link);
+            assertThat(process.isAlive()).isTrue();
+            assertThat(link).isSymbolicLink();
+            process.destroy();
+            assertThat(process.waitFor(30, TimeUnit.SECONDS)).isTrue();
+            assertThat(process.exitValue()).isZero();
+            assertThat(Files.exists(link, LinkOption.NOFOLLOW_LINKS)).isFalse();
+        } finally {
+            process.destroyForcibly();
+        }
+    }
+
+    /** The command as a process of its own. */
+    static final class Program {
+        private Program() {}
+
+        public static void main(String[] arguments) {
+            System.exit(new CommandLine(new SimulatorCommand()).execute(arguments));
+        }
+    }
+}

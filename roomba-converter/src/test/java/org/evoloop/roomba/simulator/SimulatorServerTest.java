@@ -1,0 +1,180 @@
+package org.evoloop.roomba.simulator;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.awaitility.Awaitility.await;
+
+import java.io.IOException;
+import java.io.RandomAccessFile;
+import java.nio.file.Files;
+import java.nio.file.LinkOption;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import org.evoloop.roomba.link.Link;
+import org.evoloop.roomba.link.LinkException;
+import org.evoloop.roomba.link.SerialLink;
+import org.evoloop.roomba.link.SerialSettings;
+import org.evoloop.roomba.oi.ActuatorCommand.DriveDirect;
+import org.evoloop.roomba.oi.Command;
+import org.evoloop.roomba.oi.InputCommand;
+import org.evoloop.roomba.oi.OiMode;
+import org.evoloop.roomba.oi.Packet;
+import org.evoloop.roomba.oi.PacketId;
+import org.evoloop.roomba.oi.SensorValues;
+import org.evoloop.roomba.oi.StreamFramer;
+import org.evoloop.roomba.simulator.robot.Activity;
+import org.evoloop.roomba.simulator.robot.RobotOptions;
+import org.evoloop.roomba.simulator.robot.RobotState;
+import org.evoloop.time.Clock;
+import org.evoloop.time.ManualClock;
+import org.evoloop.time.SystemClock;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.io.TempDir;
+
+@EnabledOnOs(OS.LINUX)
+@Timeout(60)
+class SimulatorServerTest {
+    private static final List<PacketId> WATCHED =
+            List.of(Packet.BUTTONS, Packet.CURRENT, Packet.OI_MODE, Packet.LEFT_ENCODER);
+    private static final Command START = new Command.Start();
+    private static final Command SAFE = new Command.Safe();
+    private static final Duration TICK = Duration.ofMillis(15);
+
+    @TempDir
+    Path folder;
+
+    /** A client of the serial port, as the application is one. */
+    private static final class Client implements Link.Receiver, AutoCloseable {
+        private final List<SensorValues> frames = new CopyOnWriteArrayList<>();
+        private final StreamFramer framer = new StreamFramer(WATCHED, frames::add);
+        private final Link link;
+
+        Client(Path port) {
+            link = new SerialLink(new SerialSettings(port.toString()));
+            link.open(this);
+        }
+
+        void send(Command... commands) {
+            for (Command command : commands) {
+                link.send(command.bytes());
+            }
+        }
+
+        @Override
+        public void received(byte[] buffer, int length) {
+            framer.feed(buffer, 0, length);
+        }
+
+        @Override
+        public void lost(LinkException cause) {}
+
+        @Override
+        public void close() {
+            link.close();
+        }
+    }
+
+    private Path port() {
+        return folder.resolve("roomba");
+    }
+
+    @Test
+    void aClientSeesASpotFromPressToEnd() throws IOException {
+        RobotOptions options = RobotOptions.defaults().withSpotDurationMillis(10_000);
+        try (Clock clock = new SystemClock();
+                SimulatorServer server = SimulatorServer.start(port(), options, clock, 20);
+                Client client = new Client(server.path())) {
+            client.send(START, SAFE, START, new InputCommand.Stream(WATCHED));
+            await().until(() -> !client.frames.isEmpty());
+            assertThat(new WorldCommands(server.robot()).execute("press spot")).isEqualTo("ok");
+            await().until(() -> server.robot().state().activity() == Activity.ON);
+            await().until(() -> client.frames.get(client.frames.size() - 1).currentMilliAmps() > -300);
+
+            List<SensorValues> frames = List.copyOf(client.frames);
+            assertThat(frames.stream().filter(frame -> frame.currentMilliAmps() < -300))
+                    .as("10 s of cleaning, but for frames lost by a client that was too slow")
+                    .hasSizeBetween(300, 690);
+            assertThat(frames).anyMatch(frame -> frame.value(Packet.BUTTONS) == 2);
+            assertThat(frames).allMatch(frame -> frame.mode().orElseThrow() == OiMode.PASSIVE);
+        }
+    }
+
+    @Test
+    void theRobotGoesOnWhileClientsComeAndGo() throws IOException {
+        try (Clock clock = new SystemClock();
+                SimulatorServer server = SimulatorServer.start(port(), RobotOptions.defaults(), clock, 5)) {
+            try (Client first = new Client(server.path())) {
+                first.send(START, SAFE, new DriveDirect(100, 100), new InputCommand.Stream(WATCHED));
+                await().until(() -> first.frames.size() > 5);
+            }
+            double leftAtMm = server.robot().state().xMm();
+            await().until(() -> server.robot().state().xMm() > leftAtMm + 50);
+            try (Client second = new Client(server.path())) {
+                await().until(() -> second.frames.size() > 5);
+                assertThat(second.frames.get(5).mode()).contains(OiMode.SAFE);
+            }
+        }
+    }
+
+    @Test
+    void timeIsTheClocks() throws IOException {
+        try (ManualClock clock = new ManualClock();
+                SimulatorServer server = SimulatorServer.start(port(), RobotOptions.defaults(), clock, 2);
+                RandomAccessFile client = new RandomAccessFile(server.path().toFile(), "rw")) {
+            client.write(new byte[] {(byte) 128, (byte) 132});
+            await().until(() -> server.robot().state().oiMode() == OiMode.FULL);
+            assertThat(server.robot().state().timeMillis())
+                    .as("commands need no tick")
+                    .isZero();
+            clock.advance(TICK.multipliedBy(10));
+            await().until(() -> server.robot().state().timeMillis() == 300);
+            clock.advance(Duration.ofSeconds(1));
+            await().until(() -> server.robot().state().timeMillis() == 2_295);
+        }
+    }
+
+    @Test
+    void anUnboundedLagIsGivenUp() throws IOException {
+        try (ManualClock clock = new ManualClock();
+                SimulatorServer server = SimulatorServer.start(port(), RobotOptions.defaults(), clock, 1)) {
+            clock.advance(Duration.ofHours(1));
+            await().until(() -> server.robot().state().timeMillis() > 0);
+            clock.advance(TICK);
+            await().until(() -> server.robot().state().timeMillis() >= 30);
+            RobotState state = server.robot().state();
+            assertThat(state.timeMillis()).isEqualTo(30);
+        }
+    }
+
+    @Test
+    void afterCloseNothingIsLeft() throws IOException {
+        Path port = port();
+        try (Clock clock = new SystemClock()) {
+            SimulatorServer server = SimulatorServer.start(port, RobotOptions.defaults(), clock, 1);
+            assertThat(server.path()).isEqualTo(port).isSymbolicLink();
+            server.close();
+            server.close();
+        }
+        assertThat(Files.exists(port, LinkOption.NOFOLLOW_LINKS)).isFalse();
+        assertThat(Thread.getAllStackTraces().keySet())
+                .extracting(Thread::getName)
+                .doesNotContain("roomba-simulator");
+    }
+
+    @Test
+    void anImpossibleSpeedIsRefused() {
+        try (Clock clock = new ManualClock()) {
+            for (double speed : new double[] {0, -1, 1_001, Double.NaN}) {
+                assertThatThrownBy(() -> SimulatorServer.start(port(), RobotOptions.defaults(), clock, speed))
+                        .isInstanceOf(IllegalArgumentException.class)
+                        .hasMessage("speed is " + speed + "; allowed is 0.01 to 1000.0 times real time");
+            }
+        }
+        assertThat(folder).isEmptyDirectory();
+    }
+}

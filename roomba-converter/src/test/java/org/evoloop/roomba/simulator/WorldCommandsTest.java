@@ -1,0 +1,69 @@
+package org.evoloop.roomba.simulator;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.evoloop.roomba.simulator.robot.RobotOptions;
+import org.evoloop.roomba.simulator.robot.SimulatedRoomba;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class WorldCommandsTest {
+    private final SimulatedRoomba robot = new SimulatedRoomba(RobotOptions.defaults(), bytes -> {});
+    private final WorldCommands world = new WorldCommands(robot);
+
+    @Test
+    void theStateIsOneLineOfJsonWithStableKeys() {
+        assertThat(world.execute("state"))
+                .isEqualTo("{\"timeMillis\":0,\"activity\":\"off\",\"oiMode\":\"off\",\"xMm\":0.0,\"yMm\":0.0,"
+                        + "\"headingDeg\":0.00,\"leftMmPerS\":0.0,\"rightMmPerS\":0.0,\"pressed\":[],"
+                        + "\"streaming\":false}");
+    }
+
+    @Test
+    void pressesAreSeenInTheState() {
+        assertThat(world.execute("press clean")).isEqualTo("ok");
+        ticks(9);
+        assertThat(world.execute("state")).contains("\"activity\":\"on\"", "\"pressed\":[\"clean\"]");
+        ticks(1);
+        assertThat(world.execute("state")).contains("\"timeMillis\":150,", "\"pressed\":[]");
+        assertThat(world.execute("  press   spot  1500 ")).isEqualTo("ok");
+        ticks(99);
+        assertThat(world.execute("state")).contains("\"activity\":\"spot\"", "\"pressed\":[\"spot\"]");
+        assertThat(world.execute("press dock")).isEqualTo("ok");
+        assertThat(world.execute("state")).contains("\"activity\":\"on\"", "\"pressed\":[\"spot\",\"dock\"]");
+    }
+
+    private void ticks(int count) {
+        for (int i = 0; i < count; i++) {
+            robot.tick();
+        }
+    }
+
+    @Test
+    void quitIsRemembered() {
+        assertThat(world.hasQuit()).isFalse();
+        assertThat(world.execute("quit")).isEqualTo("ok");
+        assertThat(world.hasQuit()).isTrue();
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '#',
+            value = {
+                "''              # error: '' is no command, there are press, state and quit",
+                "jump            # error: 'jump' is no command, there are press, state and quit",
+                "press           # error: the command is 'press clean|spot|dock [MILLIS]'",
+                "press clock     # error: 'clock' is no button, there are clean, spot and dock",
+                "press clean 0   # error: MILLIS is '0'; allowed is 1 to 60000 ms",
+                "press clean 1e9 # error: MILLIS is '1e9'; allowed is 1 to 60000 ms",
+                "state now       # error: the command is 'state'",
+                "quit now        # error: the command is 'quit'",
+            })
+    void mistakesAreAnsweredAndChangeNothing(String line, String answer) {
+        String before = world.execute("state");
+        assertThat(world.execute(line)).isEqualTo(answer);
+        assertThat(world.execute("state")).isEqualTo(before);
+        assertThat(world.hasQuit()).isFalse();
+    }
+}

@@ -1,0 +1,90 @@
+package org.evoloop.roomba.simulator.robot;
+
+import java.io.ByteArrayOutputStream;
+import java.util.ArrayList;
+import java.util.List;
+import org.evoloop.roomba.oi.Command;
+import org.evoloop.roomba.oi.InputCommand;
+import org.evoloop.roomba.oi.OiMode;
+import org.evoloop.roomba.oi.Packet;
+import org.evoloop.roomba.oi.PacketId;
+import org.evoloop.roomba.oi.SensorValues;
+import org.evoloop.roomba.oi.StreamFramer;
+
+/** A simulated robot on the bench, and everything it has sent. */
+final class Bench {
+    static final Command START = new Command.Start();
+    static final Command SAFE = new Command.Safe();
+    static final Command FULL = new Command.Full();
+
+    private final ByteArrayOutputStream sent = new ByteArrayOutputStream();
+    final SimulatedRoomba robot;
+
+    Bench(RobotOptions options) {
+        robot = new SimulatedRoomba(options, sent::writeBytes);
+    }
+
+    Bench() {
+        this(RobotOptions.defaults());
+    }
+
+    /** A robot in this mode; awake in Safe and Full, else in standby. */
+    static Bench in(OiMode mode) {
+        Bench bench = new Bench();
+        switch (mode) {
+            case OFF -> {}
+            case PASSIVE -> bench.send(START);
+            case SAFE -> bench.send(START, SAFE);
+            case FULL -> bench.send(START, FULL);
+        }
+        return bench;
+    }
+
+    Bench send(Command... commands) {
+        for (Command command : commands) {
+            robot.receive(command.bytes(), command.bytes().length);
+        }
+        return this;
+    }
+
+    Bench ticks(long count) {
+        for (long i = 0; i < count; i++) {
+            robot.tick();
+        }
+        return this;
+    }
+
+    Bench seconds(double seconds) {
+        return ticks(Math.round(seconds * 1000 / SimulatedRoomba.TICK_MILLIS));
+    }
+
+    RobotState state() {
+        return robot.state();
+    }
+
+    /** What the robot has sent since the last look. */
+    byte[] sent() {
+        byte[] bytes = sent.toByteArray();
+        sent.reset();
+        return bytes;
+    }
+
+    /** The frames among what the robot has sent since the last look. */
+    List<SensorValues> frames() {
+        List<SensorValues> frames = new ArrayList<>();
+        byte[] bytes = sent();
+        StreamFramer.forAnyPackets(frames::add).feed(bytes, 0, bytes.length);
+        return frames;
+    }
+
+    /** Asks for one packet. */
+    int query(Packet packet) {
+        sent();
+        send(new InputCommand.Sensors(packet));
+        return SensorValues.decode(List.of(packet), sent()).value(packet);
+    }
+
+    Bench stream(PacketId... packets) {
+        return send(new InputCommand.Stream(List.of(packets)));
+    }
+}
