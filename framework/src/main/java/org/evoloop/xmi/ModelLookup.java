@@ -9,10 +9,10 @@ import java.util.Set;
 import org.evoloop.statemachine.ModelException;
 
 /** Finds the models that come with an application, wherever it is started. */
-public final class ModelFiles {
+public final class ModelLookup {
     private static final String HOME = "evoloop.home";
 
-    private ModelFiles() {}
+    private ModelLookup() {}
 
     /**
      * Looks for {@code file} in the working directory, then beside the application's jar, then in the directory that the
