@@ -8,6 +8,7 @@ import java.io.PipedOutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
 import org.evoloop.loop.LoopConfig;
@@ -36,7 +37,10 @@ class TerminalIoTest {
         ExternalTerminal terminal =
                 new ExternalTerminal("test", "ansi", new PipedInputStream(keyboard), screen, StandardCharsets.UTF_8);
         try (TerminalIo io = new TerminalIo(
-                terminal, true, before -> before.isEmpty() ? List.of("status", "switch") : List.of(), () -> {})) {
+                terminal,
+                true,
+                before -> before.isEmpty() ? List.of("status", "switch") : List.of(),
+                Thread.currentThread()::interrupt)) {
             return console.run(io);
         }
     }
@@ -103,6 +107,19 @@ class TerminalIoTest {
     void controlCEndsTheConsoleInTheMiddleOfALine() throws Exception {
         type("stat");
         screen.await("stat");
+        type("\003");
+        running.get(20, TimeUnit.SECONDS);
+    }
+
+    @Test
+    void controlCEndsTheConsoleInTheMiddleOfACommand() throws Exception {
+        CountDownLatch begun = new CountDownLatch(1);
+        console.addCommand(ConsoleCommand.of("hang", "never returns", (arguments, out) -> {
+            begun.countDown();
+            new CountDownLatch(1).await();
+        }));
+        type("hang\r");
+        begun.await();
         type("\003");
         running.get(20, TimeUnit.SECONDS);
     }
