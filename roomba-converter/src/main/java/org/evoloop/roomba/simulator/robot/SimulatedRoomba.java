@@ -51,7 +51,7 @@ public final class SimulatedRoomba {
 
     private void handle(Parsed parsed) {
         if (!(parsed instanceof Parsed.Accepted accepted)) {
-            LOG.debug("ignored {}", parsed);
+            LOG.trace("ignored {}", parsed);
         } else if (accepted.command() instanceof Command.Reset) {
             body.stop();
             firmware = new Firmware(body, options, sink);

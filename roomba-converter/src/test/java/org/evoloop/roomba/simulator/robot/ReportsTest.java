@@ -1,9 +1,12 @@
 package org.evoloop.roomba.simulator.robot;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.quicktheories.QuickTheory.qt;
+import static org.quicktheories.generators.SourceDSL.longs;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.Random;
 import org.evoloop.roomba.oi.ActuatorCommand.Motors;
 import org.evoloop.roomba.oi.ActuatorCommand.Play;
 import org.evoloop.roomba.oi.ActuatorCommand.PwmMotors;
@@ -128,6 +131,25 @@ class ReportsTest {
     @Test
     void theSameCallsGiveTheSameBytes() {
         assertThat(story().sent()).isEqualTo(story().sent());
+    }
+
+    @Test
+    void noBytesAndPressesCanBreakIt() {
+        qt().forAll(longs().all()).checkAssert(seed -> {
+            Random random = new Random(seed);
+            Bench bench = Bench.in(OiMode.FULL);
+            byte[] noise = new byte[64];
+            for (int round = 0; round < 50; round++) {
+                random.nextBytes(noise);
+                bench.robot.receive(noise, random.nextInt(noise.length));
+                bench.robot.press(Button.values()[random.nextInt(8)], random.nextInt(400));
+                bench.ticks(random.nextInt(20));
+            }
+            // Zeros end whatever command is unfinished.
+            bench.robot.receive(new byte[1_000], 1_000);
+            bench.send(Bench.START, new PauseResumeStream(false));
+            assertThat(bench.query(Packet.OI_MODE)).isEqualTo(1);
+        });
     }
 
     private static Bench story() {
