@@ -10,7 +10,7 @@ import org.evoloop.loop.LoopConfig;
 import org.evoloop.statemachine.ModelException;
 import org.evoloop.time.Clock;
 import org.evoloop.time.SystemClock;
-import org.evoloop.xmi.ModelLookup;
+import org.evoloop.xmi.ModelFiles;
 import org.evoloop.xmi.XmiFile;
 
 /** Puts the converter together and runs its console; options: {@code [--models FILE]}. */
@@ -28,7 +28,7 @@ public final class Main {
         if (options.length != 0 && !(options.length == 2 && options[0].equals("--models"))) {
             throw new IllegalArgumentException("usage: java -jar lightbulb-example.jar [--models FILE]");
         }
-        Path file = options.length == 2 ? Path.of(options[1]) : ModelLookup.find("models/light-bulb.xml", Main.class);
+        Path file = options.length == 2 ? Path.of(options[1]) : ModelFiles.find("models/light-bulb.xml", Main.class);
         XmiFile machines = XmiFile.read(file);
         ModelPair models = new ModelPair(machines.pick("original"), machines.pick("new"));
 

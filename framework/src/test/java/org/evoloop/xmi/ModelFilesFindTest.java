@@ -11,7 +11,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-class ModelLookupTest {
+class ModelFilesFindTest {
     private static final Path WORKING_DIRECTORY = Path.of("").toAbsolutePath();
     private static final Path BESIDE_THE_CLASSES = WORKING_DIRECTORY.resolve("target");
 
@@ -25,7 +25,8 @@ class ModelLookupTest {
         System.setProperty("evoloop.home", home.toString());
         Files.createFile(home.resolve("pom.xml"));
 
-        assertThat(ModelLookup.find("pom.xml", ModelLookupTest.class)).isEqualTo(WORKING_DIRECTORY.resolve("pom.xml"));
+        assertThat(ModelFiles.find("pom.xml", ModelFilesFindTest.class))
+                .isEqualTo(WORKING_DIRECTORY.resolve("pom.xml"));
     }
 
     @Test
@@ -33,7 +34,7 @@ class ModelLookupTest {
         Path model = Files.createTempFile(BESIDE_THE_CLASSES, "model", ".xml");
         try {
             String name = model.getFileName().toString();
-            assertThat(ModelLookup.find(name, ModelLookupTest.class)).isEqualTo(model);
+            assertThat(ModelFiles.find(name, ModelFilesFindTest.class)).isEqualTo(model);
         } finally {
             Files.delete(model);
         }
@@ -44,14 +45,14 @@ class ModelLookupTest {
         System.setProperty("evoloop.home", home.toString());
         Path model = Files.createFile(home.resolve("model.xml"));
 
-        assertThat(ModelLookup.find("model.xml", ModelLookupTest.class)).isEqualTo(model);
+        assertThat(ModelFiles.find("model.xml", ModelFilesFindTest.class)).isEqualTo(model);
     }
 
     @Test
     void aFileThatIsNowhereIsRefusedWithAllPlaces(@TempDir Path home) {
         System.setProperty("evoloop.home", home.toString());
 
-        assertThatThrownBy(() -> ModelLookup.find("models/none.xml", ModelLookupTest.class))
+        assertThatThrownBy(() -> ModelFiles.find("models/none.xml", ModelFilesFindTest.class))
                 .isInstanceOf(ModelException.class)
                 .hasMessage("no file models/none.xml in " + WORKING_DIRECTORY + " or " + BESIDE_THE_CLASSES + " or "
                         + home + "; start where it is, or tell where with -Devoloop.home=DIRECTORY");
