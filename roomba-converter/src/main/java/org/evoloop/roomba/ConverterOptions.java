@@ -5,7 +5,7 @@ import java.time.Duration;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.roomba.move.StartPointSensor;
 import org.evoloop.statemachine.ModelException;
-import org.evoloop.xmi.ModelLookup;
+import org.evoloop.xmi.ModelFiles;
 import org.evoloop.xmi.ModelReference;
 import org.evoloop.xmi.XmiFile;
 import org.jspecify.annotations.Nullable;
@@ -82,7 +82,7 @@ final class ConverterOptions {
         }
         Path named = models;
         XmiFile file = XmiFile.read(
-                named == null ? ModelLookup.find("models/cleaning-robot.xml", ConverterOptions.class) : named);
+                named == null ? ModelFiles.find("models/cleaning-robot.xml", ConverterOptions.class) : named);
         return new ModelPair(file.pick("original"), file.pick("new"));
     }
 }

@@ -11,7 +11,7 @@ import org.evoloop.roomba.link.SerialSettings;
 import org.evoloop.roomba.move.StartPointSensor;
 import org.evoloop.time.Clock;
 import org.evoloop.time.SystemClock;
-import org.evoloop.xmi.ModelLookup;
+import org.evoloop.xmi.ModelFiles;
 import org.evoloop.xmi.XmiFile;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine;
@@ -71,7 +71,7 @@ final class DemoCommand implements Callable<Integer> {
     }
 
     private void play(Scenario next) throws IOException, InterruptedException, Play.Unfulfilled {
-        XmiFile file = XmiFile.read(ModelLookup.find("models/cleaning-robot.xml", DemoCommand.class));
+        XmiFile file = XmiFile.read(ModelFiles.find("models/cleaning-robot.xml", DemoCommand.class));
         RoombaConverter.Options options = new RoombaConverter.Options(
                 new ModelPair(file.pick("original"), file.pick("new")),
                 StartPointSensor.byWheels(Scenario.START_X_MM, Scenario.START_Y_MM),
