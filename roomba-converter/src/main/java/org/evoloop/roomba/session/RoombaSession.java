@@ -1,10 +1,8 @@
 package org.evoloop.roomba.session;
 
 import java.time.Duration;
-import java.util.EnumSet;
 import java.util.List;
 import java.util.Locale;
-import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.Semaphore;
 import org.evoloop.converter.DeviceLink;
@@ -14,7 +12,6 @@ import org.evoloop.roomba.oi.ActuatorCommand;
 import org.evoloop.roomba.oi.Button;
 import org.evoloop.roomba.oi.Command;
 import org.evoloop.roomba.oi.InputCommand;
-import org.evoloop.roomba.oi.Opcode;
 import org.evoloop.roomba.oi.Packet;
 import org.evoloop.roomba.oi.PacketId;
 import org.evoloop.roomba.oi.SensorValues;
@@ -54,19 +51,6 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
 
     /** Field code leaves this much between commands that change the mode. */
     static final Duration MODE_CHANGE = Duration.ofMillis(20);
-
-    private static final Set<Opcode> MODE_CHANGING = EnumSet.of(
-            Opcode.RESET,
-            Opcode.START,
-            Opcode.CONTROL,
-            Opcode.SAFE,
-            Opcode.FULL,
-            Opcode.POWER,
-            Opcode.SPOT,
-            Opcode.CLEAN,
-            Opcode.MAX,
-            Opcode.SEEK_DOCK,
-            Opcode.STOP);
 
     private static final Logger LOG = LoggerFactory.getLogger(RoombaSession.class);
     private static final int ATTEMPTS = 3;
@@ -200,7 +184,7 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
                 pauseAfterModeChange();
             }
             link.send(command.bytes());
-            if (MODE_CHANGING.contains(command.opcode())) {
+            if (command.opcode().changesMode()) {
                 modeChanged = true;
                 modeChangedNanos = clock.nanoTime();
             }
