@@ -1,6 +1,8 @@
 package org.evoloop.console;
 
+import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.LinkedHashMap;
@@ -62,7 +64,13 @@ final class CommandSet {
             if (!command.accepts(arguments.size())) {
                 throw new IllegalArgumentException("usage: " + command.usage());
             }
-            command.action().run(arguments, out);
+            ByteArrayOutputStream results = new ByteArrayOutputStream();
+            try {
+                command.action().run(arguments, new PrintStream(results, true, StandardCharsets.UTF_8));
+            } finally {
+                // In one piece: other threads print meanwhile.
+                out.print(results.toString(StandardCharsets.UTF_8));
+            }
         }
     }
 

@@ -76,10 +76,23 @@ public final class Console {
         }
     }
 
-    @SuppressWarnings("SystemConsoleNull") // since JDK 22 never null, which is fine: JLine looks again
+    /** Whether this process shows its output on a terminal that can move its cursor and show colours. */
+    @SuppressWarnings("SystemConsoleNull") // since JDK 22 never null, but from then on it can be asked
+    public static boolean isOnTerminal() {
+        java.io.Console console = System.console();
+        if (console == null || "dumb".equals(System.getenv("TERM"))) {
+            return false;
+        }
+        try {
+            return (boolean) java.io.Console.class.getMethod("isTerminal").invoke(console);
+        } catch (ReflectiveOperationException beforeJdk22) {
+            return true;
+        }
+    }
+
     private ConsoleIo open(Runnable end) {
         ConsoleIo terminal = null;
-        if (in == System.in && out == System.out && System.console() != null) {
+        if (in == System.in && out == System.out && isOnTerminal()) {
             try {
                 terminal = TerminalIo.open(commands::completions, end);
             } catch (NoClassDefFoundError noJLine) {

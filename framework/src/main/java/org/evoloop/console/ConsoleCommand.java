@@ -32,7 +32,7 @@ public record ConsoleCommand(
          * Performs the command.
          *
          * @param arguments as many as the usage says
-         * @param out for results
+         * @param out for results, which are shown in one piece when this returns
          * @throws Exception any failure: its message, which should say how to mend it, becomes the console's error line
          */
         void run(List<String> arguments, PrintStream out) throws Exception;

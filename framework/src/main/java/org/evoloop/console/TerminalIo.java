@@ -32,10 +32,15 @@ final class TerminalIo implements ConsoleIo {
     private final PrintStream formerErr = System.err;
 
     /**
+     * @param showsErrors whether the error output of this process is the same terminal
      * @param completion the words that may stand after those given
      * @param interrupted what Ctrl-C does while no line is being edited
      */
-    TerminalIo(Terminal terminal, Function<List<String>, Collection<String>> completion, Runnable interrupted) {
+    TerminalIo(
+            Terminal terminal,
+            boolean showsErrors,
+            Function<List<String>, Collection<String>> completion,
+            Runnable interrupted) {
         this.terminal = terminal;
         this.reader = LineReaderBuilder.builder()
                 .terminal(terminal)
@@ -46,6 +51,10 @@ final class TerminalIo implements ConsoleIo {
                 .build();
         this.lines = LineStream.printer(reader::printAbove);
         terminal.handle(Terminal.Signal.INT, signal -> interrupted.run());
+        System.setOut(lines);
+        if (showsErrors) {
+            System.setErr(lines);
+        }
     }
 
     /** The terminal that this process was started on; null if it is none, or one that cannot move its cursor. */
@@ -59,12 +68,9 @@ final class TerminalIo implements ConsoleIo {
                 terminal.close();
                 return null;
             }
-            TerminalIo io = new TerminalIo(terminal, completion, interrupted);
-            System.setOut(io.lines);
-            if (terminal instanceof TerminalExt system && system.getProvider().isSystemStream(SystemStream.Error)) {
-                System.setErr(io.lines);
-            }
-            return io;
+            boolean showsErrors = terminal instanceof TerminalExt system
+                    && system.getProvider().isSystemStream(SystemStream.Error);
+            return new TerminalIo(terminal, showsErrors, completion, interrupted);
         } catch (IOException | IllegalStateException none) {
             return null;
         }
@@ -89,7 +95,7 @@ final class TerminalIo implements ConsoleIo {
 
     @Override
     public PrintStream err() {
-        return lines;
+        return System.err;
     }
 
     @Override

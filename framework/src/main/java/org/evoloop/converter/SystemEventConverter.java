@@ -1,7 +1,9 @@
 package org.evoloop.converter;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -246,9 +248,9 @@ public final class SystemEventConverter implements AutoCloseable {
         exchange(name, supplier.get());
     }
 
-    /** The names of the spares. */
+    /** The names of the spares, in the order in which they were added. */
     public synchronized Set<String> spares() {
-        return Set.copyOf(spares.keySet());
+        return Collections.unmodifiableSet(new LinkedHashSet<>(spares.keySet()));
     }
 
     /** Queues an occurrence as if a monitor had told it; false if it was refused or dropped. */

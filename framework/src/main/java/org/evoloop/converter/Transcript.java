@@ -24,9 +24,14 @@ final class Transcript {
 
     private final List<String> later = new ArrayList<>();
     private boolean inEvent;
+    private boolean begun;
+
+    /** Whether an empty line comes before the next one. */
+    private boolean gap;
 
     synchronized void observed(Occurrence occurrence) {
         inEvent = true;
+        gap = begun;
         line("----   " + (occurrence.source().isButton() ? "button_event" : "internal_event") + " : "
                 + occurrence.event() + "   -----");
         line("");
@@ -44,6 +49,9 @@ final class Transcript {
     private static String mode(Decision decision) {
         if (decision instanceof Decision.NotAcceptable) {
             return "Not acceptable";
+        }
+        if (decision instanceof Decision.Resynchronization) {
+            return "Resynchronize";
         }
         boolean isNew = decision instanceof Decision.NewFunction
                 || (decision instanceof Decision.ExistingFunction existing && existing.isDetour());
@@ -73,7 +81,7 @@ final class Transcript {
     /** The event's last lines; what was said meanwhile follows. */
     synchronized void executed(Configuration now) {
         states(now);
-        line("");
+        gap = true;
         closeEvent();
     }
 
@@ -86,7 +94,7 @@ final class Transcript {
 
     private void closeEvent() {
         inEvent = false;
-        later.forEach(Transcript::line);
+        later.forEach(this::line);
         later.clear();
     }
 
@@ -99,12 +107,17 @@ final class Transcript {
         }
     }
 
-    private static void states(Configuration configuration) {
+    private void states(Configuration configuration) {
         line(" original_current_state: " + configuration.original());
         line(" new_current_state: " + configuration.evolved());
     }
 
-    private static void line(String line) {
+    private void line(String line) {
+        if (gap) {
+            LOG.info("");
+        }
         LOG.info(line);
+        gap = false;
+        begun = true;
     }
 }

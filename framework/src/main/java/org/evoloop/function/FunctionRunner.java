@@ -1,6 +1,7 @@
 package org.evoloop.function;
 
 import java.time.Duration;
+import org.evoloop.loop.Threads;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -62,7 +63,7 @@ public final class FunctionRunner {
         Thread own = thread;
         if (own != null && own != Thread.currentThread()) {
             own.interrupt();
-            if (!join(own)) {
+            if (!Threads.join(own, joinLimit)) {
                 LOG.warn(
                         "thread {} did not end within {} ms after {} was left; its function ignores interrupts",
                         own.getName(),
@@ -73,15 +74,6 @@ public final class FunctionRunner {
         hasFunction = false;
         thread = null;
         visit = null;
-    }
-
-    private boolean join(Thread own) {
-        try {
-            own.join(joinLimit.toMillis());
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-        }
-        return !own.isAlive();
     }
 
     /** The visit whose function runs or has left timers and listeners behind; null if the state needs none. */

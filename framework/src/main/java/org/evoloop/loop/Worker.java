@@ -89,23 +89,7 @@ abstract class Worker implements Runnable {
         if (thread == null || thread == Thread.currentThread()) {
             return null;
         }
-        boolean interrupted = false;
-        long deadline = System.nanoTime() + limit.toNanos();
-        while (thread.isAlive()) {
-            long leftMillis = (deadline - System.nanoTime()) / 1_000_000;
-            if (leftMillis <= 0) {
-                break;
-            }
-            try {
-                thread.join(leftMillis);
-            } catch (InterruptedException e) {
-                interrupted = true;
-            }
-        }
-        if (interrupted) {
-            Thread.currentThread().interrupt();
-        }
-        return thread.isAlive() ? thread.getName() : null;
+        return Threads.join(thread, limit) ? null : thread.getName();
     }
 
     final boolean ownsCurrentThread() {

@@ -15,6 +15,9 @@ import org.evoloop.xmi.AstahXml.Transitions;
 final class AstahDialect implements XmiDialect {
     static final String MENU = "Tools > XML Input & Output > Save as XML Project";
 
+    /** What the books about one machine cost besides its elements, about. */
+    private static final int BYTES_PER_MACHINE = 500;
+
     private static final String EXPORTER = "Jomt XMI writer";
     private static final String JUDE = "http://objectclub.esm.co.jp/Jude/namespace/";
 
@@ -74,6 +77,7 @@ final class AstahDialect implements XmiDialect {
         }
 
         private void machine() {
+            stream.keep(BYTES_PER_MACHINE);
             AstahUnmarshaller.Result result = AstahUnmarshaller.unmarshal(stream);
             for (Transitions role : result.machine().transitions) {
                 for (Transition transition : role.transitions) {

@@ -7,6 +7,8 @@ import jakarta.xml.bind.annotation.XmlAttribute;
 import jakarta.xml.bind.annotation.XmlElement;
 import jakarta.xml.bind.annotation.XmlElements;
 import jakarta.xml.bind.annotation.XmlTransient;
+import jakarta.xml.bind.annotation.adapters.XmlAdapter;
+import jakarta.xml.bind.annotation.adapters.XmlJavaTypeAdapter;
 import java.net.URLDecoder;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
@@ -62,6 +64,19 @@ final class AstahXml {
         return Problems.quote(name) + " (id " + Problems.quote(id) + ")";
     }
 
+    /** Accepts an attribute whatever it says, and lets go of the text. */
+    static final class WithoutMeaning extends XmlAdapter<String, String> {
+        @Override
+        public @Nullable String unmarshal(String text) {
+            return null;
+        }
+
+        @Override
+        public String marshal(String value) {
+            return value;
+        }
+    }
+
     /** What every element has. */
     @XmlAccessorType(XmlAccessType.FIELD)
     abstract static class Element {
@@ -79,10 +94,14 @@ final class AstahXml {
 
         // Astah's own, without meaning in UML.
         @XmlAttribute
-        int version;
+        @XmlJavaTypeAdapter(WithoutMeaning.class)
+        @Nullable
+        String version;
 
         @XmlAttribute
-        boolean unSolvedFlag;
+        @XmlJavaTypeAdapter(WithoutMeaning.class)
+        @Nullable
+        String unSolvedFlag;
 
         @XmlAnyAttribute
         @Nullable
@@ -150,10 +169,14 @@ final class AstahXml {
     static final class State extends Vertex {
         // Always true in Astah's files, whatever was drawn.
         @XmlAttribute
-        boolean isConcurrent;
+        @XmlJavaTypeAdapter(WithoutMeaning.class)
+        @Nullable
+        String isConcurrent;
 
         @XmlAttribute
-        boolean isRegion;
+        @XmlJavaTypeAdapter(WithoutMeaning.class)
+        @Nullable
+        String isRegion;
 
         @XmlAttribute
         @Nullable

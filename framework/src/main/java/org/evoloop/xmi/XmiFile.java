@@ -71,9 +71,10 @@ public final class XmiFile {
         }
         requireSome();
         if (found.isEmpty()) {
-            throw new ModelException(file + ": no state machine is named '" + wanted + "'; there is " + list(machines));
+            throw new ModelException(
+                    file + ": no state machine is named " + Problems.quote(wanted) + "; there is " + list(machines));
         }
-        throw new ModelException(file + ": '" + wanted + "' names " + found.size()
+        throw new ModelException(file + ": " + Problems.quote(wanted) + " names " + found.size()
                 + " state machines; choose one by its id, or give them different names: " + list(found));
     }
 
@@ -105,7 +106,7 @@ public final class XmiFile {
     }
 
     private static String describe(XmiMachine machine) {
-        return "'" + machine.name() + "' (machine '" + machine.machineName() + "', id " + machine.id() + ", line "
-                + machine.line() + ")";
+        return Problems.quote(machine.name()) + " (machine " + Problems.quote(machine.machineName()) + ", id "
+                + machine.id() + ", line " + machine.line() + ")";
     }
 }

@@ -3,7 +3,10 @@ package org.evoloop.xmi;
 import java.io.BufferedInputStream;
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.InputStreamReader;
 import java.io.UncheckedIOException;
+import java.nio.charset.CharacterCodingException;
+import java.nio.charset.Charset;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
@@ -27,9 +30,6 @@ final class XmiStream extends StreamReaderDelegate implements AutoCloseable {
     /** Astah nests two levels a package and two a composite state. */
     private static final int MAX_DEPTH = 500;
 
-    private static final int MAX_FILE_BYTES = 1 << 30;
-    /** The parser holds each tag, comment and the like as a whole. */
-    private static final int MAX_TOKEN_BYTES = 4 << 20;
     /** The parser never forgets a name; a real file has some 200. */
     private static final int MAX_NAMES = 10_000;
     /** Enough for 100,000 transitions. */
@@ -37,7 +37,7 @@ final class XmiStream extends StreamReaderDelegate implements AutoCloseable {
     /** What an element costs besides its texts, about. */
     private static final int BYTES_PER_ELEMENT = 140;
 
-    private static final String EXPORT_AGAIN = "export it again with " + AstahDialect.MENU;
+    static final String EXPORT_AGAIN = "export it again with " + AstahDialect.MENU;
 
     private final String file;
     private final BoundedInput input;
@@ -47,7 +47,7 @@ final class XmiStream extends StreamReaderDelegate implements AutoCloseable {
 
     private XmiStream(String file, InputStream bytes) {
         this.file = file;
-        this.input = new BoundedInput(bytes);
+        this.input = new BoundedInput(bytes, this::refuse);
     }
 
     /** @throws ModelException if the file cannot be opened or does not begin like XML */
@@ -70,8 +70,10 @@ final class XmiStream extends StreamReaderDelegate implements AutoCloseable {
     static XmiStream of(String file, InputStream bytes) {
         XmiStream stream = new XmiStream(file, new BufferedInputStream(bytes));
         try {
-            stream.refuseOtherFormats();
-            stream.setParent(factory().createXMLStreamReader(stream.input));
+            Charset encoding = stream.encoding();
+            // A new decoder reports what it cannot decode; a reader's own would replace it without a word.
+            stream.setParent(
+                    factory().createXMLStreamReader(new InputStreamReader(stream.input, encoding.newDecoder())));
             return stream;
         } catch (XMLStreamException notXml) {
             stream.close();
@@ -93,21 +95,26 @@ final class XmiStream extends StreamReaderDelegate implements AutoCloseable {
         return factory;
     }
 
-    private void refuseOtherFormats() throws IOException {
-        input.mark(4);
-        byte[] magic = input.readNBytes(4);
+    private Charset encoding() throws IOException {
+        input.mark(XmlEncoding.HEAD_BYTES);
+        byte[] head = input.readNBytes(XmlEncoding.HEAD_BYTES);
         input.reset();
-        if (magic.length == 0) {
+        if (head.length == 0) {
             throw refuse("is empty", EXPORT_AGAIN);
         }
-        int firstTwo = magic.length < 2 ? 0 : (magic[0] & 0xFF) << 8 | (magic[1] & 0xFF);
-        switch (firstTwo) {
-            case 0x504B ->
-                throw refuse(
-                        "is a zip archive, such as an Astah project (.asta), not XML",
-                        "open it in Astah and use " + AstahDialect.MENU);
-            case 0x1F8B -> throw refuse("is compressed by gzip", "unpack it with gunzip");
-            default -> {}
+        if (head[0] == 'P' && head.length > 1 && head[1] == 'K') {
+            throw refuse(
+                    "is a zip archive, such as an Astah project (.asta), not XML",
+                    "open it in Astah and use " + AstahDialect.MENU);
+        }
+        if (head[0] == 0x1F) {
+            throw refuse("is compressed by gzip", "unpack it with gunzip");
+        }
+        input.skipNBytes(XmlEncoding.utf8MarkBytes(head));
+        try {
+            return XmlEncoding.of(head);
+        } catch (IllegalArgumentException unknown) {
+            throw refuse("is in the unknown encoding " + unknown.getMessage(), "save it in UTF-8");
         }
     }
 
@@ -234,6 +241,11 @@ final class XmiStream extends StreamReaderDelegate implements AutoCloseable {
         Location location = cause.getLocation();
         int line = location == null ? 0 : location.getLineNumber();
         // The parser's own text starts with the position, which the message gives anyway.
+        if (nested instanceof CharacterCodingException) {
+            return new ModelException(
+                    message("holds bytes that are no text in the encoding it announces", line, "save it in UTF-8"),
+                    cause);
+        }
         String text = String.valueOf(nested == null ? cause.getMessage() : nested.getMessage());
         String reason = text.substring(text.lastIndexOf("Message: ") < 0 ? 0 : text.lastIndexOf("Message: ") + 9);
         return new ModelException(message("is damaged or not XML, " + reason, line, EXPORT_AGAIN), cause);
@@ -249,63 +261,6 @@ final class XmiStream extends StreamReaderDelegate implements AutoCloseable {
             input.close();
         } catch (IOException failed) {
             throw new UncheckedIOException(failed);
-        }
-    }
-
-    /** Counts what the parser reads, so that no token and no file can be endless. */
-    private final class BoundedInput extends InputStream {
-        private final InputStream bytes;
-        private long fileBytes;
-        private long tokenBytes;
-
-        BoundedInput(InputStream bytes) {
-            this.bytes = bytes;
-        }
-
-        void startToken() {
-            tokenBytes = 0;
-        }
-
-        @Override
-        public int read() throws IOException {
-            int read = bytes.read();
-            count(read < 0 ? 0 : 1);
-            return read;
-        }
-
-        @Override
-        public int read(byte[] buffer, int offset, int length) throws IOException {
-            int read = bytes.read(buffer, offset, length);
-            count(Math.max(0, read));
-            return read;
-        }
-
-        private void count(int read) {
-            fileBytes += read;
-            tokenBytes += read;
-            if (fileBytes > MAX_FILE_BYTES) {
-                throw refuse("is larger than " + (MAX_FILE_BYTES >> 20) + " MiB", "export the state machines alone");
-            }
-            if (tokenBytes > MAX_TOKEN_BYTES) {
-                throw refuse(
-                        "holds a single tag, text or comment of more than " + (MAX_TOKEN_BYTES >> 20) + " MiB",
-                        EXPORT_AGAIN);
-            }
-        }
-
-        @Override
-        public void mark(int limit) {
-            bytes.mark(limit);
-        }
-
-        @Override
-        public void reset() throws IOException {
-            bytes.reset();
-        }
-
-        @Override
-        public void close() throws IOException {
-            bytes.close();
         }
     }
 }

@@ -87,7 +87,7 @@ class ConsoleTest {
     void listShowsComponentsAndSpares() {
         run("list");
 
-        assertThat(out.text()).isEqualTo(FRESH_COMPONENTS + "spares      spareSwitch\n");
+        assertThat(out.text()).isEqualTo(FRESH_COMPONENTS + "spares      spareSwitch, otherSwitch\n");
     }
 
     @Test
@@ -104,7 +104,7 @@ class ConsoleTest {
 
         assertThat(err.lines())
                 .containsExactly(
-                        "error: no spare is named Nothing; there are spareSwitch",
+                        "error: no spare is named Nothing; there are spareSwitch, otherSwitch",
                         "error: no component is named Nobody; there are WallSwitch, DecisionAnalyze, DecisionPlan, Lamp");
     }
 

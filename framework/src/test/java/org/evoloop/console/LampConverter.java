@@ -11,7 +11,7 @@ import org.evoloop.evolution.Step;
 import org.evoloop.function.NewFunction;
 import org.evoloop.loop.LoopConfig;
 
-/** The converter of the paper's light bulb, with a wall switch and a spare for it. */
+/** The converter of the paper's light bulb, with a wall switch and two spares for it. */
 final class LampConverter {
     final PushMonitor wallSwitch = new PushMonitor("WallSwitch");
     final SystemEventConverter converter;
@@ -22,6 +22,7 @@ final class LampConverter {
         converter.addExecute(new Lamp());
         converter.addKnowledge(new LampKnowledge());
         converter.addSpare("spareSwitch", () -> new PushMonitor("SpareSwitch"));
+        converter.addSpare("otherSwitch", () -> new PushMonitor("OtherSwitch"));
         converter.build();
     }
 

@@ -1,4 +1,7 @@
-/** Filled in by the commits that follow. */
+/**
+ * The smallest complete event converter, to be copied: it gives a lamp that can only be switched on and off a second
+ * colour (the paper's running example, section III).
+ */
 @NullMarked
 package org.evoloop.lightbulb;
 

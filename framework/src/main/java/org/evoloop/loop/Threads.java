@@ -1,0 +1,34 @@
+package org.evoloop.loop;
+
+import java.time.Duration;
+
+/** What everybody who ends threads needs. */
+public final class Threads {
+    private Threads() {}
+
+    /**
+     * Waits for {@code thread} to end. An interrupt of the caller does not cut the wait short; its flag is restored.
+     *
+     * @param limit in real time
+     * @return whether the thread has ended
+     */
+    public static boolean join(Thread thread, Duration limit) {
+        boolean interrupted = false;
+        long deadline = System.nanoTime() + limit.toNanos();
+        while (thread.isAlive()) {
+            long leftMillis = (deadline - System.nanoTime()) / 1_000_000;
+            if (leftMillis <= 0) {
+                break;
+            }
+            try {
+                thread.join(leftMillis);
+            } catch (InterruptedException e) {
+                interrupted = true;
+            }
+        }
+        if (interrupted) {
+            Thread.currentThread().interrupt();
+        }
+        return !thread.isAlive();
+    }
+}

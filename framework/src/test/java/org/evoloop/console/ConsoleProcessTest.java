@@ -1,0 +1,98 @@
+package org.evoloop.console;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.BufferedReader;
+import java.io.File;
+import java.io.IOException;
+import java.io.Writer;
+import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.Collectors;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+
+/** The console in a process of its own, at the other end of pipes. */
+@Timeout(60)
+class ConsoleProcessTest {
+    private final Process program;
+    private final Writer keyboard;
+    private final BufferedReader screen;
+
+    ConsoleProcessTest() throws IOException {
+        String classPath = Arrays.stream(System.getProperty("java.class.path").split(File.pathSeparator))
+                .filter(entry -> !new File(entry).getName().startsWith("jline"))
+                .collect(Collectors.joining(File.pathSeparator));
+        program = new ProcessBuilder(
+                        System.getProperty("java.home") + "/bin/java", "-cp", classPath, ConsoleProgram.class.getName())
+                .redirectErrorStream(true)
+                .start();
+        keyboard = program.outputWriter(StandardCharsets.UTF_8);
+        screen = program.inputReader(StandardCharsets.UTF_8);
+    }
+
+    @AfterEach
+    void leaveNoProcess() {
+        program.destroyForcibly();
+    }
+
+    private void type(String line) throws IOException {
+        keyboard.write(line + "\n");
+        keyboard.flush();
+    }
+
+    private void assertEndsInOrder() throws Exception {
+        assertThat(screen.readLine()).isEqualTo("ended, converter EXITED");
+        assertThat(screen.readLine()).isNull();
+        assertThat(program.waitFor(20, TimeUnit.SECONDS)).isTrue();
+        assertThat(program.exitValue()).isZero();
+    }
+
+    @Test
+    void itWorksWithoutJLine() throws Exception {
+        type("jline");
+        assertThat(screen.readLine()).isEqualTo("no JLine");
+        type("stop it");
+        assertThat(screen.readLine()).isEqualTo("error: usage: stop");
+        type("exit");
+        assertEndsInOrder();
+    }
+
+    @Test
+    void theEndOfThePipeIsAnExit() throws Exception {
+        keyboard.close();
+        assertEndsInOrder();
+    }
+
+    @Test
+    @DisabledOnOs(OS.WINDOWS)
+    void theSignalTermIsAnExit() throws Exception {
+        type("start");
+        type("jline");
+        assertThat(screen.readLine()).isEqualTo("no JLine");
+
+        signal("TERM");
+
+        assertEndsInOrder();
+    }
+
+    @Test
+    @DisabledOnOs(OS.WINDOWS)
+    void theSignalOfControlCIsAnExit() throws Exception {
+        type("jline");
+        assertThat(screen.readLine()).isEqualTo("no JLine");
+
+        signal("INT");
+
+        assertEndsInOrder();
+    }
+
+    private void signal(String name) throws Exception {
+        Process kill = new ProcessBuilder("kill", "-" + name, Long.toString(program.pid())).start();
+        assertThat(kill.waitFor()).isZero();
+    }
+}

@@ -1,0 +1,133 @@
+package org.evoloop.lightbulb;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.BufferedReader;
+import java.io.File;
+import java.io.IOException;
+import java.io.Writer;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.Collectors;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The program as a whole, at the other end of pipes. */
+@Timeout(60)
+class MainTest {
+    private static final File ROOT = new File(System.getProperty("evoloop.root"));
+
+    private @Nullable Process program;
+
+    private Process program(File directory, String... options) throws IOException {
+        List<String> command = new ArrayList<>(
+                List.of(System.getProperty("java.home") + "/bin/java", "-cp", classPath(), Main.class.getName()));
+        command.addAll(List.of(options));
+        Process started = new ProcessBuilder(command).directory(directory).start();
+        program = started;
+        return started;
+    }
+
+    /** Without the tests, which silence the log. */
+    private static String classPath() {
+        return Arrays.stream(System.getProperty("java.class.path").split(File.pathSeparator))
+                .filter(entry -> !entry.endsWith("test-classes"))
+                .collect(Collectors.joining(File.pathSeparator));
+    }
+
+    @AfterEach
+    void leaveNoProcess() {
+        if (program != null) {
+            program.destroyForcibly();
+        }
+    }
+
+    /** Reads lines until one of them is {@code last}, and returns all of them. */
+    private static List<String> readTo(BufferedReader lines, String last) throws IOException {
+        List<String> read = new ArrayList<>();
+        do {
+            String line = lines.readLine();
+            assertThat(line).as("the line after " + read).isNotNull();
+            read.add(line);
+        } while (!read.get(read.size() - 1).equals(last));
+        return read;
+    }
+
+    @Test
+    void theWholeStoryFromOffToOff() throws Exception {
+        Process lamp = program(ROOT);
+        BufferedReader screen = lamp.inputReader(StandardCharsets.UTF_8);
+        try (Writer keyboard = lamp.outputWriter(StandardCharsets.UTF_8)) {
+            keyboard.write("start\nswitch\n");
+            keyboard.flush();
+            assertThat(readTo(screen, " new_current_state: on"))
+                    .containsExactly(
+                            "----   button_event : switch   -----",
+                            "",
+                            "Monitor",
+                            " inputs switch event.",
+                            "Analyze",
+                            " original_current_state: off",
+                            " new_current_state: off",
+                            " mode: Use existing functions",
+                            "Plan",
+                            "Execute",
+                            " MAPE-K loop will send this event : switch",
+                            "(*) daylight",
+                            " switch command",
+                            " original_current_state: on",
+                            " new_current_state: on");
+            keyboard.write("switch\nswitch\n");
+            keyboard.flush();
+            readTo(screen, " new_current_state: incandescentOn");
+            readTo(screen, "(*) incandescent");
+            keyboard.write("switch\n");
+            keyboard.flush();
+            assertThat(readTo(screen, " new_current_state: off")).containsSubsequence("(*) daylight", "( ) dark");
+            keyboard.write("switch\nswitch\n");
+            keyboard.flush();
+            readTo(screen, " new_current_state: wait");
+            assertThat(readTo(screen, " new_current_state: off")).contains(" inputs timeout event.", "( ) dark");
+        }
+
+        assertThat(lamp.waitFor(20, TimeUnit.SECONDS)).isTrue();
+        assertThat(lamp.exitValue()).isZero();
+        assertThat(lamp.errorReader(StandardCharsets.UTF_8).lines()).isEmpty();
+    }
+
+    @Test
+    void modelsThatAreNotThereAreOneLineOfError(@TempDir File elsewhere) throws Exception {
+        assertRefused(program(elsewhere), "error: no file models/light-bulb.xml in ");
+        assertRefused(program(elsewhere, "--models", "none.xml"), "error: none.xml");
+    }
+
+    @Test
+    void modelsOfAnotherDeviceAreRefusedWithAllThatDoesNotFit() throws Exception {
+        List<String> errors = refusal(program(ROOT, "--models", "models/cleaning-robot.xml"));
+
+        assertThat(errors.get(0)).startsWith("error: a function is registered for incandescentOn");
+        assertThat(errors).anyMatch(line -> line.contains("LampExecute can send switch"));
+    }
+
+    @Test
+    void optionsThatDoNotExistAreOneLineOfError() throws Exception {
+        assertRefused(program(ROOT, "--model"), "error: usage: java -jar lightbulb-example.jar [--models FILE]");
+    }
+
+    private static void assertRefused(Process lamp, String error) throws Exception {
+        assertThat(refusal(lamp)).singleElement().asString().startsWith(error);
+    }
+
+    private static List<String> refusal(Process lamp) throws Exception {
+        assertThat(lamp.waitFor(20, TimeUnit.SECONDS)).isTrue();
+        assertThat(lamp.exitValue()).isEqualTo(2);
+        assertThat(lamp.inputReader(StandardCharsets.UTF_8).lines()).isEmpty();
+        return lamp.errorReader(StandardCharsets.UTF_8).lines().toList();
+    }
+}

@@ -1,0 +1,88 @@
+package org.evoloop.roomba;
+
+import java.nio.file.Path;
+import java.time.Duration;
+import org.evoloop.evolution.ModelPair;
+import org.evoloop.roomba.move.StartPointSensor;
+import org.evoloop.statemachine.ModelException;
+import org.evoloop.xmi.ModelFiles;
+import org.evoloop.xmi.ModelReference;
+import org.evoloop.xmi.XmiFile;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Option;
+
+/** The options of the command line that choose how the converter works. */
+final class ConverterOptions {
+    @Option(
+            names = "--models",
+            paramLabel = "FILE",
+            description = "XMI file with the diagrams 'original' and 'new' (default: models/cleaning-robot.xml).")
+    private @Nullable Path models;
+
+    @Option(
+            names = "--original",
+            paramLabel = "FILE#NAME",
+            description = "The device's model, by diagram name, machine name or id; with --new, instead of --models.")
+    private @Nullable String original;
+
+    @Option(
+            names = "--new",
+            paramLabel = "FILE#NAME",
+            description = "The model that the owner wants; with --original, instead of --models.")
+    private @Nullable String evolved;
+
+    @Option(
+            names = "--start-point",
+            paramLabel = "X,Y",
+            split = ",",
+            defaultValue = "1000,500",
+            description =
+                    "Where Move drives to, in mm ahead and to the left of where the robot stands when the program "
+                            + "starts (default: ${DEFAULT-VALUE}).")
+    private double[] startPoint = {};
+
+    @Option(
+            names = "--spot-wait",
+            paramLabel = "SECONDS",
+            defaultValue = "5",
+            description = "How long SpotWait waits for a second press (default: ${DEFAULT-VALUE}).")
+    private double spotWaitSeconds;
+
+    /**
+     * The options, with the models read.
+     *
+     * @throws ModelException if a model cannot be used
+     * @throws IllegalArgumentException if options are out of range or contradict each other
+     */
+    RoombaConverter.Options read() {
+        if (startPoint.length != 2) {
+            throw new IllegalArgumentException("--start-point takes two numbers, X,Y in mm, for example 1000,500");
+        }
+        if (!(spotWaitSeconds >= 0.1 && spotWaitSeconds <= 3600)) {
+            throw new IllegalArgumentException(
+                    "--spot-wait is " + spotWaitSeconds + ", allowed is 0.1 to 3600 seconds");
+        }
+        return new RoombaConverter.Options(
+                pair(),
+                StartPointSensor.byWheels(startPoint[0], startPoint[1]),
+                Duration.ofMillis(Math.round(spotWaitSeconds * 1000)));
+    }
+
+    private ModelPair pair() {
+        String originalReference = original;
+        String evolvedReference = evolved;
+        if (originalReference != null && evolvedReference != null && models == null) {
+            return new ModelPair(
+                    ModelReference.parse(originalReference).load(),
+                    ModelReference.parse(evolvedReference).load());
+        }
+        if (originalReference != null || evolvedReference != null) {
+            throw new IllegalArgumentException(
+                    "--original and --new go together, and not with --models; give both or neither");
+        }
+        Path named = models;
+        XmiFile file = XmiFile.read(
+                named == null ? ModelFiles.find("models/cleaning-robot.xml", ConverterOptions.class) : named);
+        return new ModelPair(file.pick("original"), file.pick("new"));
+    }
+}

@@ -1,0 +1,103 @@
+package org.evoloop.roomba;
+
+import java.time.Duration;
+import java.util.Locale;
+import java.util.function.BooleanSupplier;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.evoloop.evolution.Configuration;
+import org.evoloop.statemachine.State;
+import org.evoloop.time.Clock;
+
+/**
+ * Plays a scenario with a converter and a simulated robot: presses buttons and waits for what must come of it, in the
+ * converter's states and in the robot's true state.
+ *
+ * <p>Threading: used by one thread.
+ */
+final class Play {
+    private static final Duration LOOK = Duration.ofMillis(20);
+    private static final Duration RELEASE = Duration.ofMillis(50);
+    private static final Duration PATIENCE = Duration.ofMinutes(2);
+
+    /** Something that a scenario promises did not come. */
+    static final class Unfulfilled extends Exception {
+        Unfulfilled(String message) {
+            super(message);
+        }
+    }
+
+    private final RoombaConverter roomba;
+    private final SimulatedWorld world;
+    private final Clock clock;
+
+    Play(RoombaConverter roomba, SimulatedWorld world, Clock clock) {
+        this.roomba = roomba;
+        this.world = world;
+        this.clock = clock;
+    }
+
+    /** A button on the robot is pressed, once nobody holds one down any more. */
+    Play robotButton(String event) throws InterruptedException, Unfulfilled {
+        await("the robot's buttons to be released", () -> world.execute("state").contains("\"pressed\":[]"));
+        // Nobody presses so fast again that the robot's next frame does not show the release.
+        clock.sleep(RELEASE);
+        String answer = world.execute("press " + event.toLowerCase(Locale.ROOT));
+        if (!answer.equals("ok")) {
+            throw new IllegalStateException("the simulator answered: " + answer);
+        }
+        return this;
+    }
+
+    /** A button of the external controller is pressed. */
+    Play controllerButton(String event) {
+        roomba.controller().press(event);
+        return this;
+    }
+
+    /** Waits until both models are in these states. */
+    Play states(String original, String evolved) throws InterruptedException, Unfulfilled {
+        Configuration wanted = new Configuration(new State(original), new State(evolved));
+        await("the states " + wanted, () -> configuration().equals(wanted));
+        return this;
+    }
+
+    /** Waits until the robot truly does {@code activity}, in OI mode {@code mode}. */
+    Play robotIs(String activity, String mode) throws InterruptedException, Unfulfilled {
+        await(
+                "the robot in activity " + activity + " and mode " + mode,
+                () -> truth("activity").equals(activity) && truth("oiMode").equals(mode));
+        return this;
+    }
+
+    /** Checks that the robot truly is within {@code toleranceMm} of a point. */
+    void robotIsNear(double xMm, double yMm, double toleranceMm) throws Unfulfilled {
+        double away = Math.hypot(Double.parseDouble(truth("xMm")) - xMm, Double.parseDouble(truth("yMm")) - yMm);
+        if (away > toleranceMm) {
+            throw new Unfulfilled(
+                    String.format(Locale.ROOT, "the robot is %.0f mm away from (%.0f, %.0f) mm", away, xMm, yMm));
+        }
+    }
+
+    private void await(String what, BooleanSupplier holds) throws InterruptedException, Unfulfilled {
+        long deadline = clock.nanoTime() + PATIENCE.toNanos();
+        while (!holds.getAsBoolean()) {
+            if (clock.nanoTime() > deadline) {
+                throw new Unfulfilled("waited " + PATIENCE.toSeconds() + " s for " + what + ", but the states are "
+                        + configuration() + " and the robot is " + world.execute("state"));
+            }
+            clock.sleep(LOOK);
+        }
+    }
+
+    private Configuration configuration() {
+        return roomba.converter().status().states();
+    }
+
+    /** A value of the robot's true state. */
+    private String truth(String key) {
+        String state = world.execute("state");
+        Matcher value = Pattern.compile("\"" + key + "\":\"?([^,\"}]+)").matcher(state);
+        return value.find() ? value.group(1) : "";
+    }
+}

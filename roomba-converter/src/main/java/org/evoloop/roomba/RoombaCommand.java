@@ -1,0 +1,133 @@
+package org.evoloop.roomba;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.Callable;
+import java.util.function.IntFunction;
+import org.evoloop.console.Console;
+import org.evoloop.console.ConsoleCommand;
+import org.evoloop.loop.LoopConfig;
+import org.evoloop.roomba.link.Link;
+import org.evoloop.roomba.link.SerialLink;
+import org.evoloop.roomba.link.SerialSettings;
+import org.evoloop.roomba.session.SessionOptions;
+import org.evoloop.roomba.simulator.SimulatorCommand;
+import org.evoloop.time.Clock;
+import org.evoloop.time.SystemClock;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+
+/** The Roomba converter as a program: a robot, a converter and its console. */
+@Command(
+        name = "roomba",
+        description = "Gives a Roomba new functions: converts its events between the original and the new model.",
+        subcommands = {SimulatorCommand.class, DemoCommand.class},
+        mixinStandardHelpOptions = true)
+final class RoombaCommand implements Callable<Integer> {
+    @Mixin
+    private final ConverterOptions options = new ConverterOptions();
+
+    @Option(names = "--port", paramLabel = "PATH", description = "The robot's serial port, such as /dev/ttyUSB0.")
+    private @Nullable String port;
+
+    @Option(names = "--simulate", description = "Starts a simulated robot and connects to it.")
+    private boolean simulate;
+
+    @Option(
+            names = "--speed",
+            paramLabel = "N",
+            description = "With --simulate: time passes N times as fast, 0.01 to 1000 (default: 1).")
+    private @Nullable Double speed;
+
+    @Option(
+            names = "--mode-offset",
+            paramLabel = "N",
+            defaultValue = "0",
+            description = "What the robot adds to the mode it reports: 1 for some 600 models with Wi-Fi (default: 0).")
+    private int modeOffset;
+
+    @Override
+    public Integer call() throws IOException, InterruptedException {
+        double pace = checkedSpeed();
+        RoombaConverter.Options read = options.read();
+        String robotPort = port;
+        if (robotPort != null) {
+            return converse(robotPort, read, pace, null);
+        }
+        try (SimulatedWorld world = SimulatedWorld.inThisProcess(pace)) {
+            return converse(world.port().toString(), read, pace, world);
+        }
+    }
+
+    private double checkedSpeed() {
+        if ((port == null) != simulate) {
+            throw new IllegalArgumentException("say which robot: --port PATH or --simulate");
+        }
+        Double wanted = speed;
+        if (wanted == null) {
+            return 1;
+        }
+        if (!simulate) {
+            throw new IllegalArgumentException("--speed goes with --simulate; a real robot has its own pace");
+        }
+        return wanted;
+    }
+
+    private int converse(String robotPort, RoombaConverter.Options read, double pace, @Nullable SimulatedWorld world)
+            throws InterruptedException {
+        try (Clock clock = new SystemClock(pace);
+                RoombaConverter roomba = RoombaConverter.connect(
+                        cable(robotPort),
+                        config(clock, pace),
+                        sessionOptions(pace).withModeOffset(modeOffset),
+                        read)) {
+            Console console = new Console(roomba.converter(), System.in, System.out, System.err);
+            console.addCommand(ConsoleCommand.of(
+                            "press BUTTON",
+                            "presses a button of the external controller: clean or spot",
+                            (arguments, out) -> roomba.controller().press(event(arguments.get(0))))
+                    .completing(before -> before.isEmpty() ? List.of("clean", "spot") : List.of()));
+            if (world != null) {
+                console.addCommand(ConsoleCommand.of(
+                                "robot COMMAND [ARGUMENT] [ARGUMENT]",
+                                "tells the simulated robot's world something: robot press clean, robot state",
+                                (arguments, out) -> out.println(world.execute(String.join(" ", arguments))))
+                        .completing(before -> before.isEmpty() ? List.of("press", "state") : List.of("clean", "spot")));
+            }
+            return console.run();
+        }
+    }
+
+    /** Each call is the cable plugged in again. */
+    static IntFunction<Link> cable(String robotPort) {
+        return baud -> new SerialLink(new SerialSettings(robotPort).withBaud(baud));
+    }
+
+    /** What a fast simulation sends may come late by as much as its computer is busy, in real time. */
+    static SessionOptions sessionOptions(double pace) {
+        SessionOptions usual = SessionOptions.defaults();
+        return usual.withSilenceLimit(
+                Duration.ofMillis(Math.round(usual.silenceLimit().toMillis() * Math.max(1, pace))));
+    }
+
+    /** Limits are meant in real time: a simulation that runs fast is not served faster by its computer. */
+    static LoopConfig config(Clock clock, double pace) {
+        LoopConfig usual = LoopConfig.defaults("roomba", clock);
+        return usual.withStepLimit(
+                Duration.ofMillis(Math.round(usual.stepLimit().toMillis() * Math.max(1, pace))));
+    }
+
+    private static String event(String button) {
+        return switch (button.toLowerCase(Locale.ROOT)) {
+            case "clean" -> RobotEvents.CLEAN;
+            case "spot" -> RobotEvents.SPOT;
+            default ->
+                throw new IllegalArgumentException(
+                        "the controller has no button " + button + "; it has clean and spot");
+        };
+    }
+}

@@ -1,0 +1,79 @@
+package org.evoloop.roomba;
+
+import java.time.Duration;
+import java.util.function.IntFunction;
+import org.evoloop.converter.PushMonitor;
+import org.evoloop.converter.SystemEventConverter;
+import org.evoloop.evolution.ModelPair;
+import org.evoloop.loop.LoopConfig;
+import org.evoloop.roomba.link.Link;
+import org.evoloop.roomba.move.Move;
+import org.evoloop.roomba.move.StartPointSensor;
+import org.evoloop.roomba.session.RoombaSession;
+import org.evoloop.roomba.session.SessionOptions;
+import org.evoloop.time.Clock;
+
+/**
+ * The cleaning robot's event converter, put together.
+ *
+ * <p>Threading: as {@link SystemEventConverter}.
+ *
+ * @param session the robot
+ * @param controller where an external controller's buttons are pressed
+ * @param converter built, not started
+ */
+record RoombaConverter(RoombaSession session, PushMonitor controller, SystemEventConverter converter)
+        implements AutoCloseable {
+
+    /**
+     * What can be chosen.
+     *
+     * @param startPoint senses where Move has to go
+     * @param spotWait how long SpotWait waits for a second press
+     */
+    record Options(ModelPair models, StartPointSensor startPoint, Duration spotWait) {}
+
+    /**
+     * Builds a converter; the session may be opened before or after.
+     *
+     * @throws org.evoloop.statemachine.ModelException if the models are no evolution that this robot can take part in
+     */
+    static RoombaConverter build(LoopConfig config, RoombaSession session, Options options) {
+        Clock clock = config.clock();
+        PushMonitor controller = new PushMonitor("Controller");
+        SystemEventConverter converter = new SystemEventConverter(config);
+        converter.addMonitor(new MonitorEvent(session));
+        converter.addMonitor(controller);
+        converter.addExecute(new ExecuteCommand(session, clock));
+        converter.addKnowledge(new KnowledgeState(
+                options.models(), new Move(session, options.startPoint()), new SpotWait(options.spotWait())));
+        converter.addLink(session);
+        converter.addSpare("ExecuteCommand2", () -> new ExecuteCommand(session, clock));
+        converter.build();
+        return new RoombaConverter(session, controller, converter);
+    }
+
+    /** Builds a converter for the robot at the cable's other end, and waits for the robot to answer. */
+    static RoombaConverter connect(
+            IntFunction<Link> cable, LoopConfig config, SessionOptions sessionOptions, Options options)
+            throws InterruptedException {
+        RoombaSession session = new RoombaSession(cable, config.clock(), sessionOptions);
+        // The models come first: if they are wrong, no robot is touched.
+        RoombaConverter built = build(config, session, options);
+        try {
+            session.open();
+            session.awaitRobot();
+            return built;
+        } catch (RuntimeException | InterruptedException failure) {
+            built.close();
+            throw failure;
+        }
+    }
+
+    /** Ends the converter and leaves the robot stopped and in Passive mode. Idempotent. */
+    @Override
+    public void close() {
+        converter.close();
+        session.close();
+    }
+}
