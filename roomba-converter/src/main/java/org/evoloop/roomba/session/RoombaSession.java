@@ -1,10 +1,8 @@
 package org.evoloop.roomba.session;
 
 import java.time.Duration;
-import java.util.EnumSet;
 import java.util.List;
 import java.util.Locale;
-import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.ExecutionException;
 import java.util.function.IntFunction;
@@ -14,7 +12,6 @@ import org.evoloop.roomba.link.LinkException;
 import org.evoloop.roomba.oi.ActuatorCommand;
 import org.evoloop.roomba.oi.Button;
 import org.evoloop.roomba.oi.Command;
-import org.evoloop.roomba.oi.Opcode;
 import org.evoloop.roomba.oi.Packet;
 import org.evoloop.roomba.oi.PacketId;
 import org.evoloop.roomba.oi.SensorValues;
@@ -52,19 +49,6 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
             Packet.RIGHT_MOTOR_CURRENT,
             Packet.MAIN_BRUSH_CURRENT,
             Packet.SIDE_BRUSH_CURRENT);
-
-    private static final Set<Opcode> MODE_CHANGING = EnumSet.of(
-            Opcode.RESET,
-            Opcode.START,
-            Opcode.CONTROL,
-            Opcode.SAFE,
-            Opcode.FULL,
-            Opcode.POWER,
-            Opcode.SPOT,
-            Opcode.CLEAN,
-            Opcode.MAX,
-            Opcode.SEEK_DOCK,
-            Opcode.STOP);
 
     private static final Logger LOG = LoggerFactory.getLogger(RoombaSession.class);
 
@@ -301,7 +285,7 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
                 pauseAfterModeChange();
             }
             connection.send(command.bytes());
-            if (MODE_CHANGING.contains(command.opcode())) {
+            if (command.opcode().changesMode()) {
                 modeChanged = true;
                 modeChangedNanos = clock.nanoTime();
             }
