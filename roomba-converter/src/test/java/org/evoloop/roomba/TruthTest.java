@@ -28,6 +28,8 @@ class TruthTest {
         ROBOT_DOCK,
         CONTROLLER_CLEAN,
         CONTROLLER_SPOT,
+        LIFT,
+        SET_DOWN,
         UNPLUG,
         REPLUG,
         NOISE,
@@ -89,11 +91,13 @@ class TruthTest {
 
     /** Performs the acts; returns how belief and truth differ in the end, empty if they agree. */
     private static String play(List<Act> acts) {
-        try (SteppedRoomba stepped = new SteppedRoomba(RobotOptions.defaults().withSpotDurationMillis(20_000))) {
+        try (SteppedRoomba stepped = new SteppedRoomba(
+                RobotOptions.builder().spotDurationMillis(20_000).build())) {
             for (Act act : acts) {
                 perform(stepped, act.deed());
                 stepped.advance(Duration.ofMillis(act.pauseMillis()));
             }
+            perform(stepped, Deed.SET_DOWN);
             perform(stepped, Deed.REPLUG);
             perform(stepped, Deed.SILENCE);
             stepped.advance(QUIET);
@@ -114,6 +118,8 @@ class TruthTest {
             case ROBOT_DOCK -> stepped.robotButton(Button.DOCK);
             case CONTROLLER_CLEAN -> stepped.controllerButton(RobotEvents.CLEAN);
             case CONTROLLER_SPOT -> stepped.controllerButton(RobotEvents.SPOT);
+            case LIFT -> stepped.robot.lift();
+            case SET_DOWN -> stepped.robot.setDown();
             case UNPLUG -> stepped.unplug();
             case REPLUG -> stepped.replug();
             // One frame in six is spoilt. At more than that a press that only switches the robot on may leave no trace.

@@ -180,6 +180,9 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
             listeners.forEach(listener -> listener.pressed(button, robotActs));
             if (robotActs) {
                 estimate.pressed(button);
+                if (estimate.activity().isWork()) {
+                    activityWatch.expected();
+                }
                 if (estimate.activity() == ActivityEstimate.Activity.SPOT) {
                     spotWatch.started();
                 } else {
