@@ -81,14 +81,17 @@ final class SteppedRoomba implements AutoCloseable {
         plugged = true;
     }
 
-    /** Disturbs both directions from now on, null for not at all. */
+    /**
+     * Disturbs both directions from now on, null for not at all. Commands are lost but not changed: one bit makes a Spot
+     * (134) a Clean (135), and the two look alike from outside.
+     */
     void disturb(MemoryLink.@Nullable Noise nextNoise) {
         noise = nextNoise;
         MemoryLink.Pair current = cable;
         if (current != null) {
             MemoryLink.Noise set = nextNoise == null ? new MemoryLink.Noise(0, 0, 0) : nextNoise;
             current.robot().setNoise(set);
-            current.converter().setNoise(set);
+            current.converter().setNoise(new MemoryLink.Noise(set.seed(), set.dropRate(), 0));
         }
     }
 
