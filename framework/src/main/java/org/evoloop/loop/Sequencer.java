@@ -248,10 +248,11 @@ final class Sequencer<O> {
     void quietly(Runnable change) {
         StageWorker<?> late = null;
         Failure<O> failure = null;
+        boolean interrupted = false;
         lock.lock();
         try {
             paused = true;
-            boolean interrupted = awaitQuiet();
+            interrupted = awaitQuiet();
             late = busy;
             if (late != null) {
                 failure = giveUp(
@@ -260,15 +261,16 @@ final class Sequencer<O> {
                                 + config.joinLimit().toMillis() + " ms");
             }
             change.run();
-            if (interrupted) {
-                Thread.currentThread().interrupt();
-            }
         } finally {
             paused = false;
             begin();
             lock.unlock();
+            // Also after a change that was refused: what was given up for it must be reported, or nothing else begins.
+            goOn(late, failure);
+            if (interrupted) {
+                Thread.currentThread().interrupt();
+            }
         }
-        goOn(late, failure);
     }
 
     private boolean awaitQuiet() {
