@@ -262,6 +262,14 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
         return sequencer.step();
     }
 
+    /**
+     * Whether the occurrence that is in the loop is with this component now; false for one that comes back late to an
+     * occurrence that was given up.
+     */
+    public boolean hasTurn(Component component) {
+        return sequencer.hasTurn(component);
+    }
+
     /** Where the loop is in its life. */
     public LoopState state() {
         return sequencer.state();

@@ -339,6 +339,11 @@ final class Sequencer<O> {
         }
     }
 
+    boolean hasTurn(Component component) {
+        StageWorker<?> worker = turn();
+        return worker != null && worker.component() == component;
+    }
+
     LoopState state() {
         lock.lock();
         try {
