@@ -225,6 +225,7 @@ public final class SystemEventConverter implements AutoCloseable {
      */
     public synchronized void exchange(String name, Component next) {
         ConverterCore built = built();
+        built.loop.requireExchangeable(name, next);
         Assembly changed = assembly.with(name, next);
         attach(built, next);
         DecisionTable table = changed.decisions(built.knowledge());
