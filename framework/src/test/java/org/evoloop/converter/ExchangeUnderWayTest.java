@@ -38,7 +38,7 @@ class ExchangeUnderWayTest {
                 }
             }));
         });
-        robot.press("Clean", "Clean", "Clean");
+        robot.press("Clean", "Clean", "Clean").awaitSpotWait();
         robot.panel.press("Clean");
         await(hanging);
         robot.sent.clear();
@@ -71,7 +71,7 @@ class ExchangeUnderWayTest {
             atLast.await();
         })) {
             robot.converter.exchange("Device", robot.device("Spare"));
-            robot.press("Spot");
+            robot.awaitSpotWait();
             robot.clock.advance(Duration.ofMillis(4999));
             robot.press("Spot");
             assertThat(robot.states()).isEqualTo(at("On", "SpotWait"));

@@ -85,7 +85,7 @@ class FailingComponentsTest {
                 }
             }));
         })) {
-            robot.press("Clean", "Clean", "Clean");
+            robot.press("Clean", "Clean", "Clean").awaitSpotWait();
             robot.panel.press("Clean");
             await(hanging);
             robot.clock.advance(LiveRobot.STEP_LIMIT);
@@ -98,8 +98,7 @@ class FailingComponentsTest {
                     .as("the first of two events has had its effect")
                     .isEqualTo(at("On", "SpotWait"));
             until(() -> robot.component("Device").activity() == Activity.WAITING);
-            // An event that means nothing here: when it is through, the state has been entered anew.
-            robot.press("Spot");
+            robot.awaitSpotWait();
             robot.clock.advance(Duration.ofSeconds(5));
             robot.awaitStates("On", "On");
         }

@@ -28,6 +28,7 @@ final class LiveRobot implements AutoCloseable {
     final BlockingQueue<String> sent = new LinkedBlockingQueue<>();
     final BlockingQueue<String> heard = new LinkedBlockingQueue<>();
     final SystemEventConverter converter;
+    private final BlockingQueue<Long> spotWaits = new LinkedBlockingQueue<>();
 
     /** A robot whose device takes whatever is sent, and whose Move does {@code move}. */
     LiveRobot(NewFunction move) {
@@ -45,7 +46,10 @@ final class LiveRobot implements AutoCloseable {
             @Override
             protected void registerNewFunctions() {
                 function("Move", move);
-                function("SpotWait", visit -> visit.finishAfter(Duration.ofSeconds(5), "timeout"));
+                function("SpotWait", visit -> {
+                    visit.finishAfter(Duration.ofSeconds(5), "timeout");
+                    spotWaits.add(visit.number());
+                });
             }
         });
         parts.accept(this);
@@ -118,6 +122,12 @@ final class LiveRobot implements AutoCloseable {
 
     LiveRobot awaitStates(String original, String evolved) {
         until(() -> states().equals(Robot.at(original, evolved)));
+        return this;
+    }
+
+    /** Waits until the function of SpotWait has begun once more and set its timer. */
+    LiveRobot awaitSpotWait() throws InterruptedException {
+        take(spotWaits);
         return this;
     }
 
