@@ -8,7 +8,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
-import java.util.concurrent.atomic.AtomicReference;
+import java.util.concurrent.atomic.AtomicBoolean;
 import org.evoloop.roomba.link.MemoryLink;
 import org.evoloop.roomba.session.RoombaSession;
 import org.evoloop.roomba.session.SessionListener;
@@ -79,8 +79,8 @@ class EnduranceTest {
         Path port = folder.resolve("roomba");
         try (Clock clock = new SystemClock();
                 SimulatorServer server = SimulatorServer.start(port, RobotOptions.defaults(), clock, 1);
-                RoombaSession session = new RoombaSession(
-                        RoombaCommand.cable(port.toString()), clock, SessionOptions.defaults())) {
+                RoombaSession session =
+                        new RoombaSession(RoombaCommand.cable(port.toString()), clock, SessionOptions.defaults())) {
             session.open();
             session.awaitRobot();
             pull(server, session);
@@ -97,7 +97,7 @@ class EnduranceTest {
     /** Pulls the cable, plugs it in again, and waits for the first frame after that. */
     private static void pull(SimulatorServer server, RoombaSession session) throws IOException, InterruptedException {
         CountDownLatch frame = new CountDownLatch(1);
-        AtomicReference<Boolean> replugged = new AtomicReference<>(false);
+        AtomicBoolean replugged = new AtomicBoolean();
         SessionListener listener = new SessionListener() {
             @Override
             public void received(Telemetry telemetry) {
