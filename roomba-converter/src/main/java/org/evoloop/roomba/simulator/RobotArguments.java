@@ -18,16 +18,7 @@ final class RobotArguments {
     @Option(
             names = "--room",
             paramLabel = "FILE",
-            description = {
-                "The room: a text file with a thing on each line, in mm and degrees, # for comments.",
-                "  wall X Y X Y            a rectangle of walls, by two corners",
-                "  wall X Y X Y X Y ...    a polygon of walls",
-                "  obstacle X Y X Y ...    something solid, likewise",
-                "  cliff X Y X Y ...       where there is no floor, likewise",
-                "  dock X Y HEADING        where a docked robot stands and looks",
-                "  start X Y HEADING       where it begins; if not told, on the dock or at 0 0 0",
-                "Without this option: an open plain."
-            })
+            description = "The room it lives in, described below (default: an open plain).")
     private @Nullable Path room;
 
     @Option(

@@ -33,6 +33,27 @@ import picocli.CommandLine.Spec;
 @Command(
         name = "simulator",
         description = "Runs a simulated Roomba at a pseudo-terminal.",
+        footer = {
+            "",
+            "Standard input takes a command a line, and standard output answers each:",
+            "  press clean|spot|dock [MILLIS]   presses a button",
+            "  lift, set-down                   holds the robot in the air, and sets it down",
+            "  place X Y HEADING                carries it elsewhere",
+            "  dock, undock                     puts it onto its dock, and off it",
+            "  unplug, replug                   pulls its cable, and plugs it in again",
+            "  state                            tells its true state in JSON",
+            "  help, quit",
+            "",
+            "A room file has a thing on each line, in mm and in degrees counterclockwise",
+            "from the x axis; # begins a comment:",
+            "  wall X Y X Y               walls around a rectangle, by two corners",
+            "  wall X Y X Y X Y ...       walls around a polygon",
+            "  obstacle X Y X Y ...       something solid, a rectangle or polygon likewise",
+            "  cliff X Y X Y ...          where there is no floor, likewise",
+            "  dock X Y HEADING           where a docked robot stands and looks;",
+            "                             the dock itself is 176 mm ahead",
+            "  start X Y HEADING          where it begins (default: the dock, else 0 0 0)"
+        },
         mixinStandardHelpOptions = true)
 public final class SimulatorCommand implements Callable<Integer> {
     private static final Logger LOG = LoggerFactory.getLogger(SimulatorCommand.class);

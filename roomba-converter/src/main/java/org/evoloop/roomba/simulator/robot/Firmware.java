@@ -40,6 +40,7 @@ final class Firmware {
     private Activity activity = Activity.OFF;
     private @Nullable Behavior behavior;
     private boolean untilEmpty;
+    private boolean wasDocked;
     private boolean digestsModeChange;
     private int idleTicks;
     private long chargingTicks;
@@ -50,6 +51,7 @@ final class Firmware {
         this.actuators = new Actuators(body);
         this.reporter = new Reporter(new Sensors(body, this, options)::value, options.checksum(), sink);
         this.sink = sink;
+        this.wasDocked = body.surroundings().docked();
     }
 
     /** Obeys a command, or ignores it if the mode does not accept it. */
@@ -207,6 +209,11 @@ final class Firmware {
 
     /** The first half of a tick: what the robot does by itself. */
     void act() {
+        boolean docked = body.surroundings().docked();
+        if (docked && !wasDocked && activity.isRunning()) {
+            rest(Activity.ON);
+        }
+        wasDocked = docked;
         body.allowCharger(!isControlled() && !activity.isRunning());
         if (behavior != null) {
             boolean canMove = body.surroundings().wheelDrops().isEmpty();

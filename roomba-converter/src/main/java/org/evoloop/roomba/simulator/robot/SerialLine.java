@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.Random;
 
 /**
- * What becomes of bytes between the robot's and the client's programs: with unequal rates all turn into others, and a
+ * What becomes of bytes between the robot's and the client's programs: with unequal rates they turn into garbage, and a
  * bad cable loses and changes some. Each direction has its own chance, so that what goes one way does not change what
  * becomes of the other.
  */
@@ -45,21 +45,25 @@ final class SerialLine {
     }
 
     byte[] toRobot(byte[] bytes, int length) {
-        return travel(bytes, length, toRobotChance);
+        byte[] read = ratesAgree() ? Arrays.copyOf(bytes, length) : Uart.read(bytes, length, clientBaud, baud);
+        return travel(read, toRobotChance);
     }
 
     byte[] toClient(byte[] bytes) {
-        return travel(bytes, bytes.length, toClientChance);
+        return travel(ratesAgree() ? bytes : Uart.read(bytes, bytes.length, baud, clientBaud), toClientChance);
     }
 
-    private byte[] travel(byte[] bytes, int length, Random chance) {
-        boolean unequal = clientBaud != 0 && clientBaud != baud;
-        byte[] arrived = new byte[length];
+    private boolean ratesAgree() {
+        return clientBaud == 0 || clientBaud == baud;
+    }
+
+    private byte[] travel(byte[] bytes, Random chance) {
+        byte[] arrived = new byte[bytes.length];
         int count = 0;
-        for (int i = 0; i < length; i++) {
+        for (byte octet : bytes) {
             if (chance.nextDouble() >= options.dropShare()) {
-                boolean changed = unequal || chance.nextDouble() < options.corruptShare();
-                arrived[count++] = changed ? other(bytes[i], chance) : bytes[i];
+                boolean changed = chance.nextDouble() < options.corruptShare();
+                arrived[count++] = changed ? other(octet, chance) : octet;
             }
         }
         return Arrays.copyOf(arrived, count);

@@ -81,6 +81,17 @@ class ChargingTest {
     }
 
     @Test
+    void cleaningLeavesTheDockAndEndsWhenSomebodyPutsItBack() {
+        Bench bench = docked(90).send(new Command.Clean()).seconds(10);
+        assertThat(bench.state().activity()).isEqualTo(Activity.CLEAN);
+        assertThat(bench.state().surroundings().docked()).isFalse();
+        assertThat(bench.state().charging()).isFalse();
+        bench.robot.dock();
+        assertThat(bench.ticks(1).state().activity()).isEqualTo(Activity.ON);
+        assertThat(bench.ticks(1).state().charging()).isTrue();
+    }
+
+    @Test
     void undockedItDoesNotCharge() {
         Bench bench = docked(50);
         bench.robot.undock();
