@@ -17,10 +17,12 @@ import org.evoloop.time.Clock;
  * <p>Threading: as {@link SystemEventConverter}.
  *
  * @param session the robot
+ * @param monitor where the robot's own events come from
  * @param controller where an external controller's buttons are pressed
  * @param converter built, not started
  */
-record RoombaConverter(RoombaSession session, PushMonitor controller, SystemEventConverter converter)
+record RoombaConverter(
+        RoombaSession session, MonitorEvent monitor, PushMonitor controller, SystemEventConverter converter)
         implements AutoCloseable {
 
     /**
@@ -38,9 +40,10 @@ record RoombaConverter(RoombaSession session, PushMonitor controller, SystemEven
      */
     static RoombaConverter build(LoopConfig config, RoombaSession session, Options options) {
         Clock clock = config.clock();
+        MonitorEvent monitor = new MonitorEvent(session);
         PushMonitor controller = new PushMonitor("Controller");
         SystemEventConverter converter = new SystemEventConverter(config);
-        converter.addMonitor(new MonitorEvent(session));
+        converter.addMonitor(monitor);
         converter.addMonitor(controller);
         converter.addExecute(new ExecuteCommand(session, clock));
         converter.addKnowledge(new KnowledgeState(
@@ -48,7 +51,7 @@ record RoombaConverter(RoombaSession session, PushMonitor controller, SystemEven
         converter.addLink(session);
         converter.addSpare("ExecuteCommand2", () -> new ExecuteCommand(session, clock));
         converter.build();
-        return new RoombaConverter(session, controller, converter);
+        return new RoombaConverter(session, monitor, controller, converter);
     }
 
     /** Builds a converter for the robot at {@code link}, and waits for the robot to answer. */
