@@ -113,11 +113,11 @@ class TruthTest {
 
     private static void perform(SteppedRoomba stepped, Deed deed) {
         switch (deed) {
-            case ROBOT_CLEAN -> stepped.robotButton(Button.CLEAN);
-            case ROBOT_SPOT -> stepped.robotButton(Button.SPOT);
-            case ROBOT_DOCK -> stepped.robotButton(Button.DOCK);
-            case CONTROLLER_CLEAN -> stepped.controllerButton(RobotEvents.CLEAN);
-            case CONTROLLER_SPOT -> stepped.controllerButton(RobotEvents.SPOT);
+            case ROBOT_CLEAN -> stepped.robotPress(Button.CLEAN);
+            case ROBOT_SPOT -> stepped.robotPress(Button.SPOT);
+            case ROBOT_DOCK -> stepped.robotPress(Button.DOCK);
+            case CONTROLLER_CLEAN -> stepped.press(RobotEvents.CLEAN);
+            case CONTROLLER_SPOT -> stepped.press(RobotEvents.SPOT);
             case LIFT -> stepped.robot.lift();
             case SET_DOWN -> stepped.robot.setDown();
             case UNPLUG -> stepped.unplug();

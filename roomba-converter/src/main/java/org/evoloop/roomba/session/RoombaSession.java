@@ -74,7 +74,7 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
     private boolean modeChanged;
     private long modeChangedNanos;
     private @Nullable Command unconfirmed;
-    private int unconfirmedFrames;
+    private int framesOfControl;
     private boolean outOfSight;
     private int settlingFrames;
     private int framesWithoutControl;
@@ -180,6 +180,8 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
             listeners.forEach(listener -> listener.pressed(button, robotActs));
             if (robotActs) {
                 estimate.pressed(button);
+                // What the motors did before says nothing about what comes of the press.
+                activityWatch.forget();
                 if (estimate.activity().isWork()) {
                     activityWatch.expected();
                 }
@@ -241,11 +243,15 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
             tell(SessionListener.Activity.ON);
         }
         Command command = unconfirmed;
+        framesOfControl = underControl ? framesOfControl + 1 : 0;
         if (!underControl) {
             unconfirmed = null;
-        } else if (command != null && ++unconfirmedFrames % CONFIRM_FRAMES == 0) {
+        } else if (command != null && framesOfControl % CONFIRM_FRAMES == 0) {
             // It would have ended control, had the robot received it.
             connection.trySend(command);
+        } else if (command == null && engaged && !wantsControl && framesOfControl % SpotWatch.QUIET_FRAMES == 0) {
+            // Whatever it was left alone for, it does not do it.
+            tell(SessionListener.Activity.ON);
         }
     }
 
@@ -299,7 +305,8 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
             if (command instanceof Command.Spot || command instanceof Command.Clean) {
                 activityWatch.expected();
                 unconfirmed = isUnderControl() ? command : null;
-                unconfirmedFrames = 0;
+                // Counted anew: the frames that are on their way still show control.
+                framesOfControl = 0;
             }
             if (command instanceof Command.Spot && estimate.activity() == ActivityEstimate.Activity.SPOT) {
                 spotWatch.started();
