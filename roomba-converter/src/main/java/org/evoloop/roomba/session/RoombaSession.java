@@ -133,7 +133,7 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
      * Waits for the robot to answer; it is woken if it does not.
      *
      * @throws RobotException if it stays silent
-     * @throws LinkException if the link is lost meanwhile
+     * @throws LinkException if the link is lost meanwhile, or the session closed
      * @throws InterruptedException if the thread is told to stop while it waits
      */
     public void awaitRobot() throws InterruptedException {
@@ -149,11 +149,12 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
 
     /** One frame has come; called on the link's thread. */
     private void framed(SensorValues raw) {
-        connection.answered();
         SensorValues values = filter.filter(raw);
         Telemetry earlier = latest;
         Telemetry now = new Telemetry(earlier == null ? 1 : earlier.frame() + 1, values, odometry.update(values));
         latest = now;
+        // Who waits for the robot finds its values.
+        connection.answered();
         listeners.forEach(listener -> listener.received(now));
         comeBackIntoSight();
         seeControl(now.isUnderControl(), earlier != null && earlier.isUnderControl());
@@ -345,12 +346,14 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
         wantsControl = false;
     }
 
-    /** Stops the wheels if the robot is under control, and gives it back to itself for good. */
+    /** Stops the wheels if the robot is under control or about to be, and gives it back to itself for good. */
     public void letGo() {
+        // Control that was just asked for may show only in the next frame.
+        boolean mayHaveControl = wantsControl || regaining || isUnderControl();
         engaged = false;
         wantsControl = false;
         regaining = false;
-        if (isUnderControl()) {
+        if (mayHaveControl) {
             send(new ActuatorCommand.DriveDirect(0, 0));
             send(new Command.Start());
         }
