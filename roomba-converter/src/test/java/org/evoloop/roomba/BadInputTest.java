@@ -117,7 +117,7 @@ class BadInputTest {
     @Test
     void aNewModelThatLacksWhatTheDeviceHas() throws Exception {
         assertRefused(
-                "error: the models 'new' and 'original' are not an evolution: "
+                "error: the models '" + MODELS + "#new' and '" + MODELS + "#original' are not an evolution: "
                         + "Condition 1: event arriveSpot is missing in the new model; "
                         + "Condition 1: event timeout is missing in the new model; "
                         + "Condition 2: state Move is missing in the new model; "
@@ -144,7 +144,7 @@ class BadInputTest {
                 text.substring(0, target) + off + text.substring(target + on.length()));
 
         assertRefused(
-                "error: the device cannot become what 'new' asks for:\n"
+                "error: the device cannot become what '" + changed + "#new' asks for:\n"
                         + "  no plan in (Clean, SpotWait): event timeout leads to Off, but with the device in Clean no "
                         + "events that can be sent take it there (sendable: Clean, Spot)",
                 "--simulate",
@@ -192,8 +192,8 @@ class BadInputTest {
         try (Pty pty = Pty.open()) {
             assertRefused(
                     "error: " + new SerialSettings(pty.path().toString())
-                            + ": the robot does not answer. Is it switched on and awake (press CLEAN), is its cable "
-                            + "plugged in, and is this the port that the cable is on?",
+                            + ": no answer at 115200 nor 19200 baud; the robot is asleep or off, or its cable is not "
+                            + "plugged in. Press CLEAN to wake it, or plug the cable in",
                     "--port",
                     pty.path().toString());
         }

@@ -30,6 +30,10 @@ final class FirstBytes {
         long printable = text.chars()
                 .filter(character -> character == '\r' || character == '\n' || (character >= ' ' && character < 127))
                 .count();
+        if (text.contains("Roomba") || text.contains("bat:")) {
+            return port
+                    + ": a Roomba is there, but it sends no sensor values; take out its battery for a moment to reset it";
+        }
         if (printable * 10 >= length * 9L) {
             return port + ": this is not a Roomba, it says '" + text.strip().replaceAll("\\s+", " ")
                     + "'; choose the port that the robot's cable is on";
