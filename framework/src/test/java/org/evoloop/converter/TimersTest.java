@@ -45,8 +45,8 @@ class TimersTest {
             robot.clock.advance(Duration.ofSeconds(6));
             fired.countDown();
             robot.awaitStates("Spot", "Spot");
-            robot.press("endSpot");
-            assertThat(robot.states()).isEqualTo(at("On", "On"));
+            robot.panel.press("endSpot");
+            robot.awaitStates("On", "On");
             assertThat(robot.converter.history())
                     .extracting(entry -> entry.occurrence().event().name())
                     .doesNotContain("timeout");
