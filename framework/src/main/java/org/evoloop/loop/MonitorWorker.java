@@ -26,6 +26,7 @@ final class MonitorWorker<O> extends Worker {
 
     @Override
     void work() throws InterruptedException {
+        sequencer.awaitFirstOpening();
         if (!observe()) {
             clock.sleep(pause);
             pause = pause.compareTo(LONGEST_PAUSE.dividedBy(2)) > 0 ? LONGEST_PAUSE : pause.multipliedBy(2);

@@ -20,11 +20,13 @@ final class Sequencer<O> {
     private final LoopListener<O> listener;
     private final Predicate<O> neverDropped;
     private final ReentrantLock lock = new ReentrantLock();
+    private final Condition opened = lock.newCondition();
     private final Condition quiet = lock.newCondition();
     private final Condition room = lock.newCondition();
 
     private final Queue<O> queue = new ArrayDeque<>();
     private LoopState state = LoopState.NEW;
+    private boolean everOpen;
     private boolean paused;
     private boolean breakingOff;
     private boolean stepping;
@@ -41,6 +43,18 @@ final class Sequencer<O> {
         this.config = config;
         this.listener = listener;
         this.neverDropped = neverDropped;
+    }
+
+    /** Waits until the loop has been opened for the first time. */
+    void awaitFirstOpening() throws InterruptedException {
+        lock.lockInterruptibly();
+        try {
+            while (!everOpen) {
+                opened.await();
+            }
+        } finally {
+            lock.unlock();
+        }
     }
 
     /** Queues an occurrence; false if the loop is closed, or the queue full and the occurrence one that may be lost. */
@@ -273,13 +287,16 @@ final class Sequencer<O> {
         return interrupted;
     }
 
-    /** Moves to another state; whoever waits for room looks again. The change itself is up to the caller. */
+    /** Moves to another state; waiting monitors and putters look again. The change itself is up to the caller. */
     void become(LoopState next) {
         lock.lock();
         try {
             state = next;
             room.signalAll();
-            if (next != LoopState.RUNNING) {
+            if (next == LoopState.RUNNING) {
+                everOpen = true;
+                opened.signalAll();
+            } else {
                 counts = counts.plusRefused(queue.size());
                 queue.clear();
             }
