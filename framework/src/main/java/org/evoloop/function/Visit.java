@@ -188,7 +188,7 @@ public final class Visit {
     private void runEnding(Runnable ending) {
         try {
             ending.run();
-        } catch (RuntimeException cause) {
+        } catch (Throwable cause) {
             host.failed(this, cause);
         }
     }
