@@ -36,9 +36,16 @@ public abstract class ControlLoopFunction<O, A, P> implements NewFunction {
     public final void run(Visit visit) throws Exception {
         MapeLoop<O, A, P> loop = new MapeLoop<>(config(visit), new LoggingListener<>(visit));
         assemble(loop, visit);
-        visit.onEnd(loop::close);
         loop.build();
-        loop.start();
+        visit.onEnd(loop::close);
+        try {
+            loop.start();
+        } catch (IllegalStateException closed) {
+            // The state was left meanwhile, which has closed the loop.
+            if (visit.isActive()) {
+                throw closed;
+            }
+        }
     }
 
     private record LoggingListener<O>(Visit visit) implements LoopListener<O> {
