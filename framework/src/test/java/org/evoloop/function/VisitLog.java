@@ -1,0 +1,68 @@
+package org.evoloop.function;
+
+import java.util.List;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.State;
+import org.evoloop.time.ManualClock;
+
+/** Stands in for the converter of a visit and notes what the visit tells it. */
+final class VisitLog implements VisitHost {
+    private static final int PATIENCE_SECONDS = 20;
+
+    final ManualClock clock = new ManualClock();
+    final BlockingQueue<String> events = new LinkedBlockingQueue<>();
+    final List<String> notices = new CopyOnWriteArrayList<>();
+    final BlockingQueue<Throwable> failures = new LinkedBlockingQueue<>();
+    private final boolean threads;
+    private long visits;
+
+    VisitLog(boolean threads) {
+        this.threads = threads;
+    }
+
+    Visit visit() {
+        return new Visit(new State("Move"), ++visits, this);
+    }
+
+    @Override
+    public ManualClock clock() {
+        return clock;
+    }
+
+    @Override
+    public boolean threads() {
+        return threads;
+    }
+
+    @Override
+    public void raise(Visit visit, Event event) throws InterruptedException {
+        events.put("raised " + event);
+    }
+
+    @Override
+    public void finish(Visit visit, Event event) {
+        events.add("finished " + event);
+    }
+
+    @Override
+    public void notice(String line) {
+        notices.add(line);
+    }
+
+    @Override
+    public void failed(Visit visit, Throwable cause) {
+        failures.add(cause);
+    }
+
+    static <T> T take(BlockingQueue<T> queue) throws InterruptedException {
+        T taken = queue.poll(PATIENCE_SECONDS, TimeUnit.SECONDS);
+        if (taken == null) {
+            throw new AssertionError("nothing came");
+        }
+        return taken;
+    }
+}
