@@ -1,0 +1,35 @@
+"""Tables of results as CSV files."""
+
+import csv
+from pathlib import Path
+
+Cell = str | float | int | None
+
+
+class Table:
+    """Rows under a header, kept in results/NAME.csv."""
+
+    def __init__(self, name: str, header: tuple[str, ...]) -> None:
+        self.name = name
+        self.header = header
+        self.rows: list[tuple[Cell, ...]] = []
+
+    def add(self, *row: Cell) -> None:
+        if len(row) != len(self.header):
+            raise ValueError(f"{self.name}: {len(row)} cells for {len(self.header)} columns")
+        self.rows.append(row)
+
+    def write(self, folder: Path) -> None:
+        with (folder / f"{self.name}.csv").open("w", encoding="utf-8", newline="") as file:
+            writer = csv.writer(file, lineterminator="\n")
+            writer.writerow(self.header)
+            writer.writerows([_text(cell) for cell in row] for row in self.rows)
+
+
+def _text(cell: Cell) -> str:
+    if cell is None:
+        return ""
+    if isinstance(cell, float):
+        # Nine digits after the point: the checkers agree to about that, and machines print the same.
+        return f"{cell:.9f}".rstrip("0").rstrip(".") if abs(cell) != float("inf") else "inf"
+    return str(cell)
