@@ -117,9 +117,12 @@ public final class Conversion {
         return ongoing;
     }
 
-    /** Whether its event was found acceptable, so that the state in which it occurred is left. */
+    /** Whether the new model leaves the state in which the event occurred, be it towards itself. */
     boolean leavesState() {
-        return decision instanceof Decision.ExistingFunction || decision instanceof Decision.NewFunction;
+        return decision instanceof Decision.ExistingFunction
+                || decision instanceof Decision.NewFunction
+                || (decision instanceof Decision.Resynchronization
+                        && !decision.before().evolved().equals(decision.after().evolved()));
     }
 
     /** Whether the state in which the event occurred has been left, even if nothing came of it. */

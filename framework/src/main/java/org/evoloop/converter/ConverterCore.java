@@ -113,12 +113,26 @@ final class ConverterCore implements VisitHost, LoopListener<Occurrence> {
             history.record(occurrence, before, before, Outcome.STALE, "the state that raised it has been left");
             return null;
         }
+        State found = occurrence.found();
+        if (found != null && isNoNews(found, before)) {
+            return null;
+        }
         observed = occurrence;
         active = null;
         transcript.observed(occurrence);
-        Decision decision = knowledge.table().decide(before, occurrence.event(), occurrence.deviceActed());
+        Decision decision = found != null
+                ? knowledge.table().find(before, found)
+                : knowledge.table().decide(before, occurrence.event(), occurrence.deviceActed());
         transcript.analyzed(decision);
         return decision;
+    }
+
+    private boolean isNoNews(State found, Configuration before) {
+        if (!knowledge.models().original().hasState(found)) {
+            LOG.warn("the device was found in {}, which is not a state of its model", found);
+            return true;
+        }
+        return found.equals(before.original());
     }
 
     // Plan
@@ -212,6 +226,8 @@ final class ConverterCore implements VisitHost, LoopListener<Occurrence> {
             outcome = Outcome.FAILED;
             detail = impossible.reason();
             LOG.warn("{} in {}: {}", conversion.occurrence(), decision.before(), detail);
+        } else if (decision instanceof Decision.Resynchronization) {
+            detail = "the device was found in " + after.original();
         } else if (decision instanceof Decision.NewFunction) {
             detail = "new function of " + after.evolved();
         } else if (!decision.steps().isEmpty()) {

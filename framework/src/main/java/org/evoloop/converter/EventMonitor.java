@@ -6,6 +6,7 @@ import org.evoloop.evolution.Source;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.loop.Monitor;
 import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.State;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -62,9 +63,20 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
         return occurrence(event, Source.DEVICE, true);
     }
 
+    /**
+     * The device was found in {@code state} of its model, whatever the converter took it to be in: after it was out of
+     * sight, or when it has done what its model does not know. Nothing comes of it if that is no news.
+     */
+    protected final Occurrence foundIn(String state) {
+        return Occurrence.found(new State(state), nanoTime());
+    }
+
     private Occurrence occurrence(String event, Source source, boolean deviceActed) {
+        return new Occurrence(new Event(event), source, deviceActed, Occurrence.ANY_VISIT, nanoTime());
+    }
+
+    private long nanoTime() {
         LoopConfig attached = config;
-        long now = attached == null ? 0 : attached.clock().nanoTime();
-        return new Occurrence(new Event(event), source, deviceActed, Occurrence.ANY_VISIT, now);
+        return attached == null ? 0 : attached.clock().nanoTime();
     }
 }

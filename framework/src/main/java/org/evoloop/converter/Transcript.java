@@ -50,6 +50,9 @@ final class Transcript {
         if (decision instanceof Decision.NotAcceptable) {
             return "Not acceptable";
         }
+        if (decision instanceof Decision.Resynchronization) {
+            return "Resynchronize";
+        }
         boolean isNew = decision instanceof Decision.NewFunction
                 || (decision instanceof Decision.ExistingFunction existing && existing.isDetour());
         return isNew ? "Use new functions" : "Use existing functions";

@@ -37,6 +37,13 @@ public sealed interface Decision {
     /** The next state is new: its function starts here, and nothing is sent. */
     record NewFunction(Configuration before, Configuration after, List<Step> steps) implements Decision {}
 
+    /** The device was found elsewhere than its model was; both models follow, and nothing is sent. */
+    record Resynchronization(Configuration before, Configuration after, List<Step> steps) implements Decision {
+        Resynchronization(Configuration before, Configuration after) {
+            this(before, after, List.of());
+        }
+    }
+
     /**
      * The next state is one that the device has, but nothing that can be sent takes the device there.
      *

@@ -10,6 +10,7 @@ import java.util.Queue;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.State;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -117,6 +118,18 @@ public final class DecisionTable {
         Row row = row(at);
         Decision decision = (deviceActed ? row.acted() : row.asked()).get(event);
         return decision == null ? new Decision.NotAcceptable(at, at, List.of()) : decision;
+    }
+
+    /**
+     * What it means that the device was found in {@code original}: the new model stays where it is if the two can stand
+     * together, that is if events as they should go can lead there; else it follows the device.
+     *
+     * @param original a state of the original model
+     */
+    public Decision.Resynchronization find(Configuration at, State original) {
+        Configuration kept = at.withOriginal(original);
+        return new Decision.Resynchronization(
+                at, reachable.contains(kept) ? kept : new Configuration(original, original));
     }
 
     /** Every configuration that can be reached, first reached first. */

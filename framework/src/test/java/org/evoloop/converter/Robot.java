@@ -54,6 +54,10 @@ final class Robot implements AutoCloseable {
             push(fromDevice(event));
         }
 
+        void found(String state) {
+            push(foundIn(state));
+        }
+
         @Override
         protected Set<String> spontaneousEvents() {
             return Set.of("Clean", "Spot");
@@ -123,6 +127,13 @@ final class Robot implements AutoCloseable {
 
     Robot device(String event) throws InterruptedException {
         panel.ended(event);
+        settle();
+        return this;
+    }
+
+    /** The robot is seen in a state that nobody has heard of. */
+    Robot found(String state) throws InterruptedException {
+        panel.found(state);
         settle();
         return this;
     }

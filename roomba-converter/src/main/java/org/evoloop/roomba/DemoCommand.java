@@ -6,8 +6,6 @@ import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.Callable;
 import org.evoloop.evolution.ModelPair;
-import org.evoloop.roomba.link.SerialLink;
-import org.evoloop.roomba.link.SerialSettings;
 import org.evoloop.roomba.move.StartPointSensor;
 import org.evoloop.time.Clock;
 import org.evoloop.time.SystemClock;
@@ -80,8 +78,9 @@ final class DemoCommand implements Callable<Integer> {
                 SimulatedWorld world =
                         twoProcesses ? SimulatedWorld.inAnotherProcess(speed) : SimulatedWorld.inThisProcess(speed);
                 RoombaConverter roomba = RoombaConverter.connect(
-                        new SerialLink(new SerialSettings(world.port().toString())),
+                        RoombaCommand.cable(world.port().toString()),
                         RoombaCommand.config(clock, speed),
+                        RoombaCommand.sessionOptions(speed),
                         options)) {
             roomba.converter().start();
             next.play(new Play(roomba, world, clock));

@@ -42,6 +42,7 @@ final class ExecuteCommand extends EventExecute {
 
     @Override
     protected void send(Step step) {
+        session.leaveAlone();
         session.send(command(step));
         commanded = true;
         commandedNanos = clock.nanoTime();
@@ -59,8 +60,10 @@ final class ExecuteCommand extends EventExecute {
 
     @Override
     protected void settled(Configuration now) {
-        if (now.original().name().equals(RobotEvents.STATE_ON) && !session.isUnderControl()) {
-            session.send(new Command.Safe());
+        if (now.original().name().equals(RobotEvents.STATE_ON)) {
+            session.takeControl();
+        } else {
+            session.leaveAlone();
         }
     }
 

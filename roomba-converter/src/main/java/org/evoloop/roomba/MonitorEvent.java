@@ -36,6 +36,16 @@ final class MonitorEvent extends PushMonitor implements SessionListener {
     }
 
     @Override
+    public void seen(Activity activity) {
+        push(foundIn(
+                switch (activity) {
+                    case ON -> RobotEvents.STATE_ON;
+                    case CLEAN -> RobotEvents.STATE_CLEAN;
+                    case SPOT -> RobotEvents.STATE_SPOT;
+                }));
+    }
+
+    @Override
     protected Set<String> spontaneousEvents() {
         return Set.of(RobotEvents.CLEAN, RobotEvents.SPOT);
     }

@@ -13,6 +13,8 @@ final class RobotEvents {
     /** The robot is on and does nothing. */
     static final String STATE_ON = "On";
 
+    static final String STATE_CLEAN = "Clean";
+    static final String STATE_SPOT = "Spot";
     static final String STATE_MOVE = "Move";
     static final String STATE_SPOT_WAIT = "SpotWait";
 

@@ -5,11 +5,14 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
+import java.util.function.IntFunction;
 import org.evoloop.console.Console;
 import org.evoloop.console.ConsoleCommand;
 import org.evoloop.loop.LoopConfig;
+import org.evoloop.roomba.link.Link;
 import org.evoloop.roomba.link.SerialLink;
 import org.evoloop.roomba.link.SerialSettings;
+import org.evoloop.roomba.session.SessionOptions;
 import org.evoloop.roomba.simulator.SimulatorCommand;
 import org.evoloop.time.Clock;
 import org.evoloop.time.SystemClock;
@@ -40,6 +43,13 @@ final class RoombaCommand implements Callable<Integer> {
             description = "With --simulate: time passes N times as fast, 0.01 to 1000 (default: 1).")
     private @Nullable Double speed;
 
+    @Option(
+            names = "--mode-offset",
+            paramLabel = "N",
+            defaultValue = "0",
+            description = "What the robot adds to the mode it reports: 1 for some 600 models with Wi-Fi (default: 0).")
+    private int modeOffset;
+
     @Override
     public Integer call() throws IOException, InterruptedException {
         double pace = checkedSpeed();
@@ -67,12 +77,14 @@ final class RoombaCommand implements Callable<Integer> {
         return wanted;
     }
 
-    private static int converse(
-            String robotPort, RoombaConverter.Options read, double pace, @Nullable SimulatedWorld world)
+    private int converse(String robotPort, RoombaConverter.Options read, double pace, @Nullable SimulatedWorld world)
             throws InterruptedException {
         try (Clock clock = new SystemClock(pace);
                 RoombaConverter roomba = RoombaConverter.connect(
-                        new SerialLink(new SerialSettings(robotPort)), config(clock, pace), read)) {
+                        cable(robotPort),
+                        config(clock, pace),
+                        sessionOptions(pace).withModeOffset(modeOffset),
+                        read)) {
             Console console = new Console(roomba.converter(), System.in, System.out, System.err);
             console.addCommand(ConsoleCommand.of(
                             "press BUTTON",
@@ -88,6 +100,18 @@ final class RoombaCommand implements Callable<Integer> {
             }
             return console.run();
         }
+    }
+
+    /** Each call is the cable plugged in again. */
+    static IntFunction<Link> cable(String robotPort) {
+        return baud -> new SerialLink(new SerialSettings(robotPort).withBaud(baud));
+    }
+
+    /** What a fast simulation sends may come late by as much as its computer is busy, in real time. */
+    static SessionOptions sessionOptions(double pace) {
+        SessionOptions usual = SessionOptions.defaults();
+        return usual.withSilenceLimit(
+                Duration.ofMillis(Math.round(usual.silenceLimit().toMillis() * Math.max(1, pace))));
     }
 
     /** Limits are meant in real time: a simulation that runs fast is not served faster by its computer. */

@@ -1,6 +1,7 @@
 package org.evoloop.roomba;
 
 import java.time.Duration;
+import java.util.function.IntFunction;
 import org.evoloop.converter.PushMonitor;
 import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.evolution.ModelPair;
@@ -9,6 +10,7 @@ import org.evoloop.roomba.link.Link;
 import org.evoloop.roomba.move.Move;
 import org.evoloop.roomba.move.StartPointSensor;
 import org.evoloop.roomba.session.RoombaSession;
+import org.evoloop.roomba.session.SessionOptions;
 import org.evoloop.time.Clock;
 
 /**
@@ -51,9 +53,11 @@ record RoombaConverter(RoombaSession session, PushMonitor controller, SystemEven
         return new RoombaConverter(session, controller, converter);
     }
 
-    /** Builds a converter for the robot at {@code link}, and waits for the robot to answer. */
-    static RoombaConverter connect(Link link, LoopConfig config, Options options) throws InterruptedException {
-        RoombaSession session = new RoombaSession(link, config.clock(), true);
+    /** Builds a converter for the robot at the cable's other end, and waits for the robot to answer. */
+    static RoombaConverter connect(
+            IntFunction<Link> cable, LoopConfig config, SessionOptions sessionOptions, Options options)
+            throws InterruptedException {
+        RoombaSession session = new RoombaSession(cable, config.clock(), sessionOptions);
         // The models come first: if they are wrong, no robot is touched.
         RoombaConverter built = build(config, session, options);
         try {

@@ -6,14 +6,14 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
-import java.util.concurrent.Semaphore;
+import java.util.concurrent.ExecutionException;
+import java.util.function.IntFunction;
 import org.evoloop.converter.DeviceLink;
 import org.evoloop.roomba.link.Link;
 import org.evoloop.roomba.link.LinkException;
 import org.evoloop.roomba.oi.ActuatorCommand;
 import org.evoloop.roomba.oi.Button;
 import org.evoloop.roomba.oi.Command;
-import org.evoloop.roomba.oi.InputCommand;
 import org.evoloop.roomba.oi.Opcode;
 import org.evoloop.roomba.oi.Packet;
 import org.evoloop.roomba.oi.PacketId;
@@ -25,7 +25,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * A conversation with a Roomba: one stream of sensor values, which is the session's only source, and commands.
+ * A conversation with a Roomba: one stream of sensor values, which is the session's only source, and commands. It outlives
+ * a cable that is pulled and plugged in again, and a robot that sleeps.
  *
  * <p>Lifecycle: {@link #open}, then {@link #awaitRobot}; {@link #close} leaves the robot stopped and in Passive mode.
  *
@@ -52,9 +53,6 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
             Packet.MAIN_BRUSH_CURRENT,
             Packet.SIDE_BRUSH_CURRENT);
 
-    /** Field code leaves this much between commands that change the mode. */
-    static final Duration MODE_CHANGE = Duration.ofMillis(20);
-
     private static final Set<Opcode> MODE_CHANGING = EnumSet.of(
             Opcode.RESET,
             Opcode.START,
@@ -69,34 +67,55 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
             Opcode.STOP);
 
     private static final Logger LOG = LoggerFactory.getLogger(RoombaSession.class);
-    private static final int ATTEMPTS = 3;
-    private static final Duration ANSWER_LIMIT = Duration.ofSeconds(1);
-    private static final Duration WAKE_PULSE = Duration.ofMillis(500);
 
-    private final Link link;
+    /** So many frames after it came back into sight it is plain what the robot does. */
+    private static final int SETTLING_FRAMES = 4;
+
     private final Clock clock;
-    private final boolean mayWait;
+    private final SessionOptions options;
+    private final Connection connection;
     private final List<SessionListener> listeners = new CopyOnWriteArrayList<>();
-    private final Semaphore news = new Semaphore(0);
     private final Object receiving = new Object();
     private final Object sending = new Object();
     private final StreamFramer framer = new StreamFramer(STREAM, this::framed);
+    private final FrameFilter filter;
     private final ButtonPresses buttons = new ButtonPresses();
     private final Odometry odometry = new Odometry();
     private final SpotWatch spotWatch = new SpotWatch();
+    private final ActivityWatch activityWatch = new ActivityWatch();
     private boolean modeChanged;
     private long modeChangedNanos;
+    private boolean outOfSight;
+    private int settlingFrames;
+    private volatile boolean engaged;
+    private volatile boolean wantsControl;
     private volatile @Nullable Telemetry latest;
-    private volatile @Nullable LinkException lost;
 
     /**
-     * @param link a new link to the robot, which the session opens and closes
-     * @param mayWait false if time only passes when the caller lets it: then no command waits for its moment
+     * @param cable makes a new link to the robot at a baud rate; called again whenever the link was lost
      */
-    public RoombaSession(Link link, Clock clock, boolean mayWait) {
-        this.link = link;
+    public RoombaSession(IntFunction<Link> cable, Clock clock, SessionOptions options) {
         this.clock = clock;
-        this.mayWait = mayWait;
+        this.options = options;
+        this.filter = new FrameFilter(options.modeOffset());
+        this.connection = new Connection(cable, clock, options, new Connection.Owner() {
+            @Override
+            public void received(byte[] buffer, int length) {
+                synchronized (receiving) {
+                    framer.feed(buffer, 0, length);
+                }
+            }
+
+            @Override
+            public void outOfSight() {
+                loseSight();
+            }
+
+            @Override
+            public boolean isDozing() {
+                return !isUnderControl() && isAtRest();
+            }
+        });
     }
 
     /** Adds a listener; it hears all that comes from now on. */
@@ -115,76 +134,117 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
      * @throws LinkException if the link cannot be opened
      */
     public void open() {
-        link.open(new Link.Receiver() {
-            @Override
-            public void received(byte[] buffer, int length) {
-                synchronized (receiving) {
-                    framer.feed(buffer, 0, length);
-                }
-            }
-
-            @Override
-            public void lost(LinkException cause) {
-                lost = cause;
-                LOG.warn("{}", cause.getMessage());
-            }
-        });
-        ask();
-    }
-
-    private void ask() {
-        send(new Command.Start());
-        send(new InputCommand.Stream(STREAM));
+        connection.open();
     }
 
     /**
-     * Waits for the robot to answer, and wakes it if it does not.
+     * Waits for the robot to answer; it is woken if it does not.
      *
      * @throws RobotException if it stays silent
+     * @throws LinkException if the link is lost meanwhile
      * @throws InterruptedException if the thread is told to stop while it waits
      */
     public void awaitRobot() throws InterruptedException {
-        for (int attempt = 1; !answers(); attempt++) {
-            if (attempt == ATTEMPTS) {
-                throw new RobotException(
-                        link.description() + ": the robot does not answer. Is it switched on and awake "
-                                + "(press CLEAN), is its cable plugged in, and is this the port that the cable is on?");
+        try {
+            connection.firstAnswer().get();
+        } catch (ExecutionException failure) {
+            if (failure.getCause() instanceof RuntimeException cause) {
+                throw cause;
             }
-            // One long pulse: three short ones would switch the robot to 19200 baud.
-            link.wakeLine().setLow(true);
-            clock.sleep(WAKE_PULSE);
-            link.wakeLine().setLow(false);
-            clock.sleep(MODE_CHANGE);
-            ask();
+            throw new IllegalStateException(failure);
         }
-    }
-
-    private boolean answers() throws InterruptedException {
-        Clock.Timer limit = clock.schedule(ANSWER_LIMIT, news::release);
-        news.acquire();
-        limit.cancel();
-        return latest != null;
     }
 
     /** One frame has come; called on the link's thread. */
-    private void framed(SensorValues values) {
+    private void framed(SensorValues raw) {
+        connection.answered();
+        SensorValues values = filter.filter(raw);
         Telemetry earlier = latest;
         Telemetry now = new Telemetry(earlier == null ? 1 : earlier.frame() + 1, values, odometry.update(values));
         latest = now;
-        if (earlier == null) {
-            news.release();
-        }
         listeners.forEach(listener -> listener.received(now));
-        for (Button button : buttons.update(values.buttons())) {
+        comeBackIntoSight();
+        tellPresses(now);
+        SpotWatch.Ending ending = spotWatch.update(values);
+        if (ending != null) {
+            listeners.forEach(listener -> listener.spotEnded(ending));
+        }
+        ActivityWatch.Seen seen = activityWatch.update(values, now.isUnderControl());
+        if (seen == ActivityWatch.Seen.AT_REST) {
+            tell(SessionListener.Activity.ON);
+        } else if (seen == ActivityWatch.Seen.AT_WORK) {
+            seenAtWork();
+        }
+        keepControl(now);
+    }
+
+    /** A robot that ought to be idle is stopped: it does something that nobody has asked for. */
+    private void seenAtWork() {
+        if (wantsControl) {
+            trySend(new Command.Safe());
+        } else {
+            tell(spotWatch.isWatching() ? SessionListener.Activity.SPOT : SessionListener.Activity.CLEAN);
+        }
+    }
+
+    private void tellPresses(Telemetry now) {
+        for (Button button : buttons.update(now.values().buttons())) {
             boolean robotActs = !now.isUnderControl();
             if (button == Button.SPOT && robotActs && !spotWatch.isRobotActive()) {
                 spotWatch.started();
             }
             listeners.forEach(listener -> listener.pressed(button, robotActs));
         }
-        SpotWatch.Ending ending = spotWatch.update(values);
-        if (ending != null) {
-            listeners.forEach(listener -> listener.spotEnded(ending));
+    }
+
+    private void tell(SessionListener.Activity activity) {
+        listeners.forEach(listener -> listener.seen(activity));
+    }
+
+    private void loseSight() {
+        synchronized (receiving) {
+            outOfSight = true;
+            settlingFrames = SETTLING_FRAMES;
+            spotWatch.forget();
+            activityWatch.forget();
+        }
+    }
+
+    /**
+     * The robot is back. What its owner did to it meanwhile cannot be told from what it shows: cleaning and spot cleaning
+     * look alike. So if it is to be controlled at all, control is taken, which ends whatever it does; then it is on.
+     */
+    private void comeBackIntoSight() {
+        if (outOfSight && --settlingFrames <= 0) {
+            outOfSight = false;
+            if (engaged) {
+                trySend(new Command.Safe());
+                trySend(new ActuatorCommand.DriveDirect(0, 0));
+                tell(SessionListener.Activity.ON);
+            }
+        }
+    }
+
+    /** The robot leaves Safe mode by itself, for instance when it is lifted; once it is at rest it is taken back. */
+    private void keepControl(Telemetry now) {
+        SensorValues values = now.values();
+        boolean mayTake = wantsControl
+                && !outOfSight
+                && !now.isUnderControl()
+                && !values.anyWheelDrop()
+                && values.value(Packet.CHARGING_SOURCES) == 0
+                && activityWatch.restFrames() >= SpotWatch.QUIET_FRAMES
+                && activityWatch.restFrames() % SpotWatch.QUIET_FRAMES == 0;
+        if (mayTake) {
+            trySend(new Command.Safe());
+        }
+    }
+
+    private void trySend(Command command) {
+        try {
+            send(command);
+        } catch (LinkException gone) {
+            LOG.debug("{}", gone.getMessage());
         }
     }
 
@@ -196,30 +256,63 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
      */
     public void send(Command command) {
         synchronized (sending) {
-            if (mayWait) {
+            if (options.mayWait()) {
                 pauseAfterModeChange();
             }
-            link.send(command.bytes());
+            connection.send(command.bytes());
             if (MODE_CHANGING.contains(command.opcode())) {
                 modeChanged = true;
                 modeChangedNanos = clock.nanoTime();
             }
         }
-        if (command instanceof Command.Spot) {
+        if (command instanceof Command.Spot || command instanceof Command.Clean) {
             synchronized (receiving) {
-                spotWatch.started();
+                activityWatch.expected();
+                if (command instanceof Command.Spot) {
+                    spotWatch.started();
+                }
             }
         }
     }
 
     private void pauseAfterModeChange() {
-        long leftNanos = MODE_CHANGE.toNanos() - (clock.nanoTime() - modeChangedNanos);
+        long leftNanos = Connection.MODE_CHANGE.toNanos() - (clock.nanoTime() - modeChangedNanos);
         if (modeChanged && leftNanos > 0) {
             try {
                 clock.sleep(Duration.ofNanos(leftNanos));
             } catch (InterruptedException hurry) {
                 Thread.currentThread().interrupt();
             }
+        }
+    }
+
+    /**
+     * Puts the robot under control now, and again whenever it has left Safe mode by itself and is at rest; what it does by
+     * itself without being asked is ended.
+     *
+     * @throws LinkException if the command could not be sent
+     */
+    public void takeControl() {
+        engaged = true;
+        wantsControl = true;
+        if (!isUnderControl()) {
+            send(new Command.Safe());
+        }
+    }
+
+    /** Leaves the robot to itself for now; if it comes back from out of sight, control is taken. */
+    public void leaveAlone() {
+        engaged = true;
+        wantsControl = false;
+    }
+
+    /** Stops the wheels if the robot is under control, and gives it back to itself for good. */
+    public void letGo() {
+        engaged = false;
+        wantsControl = false;
+        if (isUnderControl()) {
+            send(new ActuatorCommand.DriveDirect(0, 0));
+            send(new Command.Start());
         }
     }
 
@@ -236,39 +329,35 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
 
     /** Whether commands can be waited for; false if time only passes when the caller lets it. */
     public boolean mayWait() {
-        return mayWait;
+        return options.mayWait();
+    }
+
+    private boolean isAtRest() {
+        synchronized (receiving) {
+            return activityWatch.restFrames() >= SpotWatch.QUIET_FRAMES;
+        }
     }
 
     @Override
     public boolean isUp() {
-        return lost == null && latest != null;
+        return connection.isUp();
     }
 
+    /** Port, trouble or mode, and how many frames were good and bad. */
     @Override
     public String describe() {
-        LinkException cause = lost;
         Telemetry now = latest;
-        if (cause != null) {
-            return String.valueOf(cause.getMessage());
-        }
-        if (now == null) {
-            return link.description() + ", no answer yet";
+        String trouble = connection.trouble();
+        if (!trouble.isEmpty() || now == null) {
+            return connection.description() + ": " + trouble;
         }
         String mode = now.values()
                 .mode()
                 .map(known -> known.name().toLowerCase(Locale.ROOT))
                 .orElse("unknown");
         synchronized (receiving) {
-            return link.description() + ", mode " + mode + ", " + framer.frames() + " frames, " + framer.badChecksums()
-                    + " bad, " + framer.skippedBytes() + " bytes skipped";
-        }
-    }
-
-    /** Stops the wheels and gives the robot back to itself, if it is under control. */
-    public void letGo() {
-        if (isUnderControl()) {
-            send(new ActuatorCommand.DriveDirect(0, 0));
-            send(new Command.Start());
+            return connection.description() + ", mode " + mode + ", " + framer.frames() + " frames, "
+                    + framer.badChecksums() + " bad, " + framer.skippedBytes() + " bytes skipped";
         }
     }
 
@@ -276,12 +365,10 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
     @Override
     public void close() {
         try {
-            if (lost == null) {
-                letGo();
-            }
+            letGo();
         } catch (LinkException gone) {
-            LOG.warn("the robot could not be stopped: {}", gone.getMessage());
+            LOG.debug("{}", gone.getMessage());
         }
-        link.close();
+        connection.close();
     }
 }

@@ -5,9 +5,17 @@ import org.evoloop.roomba.oi.Button;
 /**
  * Hears what goes on with the robot.
  *
- * <p>Threading: called on the thread that receives; must be quick.
+ * <p>Threading: called on the thread that receives, one call at a time; must be quick.
  */
 public interface SessionListener {
+
+    /** What a robot that nobody controls is seen to do. */
+    enum Activity {
+        /** Nothing; it is on. */
+        ON,
+        CLEAN,
+        SPOT
+    }
 
     /** A frame has come. Called before anything that the frame tells. */
     default void received(Telemetry telemetry) {}
@@ -21,4 +29,7 @@ public interface SessionListener {
 
     /** A spot cleaning has ended. */
     default void spotEnded(SpotWatch.Ending how) {}
+
+    /** The robot does this now, whatever it was taken to do; it may be known already. */
+    default void seen(Activity activity) {}
 }

@@ -23,14 +23,11 @@ public final class SpotWatch {
     /** No spot cleaning lasts longer: 180 s. */
     static final int LONGEST_FRAMES = 12_000;
 
-    /** Less flows into the battery, in mA, while motors run; at rest it is about -200. */
-    static final int MOVING_CURRENT_MILLI_AMPS = -300;
-
-    /** More flows through a brush motor, in mA, while it turns. */
-    static final int BRUSH_CURRENT_MILLI_AMPS = 20;
-
     /** At rest for this long the robot is taken to do nothing: 0.3 s. */
     static final int REST_FRAMES = 20;
+
+    /** So many frames in a row are believed; one alone may be spoilt. */
+    static final int SURE_FRAMES = 3;
 
     /** How a spot cleaning came to its end. */
     public enum Ending {
@@ -50,46 +47,40 @@ public final class SpotWatch {
         RUNNING
     }
 
+    private final Motion motion = new Motion();
     private Phase phase = Phase.NONE;
     private int frames;
-    private int quietFrames;
-    private int restFrames = REST_FRAMES;
-    private @Nullable SensorValues last;
 
     /** A spot cleaning was asked for, by a command or by the robot's own button. */
     public void started() {
         phase = Phase.STARTING;
         frames = 0;
-        quietFrames = 0;
+    }
+
+    /** Whether a spot cleaning was asked for and has not ended yet, as far as can be seen. */
+    public boolean isWatching() {
+        return phase != Phase.NONE;
     }
 
     /** Whether the robot has moved or cleaned of late: then its SPOT button pauses it, else it starts a spot cleaning. */
     public boolean isRobotActive() {
-        return restFrames < REST_FRAMES;
+        return motion.restFrames() < REST_FRAMES;
     }
 
-    private boolean isActive(SensorValues values) {
-        SensorValues earlier = last;
-        boolean turned = earlier != null
-                && (earlier.leftEncoderCounts() != values.leftEncoderCounts()
-                        || earlier.rightEncoderCounts() != values.rightEncoderCounts());
-        return turned
-                || values.currentMilliAmps() < MOVING_CURRENT_MILLI_AMPS
-                || Math.abs(values.mainBrushMilliAmps()) > BRUSH_CURRENT_MILLI_AMPS
-                || Math.abs(values.sideBrushMilliAmps()) > BRUSH_CURRENT_MILLI_AMPS;
+    /** The robot was out of sight: whatever it does now, it is not known to be a spot cleaning. */
+    void forget() {
+        phase = Phase.NONE;
+        motion.forget();
     }
 
     /** Takes the next frame; returns how the spot cleaning ended if it has ended now, else null. */
     public @Nullable Ending update(SensorValues values) {
-        boolean active = isActive(values);
-        last = values;
-        restFrames = active ? 0 : restFrames + 1;
+        motion.update(values);
         if (phase == Phase.NONE) {
             return null;
         }
         frames++;
-        quietFrames = active ? 0 : quietFrames + 1;
-        if (phase == Phase.STARTING && active && isPassive(values)) {
+        if (phase == Phase.STARTING && motion.activeFrames() >= SURE_FRAMES && isPassive(values)) {
             phase = Phase.RUNNING;
         }
         Ending ending = ending(values);
@@ -106,7 +97,7 @@ public final class SpotWatch {
         if (!isPassive(values)) {
             return Ending.OVERRIDDEN;
         }
-        if (quietFrames >= QUIET_FRAMES) {
+        if (motion.restFrames() >= QUIET_FRAMES) {
             return Ending.QUIET;
         }
         return frames >= LONGEST_FRAMES ? Ending.TOO_LONG : null;

@@ -1,0 +1,68 @@
+package org.evoloop.roomba.session;
+
+import org.evoloop.roomba.oi.SensorValues;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Sees that the robot has begun to work or has come to rest while nobody controls its wheels, for whatever reason: its
+ * schedule, a button that pauses it, an empty battery, being lifted.
+ *
+ * <p>Time is counted in frames, as in {@link SpotWatch}.
+ *
+ * <p>Threading: not thread-safe.
+ */
+final class ActivityWatch {
+    /** Motors that run for so long mean that the robot is at work: 0.5 s. */
+    static final int WORK_FRAMES = 33;
+
+    /** A robot that was told to work must show it within 3 s. */
+    static final int START_FRAMES = 200;
+
+    /** What the robot does now. */
+    enum Seen {
+        AT_WORK,
+        AT_REST
+    }
+
+    private final Motion motion = new Motion();
+    private boolean atWork;
+    private int startFramesLeft;
+
+    /** The robot was told to work. */
+    void expected() {
+        startFramesLeft = START_FRAMES;
+    }
+
+    /** The robot was out of sight. */
+    void forget() {
+        motion.forget();
+        atWork = false;
+        startFramesLeft = 0;
+    }
+
+    /** Takes the next frame; returns what the robot does if that has become clear now, else null. */
+    @Nullable
+    Seen update(SensorValues values, boolean underControl) {
+        motion.update(values);
+        if (underControl) {
+            atWork = false;
+            startFramesLeft = 0;
+            return null;
+        }
+        if (motion.poweredFrames() >= SpotWatch.SURE_FRAMES) {
+            atWork = true;
+            startFramesLeft = 0;
+        }
+        boolean expectedInVain = startFramesLeft > 0 && --startFramesLeft == 0;
+        if (expectedInVain || (atWork && motion.restFrames() >= SpotWatch.QUIET_FRAMES)) {
+            atWork = false;
+            return Seen.AT_REST;
+        }
+        return motion.poweredFrames() == WORK_FRAMES ? Seen.AT_WORK : null;
+    }
+
+    /** How many frames the robot has been at rest. */
+    int restFrames() {
+        return motion.restFrames();
+    }
+}

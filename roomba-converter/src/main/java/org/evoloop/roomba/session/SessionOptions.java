@@ -1,0 +1,49 @@
+package org.evoloop.roomba.session;
+
+import java.time.Duration;
+
+/**
+ * How a session treats its robot. The defaults suit every robot that keeps to the specification.
+ *
+ * <p>Distance and angle (packets 19 and 20), which old firmware reports wrong, and stasis (58), whose values differ
+ * between models, are not used at all.
+ *
+ * <p>Threading: immutable.
+ *
+ * @param mayWait false if time only passes when the caller lets it: then nothing waits for its moment, and no thread is
+ *     made
+ * @param modeOffset what the robot adds to the OI mode it reports: 1 for some 600 models with Wi-Fi, else 0
+ * @param silenceLimit after so long without a frame the robot is out of sight, in the clock's time
+ */
+public record SessionOptions(boolean mayWait, int modeOffset, Duration silenceLimit) {
+
+    /** @throws IllegalArgumentException if a value is out of range */
+    public SessionOptions {
+        if (modeOffset != 0 && modeOffset != 1) {
+            throw new IllegalArgumentException("modeOffset is " + modeOffset + ", allowed is 0 or 1");
+        }
+        if (silenceLimit.compareTo(Duration.ofMillis(100)) < 0) {
+            throw new IllegalArgumentException("silenceLimit is " + silenceLimit + ", allowed is at least 100 ms");
+        }
+    }
+
+    /** A robot that keeps to the specification, out of sight after 2 s of silence. */
+    public static SessionOptions defaults() {
+        return new SessionOptions(true, 0, Duration.ofSeconds(2));
+    }
+
+    /** The same for whoever lets time pass by hand. */
+    public SessionOptions withoutWaiting() {
+        return new SessionOptions(false, modeOffset, silenceLimit);
+    }
+
+    /** The same for a robot that reports its mode with an offset. */
+    public SessionOptions withModeOffset(int offset) {
+        return new SessionOptions(mayWait, offset, silenceLimit);
+    }
+
+    /** The same with another limit for silence. */
+    public SessionOptions withSilenceLimit(Duration limit) {
+        return new SessionOptions(mayWait, modeOffset, limit);
+    }
+}
