@@ -1,6 +1,9 @@
 """Storm, called through stormpy."""
 
+import subprocess
+import sys
 from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
 from typing import Any
 
 from study.checking import Answers, Constants, Number, combinations, model_file, property_file, varying
@@ -65,10 +68,28 @@ class Storm:
             for path in (program_path, property_path):
                 if not path.is_file():
                     raise Problem(f"{path} is missing; restore it, for example with git checkout")
-            program = self._stormpy.parse_prism_program(str(program_path), prism_compatibility=True)
-            questions = self._stormpy.parse_properties(property_path.read_text(encoding="utf-8"), program)
+            try:
+                program = self._stormpy.parse_prism_program(str(program_path), prism_compatibility=True)
+                questions = self._stormpy.parse_properties(property_path.read_text(encoding="utf-8"), program)
+            except RuntimeError as cause:
+                if str(cause) == "std::exception":
+                    # Storm tells the reason of some mistakes, such as unknown names, in its log alone.
+                    raise RuntimeError(self._logged(program_path, property_path)) from cause
+                raise
             self._parsed[model, properties] = program, list(questions)
         return self._parsed[model, properties]
+
+    def _logged(self, program_path: Path, property_path: Path) -> str:
+        """What Storm logs when it reads the files, in a process of its own: the log cannot be had otherwise."""
+        script = (
+            "import sys, stormpy as s, stormpy.developer as d; d.set_log_level(d.LogLevel.ERR); "
+            "p = s.parse_prism_program(sys.argv[1], prism_compatibility=True); "
+            "s.parse_properties(open(sys.argv[2], encoding='utf-8').read(), p)"
+        )
+        command = [sys.executable, "-c", script, str(program_path), str(property_path)]
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
+        logged = [line for line in (done.stdout + done.stderr).splitlines() if line.startswith("ERROR")]
+        return logged[0].split("): ", maxsplit=1)[-1] if logged else "Storm cannot read it"
 
     def _build(
         self, program: Any, undefined: dict[str, Any], questions: list[Any], constants: dict[str, Number]

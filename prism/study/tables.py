@@ -25,11 +25,24 @@ class Table:
             writer.writerow(self.header)
             writer.writerows([_text(cell) for cell in row] for row in self.rows)
 
+    @staticmethod
+    def read(name: str, folder: Path) -> "Table | None":
+        """A table that was written before, its cells as text; None if there is none."""
+        path = folder / f"{name}.csv"
+        if not path.is_file():
+            return None
+        with path.open(encoding="utf-8", newline="") as file:
+            header, *rows = csv.reader(file)
+        table = Table(name, tuple(header))
+        for row in rows:
+            table.add(*row)
+        return table
+
 
 def _text(cell: Cell) -> str:
     if cell is None:
         return ""
     if isinstance(cell, float):
-        # Nine digits after the point: the checkers agree to about that, and machines print the same.
+        # The checkers agree to about nine digits after the point, and machines print the same.
         return f"{cell:.9f}".rstrip("0").rstrip(".") if abs(cell) != float("inf") else "inf"
     return str(cell)
