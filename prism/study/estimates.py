@@ -15,10 +15,10 @@ class Estimate:
     half_width: float
 
     def holds(self, value: float) -> bool:
-        return abs(value - self.mean) <= self.half_width
+        return value == self.mean or abs(value - self.mean) <= self.half_width
 
     def __str__(self) -> str:
-        return f"{self.mean:.4g} ± {self.half_width:.2g}"
+        return "never" if self.mean == float("inf") else f"{self.mean:.4g} ± {self.half_width:.2g}"
 
 
 def estimate(number: int, mean: float, deviation: float) -> Estimate:

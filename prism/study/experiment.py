@@ -86,7 +86,9 @@ class Measurements:
         return int(row["n"]) if row else 0
 
     def estimate(self, point: Point, quantity: str, time_s: int = 0) -> Estimate:
-        row = self._rows[point.name, quantity, time_s]
+        row = self._rows.get((point.name, quantity, time_s))
+        if row is None:  # it never came about
+            return Estimate(float("inf"), 0.0)
         return estimate(int(row["n"]), float(row["mean"]), float(row["deviation"]))
 
     def events(self, point: Point) -> int:
@@ -165,8 +167,7 @@ class Predictions:
         yield "completion_s", 0, long_run.value("completion")
         yield "wait_s", 0, mean_wait_s(self._ask(point, "waiting"))
         yield "lost_per_s", 0, long_run.value("lost_rate")
-        if point.model == "exact":
-            yield "divergence_s", 0, self._ask(point, "belief", T=HORIZON_S).value("divergence")
+        yield "divergence_s", 0, self._ask(point, "belief", T=HORIZON_S).value("divergence")
 
 
 def compare(measurements: Measurements, predictions: Predictions) -> list[Comparison]:

@@ -21,7 +21,7 @@ _RESULT = re.compile(r"^Result:\s*(\S+)")
 class Prism:
     """Checks with PRISM, one process for all combinations that PRISM can count through by itself."""
 
-    name = "prism"
+    name = "PRISM"
 
     def __init__(self) -> None:
         command = shutil.which("prism")

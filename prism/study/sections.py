@@ -114,7 +114,7 @@ def converter(curves: Curves, tables: dict[str, Table]) -> str:
 
 ![Probability that the task is done](performance.png)
 
-K is the number of events that the converter holds, the one in conversion included. *Serial*: it converts the next event when
+K is the number of events that the converter can hold, the one in conversion included (Evoloop's default is 9). *Serial*: it converts the next event when
 the device is ready. *Pipelined*, which Evoloop is: it converts while the device still acts, and hands over at the moment
 when the device is ready. Events lost until 100 s (baseline: {curves.lost("baseline", HORIZON_S):.2f}):
 
@@ -176,9 +176,8 @@ hold-off time after each. K={CAPACITY}, conversion 0.25 s; the hold-off is nearl
 
 Short hold-offs lose events in the device, long ones in the queue; the best of these is {best[0]:g} s, and it still loses
 {100 * best[4]:.1f} events per 100 s, where a device that tells loses {told:.2f}. And belief and device part. So: ask the device
-if there is any way to, and set a hold-off well above the mean action time if not. For a device whose action times hardly
-vary, such as the time in which a Roomba takes a command, a hold-off just above it costs next to nothing; exponential
-action times are the worst case."""
+if there is any way to, and set a hold-off well above the mean action time if not. Exponential action times, which have no
+longest, are the hard case: where no action takes longer than the hold-off, nothing is lost in the device."""
 
 
 def sensitivity(found: Table) -> str:
@@ -236,7 +235,7 @@ Not measured yet; `./evoloop study --experiment` does."""
     for point in POINTS:
         of_point = {one.quantity: one for one in comparisons if one.point == point}
         seed = next(iter(of_point.values())).seed
-        rows.append((point.name, seed, *(_cell(of_point.get(quantity)) for quantity in quantities)))
+        rows.append((point.name, seed, *(_cell(of_point[quantity]) for quantity in quantities)))
     return f"""## 7. The converter that runs
 
 The framework's converter (its step mode under a manual clock; monitor, queue, analyze, plan, execute and knowledge are the
@@ -246,16 +245,15 @@ Measured, 99 % confidence interval, and in brackets the model's value:
 
 {table(("point", "seed", *QUANTITIES.values()), rows)}
 
-{held} of {len(comparisons)} intervals hold the model's value{"." if held == len(comparisons) else "; those in bold do not."} One in
-a hundred may miss by chance; other seeds (`--seed`) tell chance from error.
+{held} of {len(comparisons)} intervals hold the model's value{"." if held == len(comparisons) else "; those in bold do not."} With back-pressure belief and device
+never differed. Of many such intervals one in a hundred misses by chance; other seeds (`--seed`) tell chance from error.
 
 ![Models and measurements](experiment.png)"""
 
 
-def _cell(one: Comparison | None) -> str:
-    if one is None:
-        return "never"
-    text = f"{one.measured} ({one.model:.4g})"
+def _cell(one: Comparison) -> str:
+    model = "never" if one.model == float("inf") else f"{one.model:.4g}"
+    text = f"{one.measured} ({model})"
     return text if one.holds() else f"**{text}**"
 
 

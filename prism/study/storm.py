@@ -15,7 +15,7 @@ _PRECISION = "1/10000000000"
 class Storm:
     """Checks with Storm; reads each file once."""
 
-    name = "storm"
+    name = "Storm"
 
     def __init__(self) -> None:
         try:
