@@ -55,9 +55,14 @@ final class ConverterCore implements VisitHost, LoopListener<Occurrence> {
         this.loop = new MapeLoop<>(config, this, this::dispatch, ConverterCore::isFact);
     }
 
-    /** What has happened already must not be lost to a full queue; it comes no faster than devices and timers act. */
+    /**
+     * What has happened already must not be lost to a full queue; it comes no faster than devices and timers act and
+     * functions finish.
+     */
     private static boolean isFact(Occurrence occurrence) {
-        return occurrence.deviceActed() || occurrence.source() == Source.TIMER;
+        return occurrence.deviceActed()
+                || occurrence.source() == Source.TIMER
+                || occurrence.source() == Source.FUNCTION;
     }
 
     /** From the next event on, decides by {@code table}. */
@@ -300,8 +305,17 @@ final class ConverterCore implements VisitHost, LoopListener<Occurrence> {
 
     @Override
     public void raise(Visit raising, Event event) throws InterruptedException {
-        loop.put(new Occurrence(
-                event, Source.FUNCTION, false, raising.number(), config.clock().nanoTime()));
+        loop.put(raisedBy(raising, event));
+    }
+
+    @Override
+    public void finish(Visit finishing, Event event) {
+        loop.offer(raisedBy(finishing, event));
+    }
+
+    private Occurrence raisedBy(Visit raising, Event event) {
+        return new Occurrence(
+                event, Source.FUNCTION, false, raising.number(), config.clock().nanoTime());
     }
 
     @Override

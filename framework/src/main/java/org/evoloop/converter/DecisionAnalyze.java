@@ -10,7 +10,7 @@ import org.jspecify.annotations.Nullable;
  * converter has one without being told; extend it to watch or to refine decisions.
  */
 public class DecisionAnalyze extends Analyze<Occurrence, Decision> {
-    private @Nullable ConverterCore core;
+    private volatile @Nullable ConverterCore core;
 
     /** A component that is called like its class. */
     public DecisionAnalyze() {}
@@ -19,9 +19,13 @@ public class DecisionAnalyze extends Analyze<Occurrence, Decision> {
         core = converterCore;
     }
 
-    /** The decision; null for an event that was raised during an earlier visit of a state and means nothing now. */
+    /**
+     * The decision; null for an event that means nothing any more: it was raised during an earlier visit of a state, or
+     * given up because this component did not return in time.
+     */
     @Override
     protected @Nullable Decision analyze(Occurrence occurrence) {
-        return core == null ? null : core.decide(occurrence);
+        ConverterCore attached = core;
+        return attached == null || !attached.loop.hasTurn(this) ? null : attached.decide(occurrence);
     }
 }

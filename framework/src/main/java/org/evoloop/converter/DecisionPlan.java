@@ -9,7 +9,7 @@ import org.jspecify.annotations.Nullable;
  * being told; extend it to watch plans.
  */
 public class DecisionPlan extends Plan<Decision, Conversion> {
-    private @Nullable ConverterCore core;
+    private volatile @Nullable ConverterCore core;
 
     /** A component that is called like its class. */
     public DecisionPlan() {}
@@ -18,8 +18,10 @@ public class DecisionPlan extends Plan<Decision, Conversion> {
         core = converterCore;
     }
 
+    /** The plan; null for a decision that was given up because this component did not return in time. */
     @Override
     protected @Nullable Conversion plan(Decision decision) {
-        return core == null ? null : core.plan(decision);
+        ConverterCore attached = core;
+        return attached == null || !attached.loop.hasTurn(this) ? null : attached.plan(decision);
     }
 }

@@ -1,11 +1,13 @@
 package org.evoloop.converter;
 
+import java.util.Collections;
 import java.util.HashSet;
 import java.util.Set;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Step;
 import org.evoloop.loop.Execute;
 import org.evoloop.statemachine.Event;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Superclass of the components that send events to the device.
@@ -14,6 +16,7 @@ import org.evoloop.statemachine.Event;
  * more by whoever starts the converter, before the loop opens, and {@link #released} by whoever stops it.
  */
 public abstract class EventExecute extends Execute<Conversion> {
+    private volatile @Nullable Set<Event> events;
 
     /** A component that is called like its class. */
     protected EventExecute() {}
@@ -67,9 +70,15 @@ public abstract class EventExecute extends Execute<Conversion> {
         conversion.performWith(this);
     }
 
+    /** {@link #sendableEvents}, asked for once: every event that is converted needs them more than once. */
     final Set<Event> events() {
-        Set<Event> events = new HashSet<>();
-        sendableEvents().forEach(name -> events.add(new Event(name)));
-        return events;
+        Set<Event> known = events;
+        if (known == null) {
+            Set<Event> named = new HashSet<>();
+            sendableEvents().forEach(name -> named.add(new Event(name)));
+            known = Collections.unmodifiableSet(named);
+            events = known;
+        }
+        return known;
     }
 }

@@ -117,9 +117,15 @@ public final class SystemEventConverter implements AutoCloseable {
         if (core != null) {
             throw new IllegalStateException("converter " + config.name() + " has been built before");
         }
-        if (known == null || !assembly.has(Component.Role.EXECUTE)) {
-            throw new IllegalStateException("converter " + config.name() + ": "
-                    + (known == null ? "no knowledge, call addKnowledge" : "no execute component, call addExecute"));
+        List<String> missing = new ArrayList<>();
+        if (known == null) {
+            missing.add("no knowledge, call addKnowledge");
+        }
+        if (!assembly.has(Component.Role.EXECUTE)) {
+            missing.add("no execute component, call addExecute");
+        }
+        if (known == null || !missing.isEmpty()) {
+            throw new IllegalStateException("converter " + config.name() + ": " + String.join("; ", missing));
         }
         if (!assembly.has(Component.Role.ANALYZE)) {
             assembly.add(new DecisionAnalyze());
@@ -225,6 +231,7 @@ public final class SystemEventConverter implements AutoCloseable {
      */
     public synchronized void exchange(String name, Component next) {
         ConverterCore built = built();
+        built.loop.requireExchangeable(name, next);
         Assembly changed = assembly.with(name, next);
         attach(built, next);
         DecisionTable table = changed.decisions(built.knowledge());

@@ -105,7 +105,7 @@ public final class Visit {
         after(delay, () -> finish(event));
     }
 
-    /** Runs {@code task} on the clock's thread after {@code delay}, unless the state is left first. */
+    /** Runs {@code task} on the clock's thread, where it must not wait, after {@code delay}, unless the state is left first. */
     public void after(Duration delay, Runnable task) {
         synchronized (lock) {
             if (isActive()) {
@@ -168,12 +168,7 @@ public final class Visit {
         if (event != null && isActive()) {
             host.notice("***  Send " + event + " event to EventConverter.  ***  ");
             host.notice("***  Stop new functions  ***");
-            try {
-                host.raise(this, event);
-            } catch (InterruptedException left) {
-                // The state was left while the event waited for room: it means nothing any more.
-                Thread.currentThread().interrupt();
-            }
+            host.finish(this, event);
         }
     }
 

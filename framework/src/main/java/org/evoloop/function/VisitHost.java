@@ -23,6 +23,12 @@ public interface VisitHost {
      */
     void raise(Visit visit, Event event) throws InterruptedException;
 
+    /**
+     * Queues the last event of a visit, however full the queue: it comes once, maybe on the clock's thread, which must not
+     * wait.
+     */
+    void finish(Visit visit, Event event);
+
     /** A line of the transcript. */
     void notice(String line);
 

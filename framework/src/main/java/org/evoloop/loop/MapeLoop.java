@@ -138,20 +138,25 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
     public void exchange(String name, Component next) {
         synchronized (admin) {
             requireUsable();
+            requireExchangeable(name, next);
             Worker worker = roster.require(name);
-            Component old = worker.component();
-            if (old.role() != next.role()) {
-                throw new IllegalArgumentException(name + " is a component of the role " + old.role() + ", "
-                        + next.name() + " of the role " + next.role());
-            }
-            if (!next.name().equals(name)) {
-                requireUnknown(next);
-            }
             sequencer.quietly(() -> {
                 int position = roster.drop(worker);
                 startIfBuilt(roster.enlistAny(next, position));
             });
             awaitEnd(List.of(worker));
+        }
+    }
+
+    /** Refuses what {@link #exchange} would refuse of these two, before anything is changed. */
+    public void requireExchangeable(String name, Component next) {
+        Component old = roster.require(name).component();
+        if (old.role() != next.role()) {
+            throw new IllegalArgumentException(name + " is a component of the role " + old.role() + ", " + next.name()
+                    + " of the role " + next.role());
+        }
+        if (!next.name().equals(name)) {
+            requireUnknown(next);
         }
     }
 
@@ -260,6 +265,14 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
             throw new IllegalStateException("the loop " + config.name() + " has threads; they take the steps");
         }
         return sequencer.step();
+    }
+
+    /**
+     * Whether the occurrence that is in the loop is with this component now; false for one that comes back late to an
+     * occurrence that was given up.
+     */
+    public boolean hasTurn(Component component) {
+        return sequencer.hasTurn(component);
     }
 
     /** Where the loop is in its life. */

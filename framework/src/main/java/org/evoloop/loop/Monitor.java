@@ -6,7 +6,8 @@ import org.jspecify.annotations.Nullable;
  * Superclass of monitors: they wait for something to occur and tell it. A loop may have several; what one of them tells
  * stays in order.
  *
- * <p>Threading: {@link #getEvent} is called again and again on the monitor's own thread while the loop is open.
+ * <p>Threading: {@link #getEvent} is called again and again on the monitor's own thread. So it is while the loop is
+ * closed: what the monitor tells then is refused, and cannot be taken for news when the loop opens again.
  *
  * @param <O> an occurrence, what {@link Analyze} takes
  */

@@ -26,8 +26,7 @@ final class MonitorWorker<O> extends Worker {
 
     @Override
     void work() throws InterruptedException {
-        sequencer.awaitOpen();
-        if (!isRetired() && !observe()) {
+        if (!observe()) {
             clock.sleep(pause);
             pause = pause.compareTo(LONGEST_PAUSE.dividedBy(2)) > 0 ? LONGEST_PAUSE : pause.multipliedBy(2);
         }

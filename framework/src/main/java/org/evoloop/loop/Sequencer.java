@@ -20,7 +20,6 @@ final class Sequencer<O> {
     private final LoopListener<O> listener;
     private final Predicate<O> neverDropped;
     private final ReentrantLock lock = new ReentrantLock();
-    private final Condition opened = lock.newCondition();
     private final Condition quiet = lock.newCondition();
     private final Condition room = lock.newCondition();
 
@@ -42,18 +41,6 @@ final class Sequencer<O> {
         this.config = config;
         this.listener = listener;
         this.neverDropped = neverDropped;
-    }
-
-    /** Waits until the loop is open. */
-    void awaitOpen() throws InterruptedException {
-        lock.lockInterruptibly();
-        try {
-            while (state == LoopState.STOPPED || state == LoopState.NEW) {
-                opened.await();
-            }
-        } finally {
-            lock.unlock();
-        }
     }
 
     /** Queues an occurrence; false if the loop is closed, or the queue full and the occurrence one that may be lost. */
@@ -256,10 +243,11 @@ final class Sequencer<O> {
     void quietly(Runnable change) {
         StageWorker<?> late = null;
         Failure<O> failure = null;
+        boolean interrupted = false;
         lock.lock();
         try {
             paused = true;
-            boolean interrupted = awaitQuiet();
+            interrupted = awaitQuiet();
             late = busy;
             if (late != null) {
                 failure = giveUp(
@@ -268,15 +256,16 @@ final class Sequencer<O> {
                                 + config.joinLimit().toMillis() + " ms");
             }
             change.run();
-            if (interrupted) {
-                Thread.currentThread().interrupt();
-            }
         } finally {
             paused = false;
             begin();
             lock.unlock();
+            // Also after a change that was refused: what was given up for it must be reported, or nothing else begins.
+            goOn(late, failure);
+            if (interrupted) {
+                Thread.currentThread().interrupt();
+            }
         }
-        goOn(late, failure);
     }
 
     private boolean awaitQuiet() {
@@ -292,12 +281,11 @@ final class Sequencer<O> {
         return interrupted;
     }
 
-    /** Moves to another state; waiting monitors and putters look again. The change itself is up to the caller. */
+    /** Moves to another state; whoever waits for room looks again. The change itself is up to the caller. */
     void become(LoopState next) {
         lock.lock();
         try {
             state = next;
-            opened.signalAll();
             room.signalAll();
             if (next != LoopState.RUNNING) {
                 counts = counts.plusRefused(queue.size());
@@ -343,6 +331,11 @@ final class Sequencer<O> {
         } finally {
             lock.unlock();
         }
+    }
+
+    boolean hasTurn(Component component) {
+        StageWorker<?> worker = turn();
+        return worker != null && worker.component() == component;
     }
 
     LoopState state() {

@@ -59,6 +59,10 @@ final class StageWorker<I> extends Worker {
                 }
             }
         }
+        // An interrupt that is still pending was meant for work that was given up, unless the thread itself shall end.
+        if (Thread.interrupted() && isRetired()) {
+            return;
+        }
         runGiven();
     }
 

@@ -42,6 +42,11 @@ public final class StateMachine {
         this.outgoing = Collections.unmodifiableMap(copy);
     }
 
+    /** The same machine, which messages call {@code otherName}. */
+    public StateMachine withName(String otherName) {
+        return new StateMachine(otherName, initial, states, events, outgoing);
+    }
+
     /** Starts a machine of this name; the name is what messages call it. */
     public static StateMachineBuilder named(String name) {
         return new StateMachineBuilder(name);

@@ -30,6 +30,9 @@ class FunctionRunnerTest {
         public void raise(Visit visit, Event event) {}
 
         @Override
+        public void finish(Visit visit, Event event) {}
+
+        @Override
         public void notice(String line) {}
 
         @Override

@@ -5,6 +5,7 @@ import java.time.Duration;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.roomba.move.StartPointSensor;
 import org.evoloop.statemachine.ModelException;
+import org.evoloop.statemachine.StateMachine;
 import org.evoloop.xmi.ModelFiles;
 import org.evoloop.xmi.ModelReference;
 import org.evoloop.xmi.XmiFile;
@@ -71,18 +72,23 @@ final class ConverterOptions {
     private ModelPair pair() {
         String originalReference = original;
         String evolvedReference = evolved;
-        if (originalReference != null && evolvedReference != null && models == null) {
-            return new ModelPair(
-                    ModelReference.parse(originalReference).load(),
-                    ModelReference.parse(evolvedReference).load());
+        Path named = models;
+        if (originalReference == null && evolvedReference == null) {
+            Path file = named == null ? ModelFiles.find("models/cleaning-robot.xml", ConverterOptions.class) : named;
+            XmiFile read = XmiFile.read(file);
+            return new ModelPair(named(read.pick("original"), file), named(read.pick("new"), file));
         }
-        if (originalReference != null || evolvedReference != null) {
+        if (originalReference == null || evolvedReference == null || named != null) {
             throw new IllegalArgumentException(
                     "--original and --new go together, and not with --models; give both or neither");
         }
-        Path named = models;
-        XmiFile file = XmiFile.read(
-                named == null ? ModelFiles.find("models/cleaning-robot.xml", ConverterOptions.class) : named);
-        return new ModelPair(file.pick("original"), file.pick("new"));
+        ModelReference from = ModelReference.parse(originalReference);
+        ModelReference to = ModelReference.parse(evolvedReference);
+        return new ModelPair(named(from.load(), from.file()), named(to.load(), to.file()));
+    }
+
+    /** The machine under a name that tells its file as well, for messages. */
+    private static StateMachine named(StateMachine machine, Path file) {
+        return machine.withName(file + "#" + machine.name());
     }
 }

@@ -2,6 +2,7 @@ package org.evoloop.roomba;
 
 import java.time.Duration;
 import java.util.function.IntFunction;
+import org.evoloop.converter.EventMonitor;
 import org.evoloop.converter.PushMonitor;
 import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.evolution.ModelPair;
@@ -19,10 +20,12 @@ import org.evoloop.time.Clock;
  * <p>Threading: as {@link SystemEventConverter}.
  *
  * @param session the robot
+ * @param robot monitors the robot
  * @param controller where an external controller's buttons are pressed
  * @param converter built, not started
  */
-record RoombaConverter(RoombaSession session, PushMonitor controller, SystemEventConverter converter)
+record RoombaConverter(
+        RoombaSession session, EventMonitor robot, PushMonitor controller, SystemEventConverter converter)
         implements AutoCloseable {
 
     /**
@@ -42,7 +45,8 @@ record RoombaConverter(RoombaSession session, PushMonitor controller, SystemEven
         Clock clock = config.clock();
         PushMonitor controller = new PushMonitor("Controller");
         SystemEventConverter converter = new SystemEventConverter(config);
-        converter.addMonitor(new MonitorEvent(session));
+        MonitorEvent robot = new MonitorEvent(session);
+        converter.addMonitor(robot);
         converter.addMonitor(controller);
         converter.addExecute(new ExecuteCommand(session, clock));
         converter.addKnowledge(new KnowledgeState(
@@ -50,7 +54,7 @@ record RoombaConverter(RoombaSession session, PushMonitor controller, SystemEven
         converter.addLink(session);
         converter.addSpare("ExecuteCommand2", () -> new ExecuteCommand(session, clock));
         converter.build();
-        return new RoombaConverter(session, controller, converter);
+        return new RoombaConverter(session, robot, controller, converter);
     }
 
     /** Builds a converter for the robot at the cable's other end, and waits for the robot to answer. */
@@ -68,6 +72,12 @@ record RoombaConverter(RoombaSession session, PushMonitor controller, SystemEven
             built.close();
             throw failure;
         }
+    }
+
+    /** The step of the monitors in a converter without threads. */
+    void observe() throws InterruptedException {
+        converter.observe(robot);
+        converter.observe(controller);
     }
 
     /** Ends the converter and leaves the robot stopped and in Passive mode. Idempotent. */

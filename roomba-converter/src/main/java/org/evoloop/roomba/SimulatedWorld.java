@@ -41,7 +41,7 @@ interface SimulatedWorld extends AutoCloseable {
         Path folder = Files.createTempDirectory("evoloop");
         Clock clock = new SystemClock();
         SimulatorServer server = SimulatorServer.start(folder.resolve("roomba"), RobotOptions.defaults(), clock, speed);
-        WorldCommands commands = new WorldCommands(server.robot());
+        WorldCommands commands = new WorldCommands(server);
         return new SimulatedWorld() {
             @Override
             public Path port() {

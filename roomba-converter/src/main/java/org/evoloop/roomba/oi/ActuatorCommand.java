@@ -10,6 +10,8 @@ import java.util.Set;
  * <p>Threading: immutable.
  */
 public sealed interface ActuatorCommand extends Command {
+    /** Of a wheel on the floor. */
+    int FASTEST_MM_PER_S = 500;
 
     /**
      * Drives along a circle.
@@ -25,11 +27,21 @@ public sealed interface ActuatorCommand extends Command {
         public static final int SPIN_COUNTERCLOCKWISE = 1;
         public static final int SPIN_CLOCKWISE = -1;
 
+        private static final int WIDEST_RADIUS = 2000;
+
         public Drive {
             requireVelocity("velocityMmPerS", velocityMmPerS);
             if (radiusMm != STRAIGHT && radiusMm != Short.MIN_VALUE) {
-                Bytes.requireRange("radiusMm", radiusMm, -2000, 2000, "mm (or 32767 or -32768 for straight)");
+                Bytes.requireRange(
+                        "radiusMm", radiusMm, -WIDEST_RADIUS, WIDEST_RADIUS, "mm (or 32767 or -32768 for straight)");
             }
+        }
+
+        /** What is asked for, each number no farther than it may be. */
+        static Drive nearest(int velocityMmPerS, int radiusMm) {
+            boolean straight = radiusMm == STRAIGHT || radiusMm == Short.MIN_VALUE;
+            return new Drive(
+                    clamp(velocityMmPerS, FASTEST_MM_PER_S), straight ? radiusMm : clamp(radiusMm, WIDEST_RADIUS));
         }
 
         @Override
@@ -46,6 +58,11 @@ public sealed interface ActuatorCommand extends Command {
             requireVelocity("leftMmPerS", leftMmPerS);
         }
 
+        /** What is asked for, each number no farther than it may be. */
+        static DriveDirect nearest(int rightMmPerS, int leftMmPerS) {
+            return new DriveDirect(clamp(rightMmPerS, FASTEST_MM_PER_S), clamp(leftMmPerS, FASTEST_MM_PER_S));
+        }
+
         @Override
         public byte[] bytes() {
             return Bytes.of(opcode(), Bytes.high(rightMmPerS), rightMmPerS, Bytes.high(leftMmPerS), leftMmPerS);
@@ -54,10 +71,16 @@ public sealed interface ActuatorCommand extends Command {
 
     /** Powers each wheel's motor, -255 (full backward) to 255; the right wheel comes first, as on the wire. */
     record DrivePwm(int rightPwm, int leftPwm) implements ActuatorCommand {
+        private static final int FULL_PWM = 255;
 
         public DrivePwm {
-            Bytes.requireRange("rightPwm", rightPwm, -255, 255, "of 255");
-            Bytes.requireRange("leftPwm", leftPwm, -255, 255, "of 255");
+            Bytes.requireRange("rightPwm", rightPwm, -FULL_PWM, FULL_PWM, "of 255");
+            Bytes.requireRange("leftPwm", leftPwm, -FULL_PWM, FULL_PWM, "of 255");
+        }
+
+        /** What is asked for, each number no farther than it may be. */
+        static DrivePwm nearest(int rightPwm, int leftPwm) {
+            return new DrivePwm(clamp(rightPwm, FULL_PWM), clamp(leftPwm, FULL_PWM));
         }
 
         @Override
@@ -264,6 +287,10 @@ public sealed interface ActuatorCommand extends Command {
     }
 
     private static void requireVelocity(String field, int velocityMmPerS) {
-        Bytes.requireRange(field, velocityMmPerS, -500, 500, "mm/s");
+        Bytes.requireRange(field, velocityMmPerS, -FASTEST_MM_PER_S, FASTEST_MM_PER_S, "mm/s");
+    }
+
+    private static int clamp(int value, int farthest) {
+        return Math.max(-farthest, Math.min(farthest, value));
     }
 }

@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 
 /** From an opcode and its data bytes to the command; the counterpart of {@link Command#bytes()}. */
 final class CommandDecoder {
@@ -55,6 +56,16 @@ final class CommandDecoder {
             case STREAM -> new InputCommand.Stream(packets(data));
             case QUERY_LIST -> new InputCommand.QueryList(packets(data));
             case PAUSE_RESUME_STREAM -> pauseResume(Bytes.unsigned8(data, 0));
+        };
+    }
+
+    /** The wheel command that comes nearest to one out of its range; null for other commands. */
+    static @Nullable Command nearest(Opcode opcode, byte[] data) {
+        return switch (opcode) {
+            case DRIVE -> ActuatorCommand.Drive.nearest(Bytes.signed16(data, 0), Bytes.signed16(data, 2));
+            case DRIVE_DIRECT -> ActuatorCommand.DriveDirect.nearest(Bytes.signed16(data, 0), Bytes.signed16(data, 2));
+            case DRIVE_PWM -> ActuatorCommand.DrivePwm.nearest(Bytes.signed16(data, 0), Bytes.signed16(data, 2));
+            default -> null;
         };
     }
 

@@ -21,8 +21,14 @@ public final class CommandParser {
         /** A command, valid in every field. */
         record Accepted(Command command) implements Parsed {}
 
-        /** A complete command with a value out of its range; its bytes are consumed. */
-        record Malformed(Opcode opcode, String reason) implements Parsed {}
+        /**
+         * A complete command with a value out of its range; its bytes are consumed.
+         *
+         * @param nearest of the commands to the wheels, the valid one that comes nearest; what robots do is not
+         *     documented, but clients rely on it
+         */
+        record Malformed(
+                Opcode opcode, String reason, @Nullable Command nearest) implements Parsed {}
 
         /** A byte where an opcode should be, and is none. */
         record UnknownOpcode(int opcode) implements Parsed {}
@@ -86,7 +92,8 @@ public final class CommandParser {
         try {
             return new Parsed.Accepted(CommandDecoder.decode(opcode, data));
         } catch (IllegalArgumentException outOfRange) {
-            return new Parsed.Malformed(opcode, String.valueOf(outOfRange.getMessage()));
+            return new Parsed.Malformed(
+                    opcode, String.valueOf(outOfRange.getMessage()), CommandDecoder.nearest(opcode, data));
         }
     }
 }

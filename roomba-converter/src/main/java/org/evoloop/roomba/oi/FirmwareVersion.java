@@ -11,8 +11,9 @@ import java.util.regex.Pattern;
  * {@code r3-robot/tags/release-stm32-3.7.7:6913}. Some packets are wrong before certain versions, see {@link Packet}.
  */
 public record FirmwareVersion(int major, int minor, int patch) implements Comparable<FirmwareVersion> {
+    private static final Pattern VERSION = Pattern.compile("(\\d{1,4})\\.(\\d{1,4})\\.(\\d{1,4})");
     private static final Pattern RELEASE =
-            Pattern.compile("r3[_-]robot/tags/release-(?:stm32-)?(\\d{1,4})\\.(\\d{1,4})\\.(\\d{1,4})(?!\\d)");
+            Pattern.compile("r3[_-]robot/tags/release-(?:stm32-)?" + VERSION + "(?!\\d)");
     private static final Comparator<FirmwareVersion> ORDER = Comparator.comparingInt(FirmwareVersion::major)
             .thenComparingInt(FirmwareVersion::minor)
             .thenComparingInt(FirmwareVersion::patch);
@@ -21,6 +22,19 @@ public record FirmwareVersion(int major, int minor, int patch) implements Compar
     public static Optional<FirmwareVersion> find(String text) {
         Matcher release = RELEASE.matcher(text);
         return release.find() ? Optional.of(of(release)) : Optional.empty();
+    }
+
+    /**
+     * The version in a text such as {@code 3.2.6}.
+     *
+     * @throws IllegalArgumentException if it is none
+     */
+    public static FirmwareVersion parse(String text) {
+        Matcher version = VERSION.matcher(text);
+        if (!version.matches()) {
+            throw new IllegalArgumentException("'" + text + "' is no firmware version; one is written as 3.2.6");
+        }
+        return of(version);
     }
 
     private static FirmwareVersion of(MatchResult release) {

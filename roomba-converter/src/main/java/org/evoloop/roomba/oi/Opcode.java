@@ -1,8 +1,10 @@
 package org.evoloop.roomba.oi;
 
 import java.util.Arrays;
+import java.util.EnumSet;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 
@@ -47,6 +49,9 @@ public enum Opcode {
     private static final Map<Class<? extends Command>, Opcode> BY_TYPE =
             Arrays.stream(values()).collect(Collectors.toUnmodifiableMap(Opcode::type, Function.identity()));
 
+    private static final Set<Opcode> MODE_CHANGING =
+            EnumSet.of(RESET, START, CONTROL, SAFE, FULL, POWER, SPOT, CLEAN, MAX, SEEK_DOCK, STOP);
+
     private final int code;
     private final Class<? extends Command> type;
     private final OiMode lowestMode;
@@ -78,6 +83,11 @@ public enum Opcode {
     /** Whether a robot in this mode obeys the command. */
     public boolean isAcceptedIn(OiMode mode) {
         return mode.compareTo(lowestMode) >= 0;
+    }
+
+    /** Whether the command leads the robot to a mode of its own, be it the one it is in. */
+    public boolean changesMode() {
+        return MODE_CHANGING.contains(this);
     }
 
     /** Data bytes that every such command has; if it has items too, the last of these bytes says how many. */

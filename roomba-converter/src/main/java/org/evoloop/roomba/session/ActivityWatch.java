@@ -45,8 +45,8 @@ final class ActivityWatch {
     Seen update(SensorValues values, boolean underControl) {
         motion.update(values);
         if (underControl) {
+            // A command that ends control takes some frames to show: what is expected of it is not forgotten.
             atWork = false;
-            startFramesLeft = 0;
             return null;
         }
         if (motion.poweredFrames() >= SpotWatch.SURE_FRAMES) {

@@ -1,6 +1,7 @@
 package org.evoloop.roomba.session;
 
 import java.time.Duration;
+import java.util.Arrays;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executor;
 import java.util.concurrent.ExecutorService;
@@ -11,6 +12,7 @@ import org.evoloop.roomba.link.Link;
 import org.evoloop.roomba.link.LinkException;
 import org.evoloop.roomba.oi.Command;
 import org.evoloop.roomba.oi.InputCommand;
+import org.evoloop.roomba.oi.Opcode;
 import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -53,6 +55,9 @@ final class Connection {
 
     private static final Logger LOG = LoggerFactory.getLogger(RoombaSession.class);
     private static final int ATTEMPTS = 3;
+
+    /** A stream of 255 packets. */
+    private static final int LONGEST_COMMAND = 257;
 
     /** What the owner of the connection is told, on the thread that receives or on the connection's own. */
     interface Owner {
@@ -151,7 +156,11 @@ final class Connection {
 
     private void ask() {
         askedNanos = clock.nanoTime();
-        trySend(new Command.Start());
+        if (attempt == 1) {
+            trySend(new Command.Start());
+        } else {
+            completeWhateverIsPending();
+        }
         later(MODE_CHANGE, () -> {
             if (state == State.ASKING) {
                 trySend(new InputCommand.Stream(RoombaSession.STREAM));
@@ -159,11 +168,27 @@ final class Connection {
         });
     }
 
-    private void trySend(Command command) {
+    /** Sends a command if that can be done; nobody is told if not. */
+    void trySend(Command command) {
+        trySend(command.bytes());
+    }
+
+    /**
+     * A robot that has received only a part of a command waits for the rest, for ever (specification, "Roomba Open
+     * Interface Commands"). Repeated Start commands complete whatever it is: they are no valid data for a change of the
+     * baud rate, and as commands do no harm to a robot that is not under control.
+     */
+    void completeWhateverIsPending() {
+        byte[] starts = new byte[LONGEST_COMMAND];
+        Arrays.fill(starts, (byte) Opcode.START.code());
+        trySend(starts);
+    }
+
+    private void trySend(byte[] bytes) {
         Link current = link;
         if (current != null) {
             try {
-                current.send(command.bytes());
+                current.send(bytes);
             } catch (LinkException gone) {
                 LOG.debug("{}", gone.getMessage());
             }

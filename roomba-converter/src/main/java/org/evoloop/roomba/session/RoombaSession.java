@@ -1,10 +1,8 @@
 package org.evoloop.roomba.session;
 
 import java.time.Duration;
-import java.util.EnumSet;
 import java.util.List;
 import java.util.Locale;
-import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.ExecutionException;
 import java.util.function.IntFunction;
@@ -14,7 +12,6 @@ import org.evoloop.roomba.link.LinkException;
 import org.evoloop.roomba.oi.ActuatorCommand;
 import org.evoloop.roomba.oi.Button;
 import org.evoloop.roomba.oi.Command;
-import org.evoloop.roomba.oi.Opcode;
 import org.evoloop.roomba.oi.Packet;
 import org.evoloop.roomba.oi.PacketId;
 import org.evoloop.roomba.oi.SensorValues;
@@ -53,23 +50,13 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
             Packet.MAIN_BRUSH_CURRENT,
             Packet.SIDE_BRUSH_CURRENT);
 
-    private static final Set<Opcode> MODE_CHANGING = EnumSet.of(
-            Opcode.RESET,
-            Opcode.START,
-            Opcode.CONTROL,
-            Opcode.SAFE,
-            Opcode.FULL,
-            Opcode.POWER,
-            Opcode.SPOT,
-            Opcode.CLEAN,
-            Opcode.MAX,
-            Opcode.SEEK_DOCK,
-            Opcode.STOP);
-
     private static final Logger LOG = LoggerFactory.getLogger(RoombaSession.class);
 
     /** So many frames after it came back into sight it is plain what the robot does. */
     private static final int SETTLING_FRAMES = 4;
+
+    /** A command that ends control shows within a few frames. */
+    private static final int CONFIRM_FRAMES = 10;
 
     private final Clock clock;
     private final SessionOptions options;
@@ -83,10 +70,15 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
     private final Odometry odometry = new Odometry();
     private final SpotWatch spotWatch = new SpotWatch();
     private final ActivityWatch activityWatch = new ActivityWatch();
+    private final ActivityEstimate estimate = new ActivityEstimate();
     private boolean modeChanged;
     private long modeChangedNanos;
+    private @Nullable Command unconfirmed;
+    private int unconfirmedFrames;
     private boolean outOfSight;
     private int settlingFrames;
+    private int framesWithoutControl;
+    private volatile boolean regaining;
     private volatile boolean engaged;
     private volatile boolean wantsControl;
     private volatile @Nullable Telemetry latest;
@@ -164,36 +156,50 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
         latest = now;
         listeners.forEach(listener -> listener.received(now));
         comeBackIntoSight();
+        seeControl(now.isUnderControl(), earlier != null && earlier.isUnderControl());
         tellPresses(now);
         SpotWatch.Ending ending = spotWatch.update(values);
         if (ending != null) {
+            estimate.seenAtRest();
             listeners.forEach(listener -> listener.spotEnded(ending));
         }
         ActivityWatch.Seen seen = activityWatch.update(values, now.isUnderControl());
         if (seen == ActivityWatch.Seen.AT_REST) {
-            tell(SessionListener.Activity.ON);
-        } else if (seen == ActivityWatch.Seen.AT_WORK) {
-            seenAtWork();
+            estimate.seenAtRest();
+            tellActivity();
+        } else if (seen == ActivityWatch.Seen.AT_WORK && !wantsControl) {
+            estimate.seenAtWork();
+            tellActivity();
         }
         keepControl(now);
-    }
-
-    /** A robot that ought to be idle is stopped: it does something that nobody has asked for. */
-    private void seenAtWork() {
-        if (wantsControl) {
-            trySend(new Command.Safe());
-        } else {
-            tell(spotWatch.isWatching() ? SessionListener.Activity.SPOT : SessionListener.Activity.CLEAN);
-        }
     }
 
     private void tellPresses(Telemetry now) {
         for (Button button : buttons.update(now.values().buttons())) {
             boolean robotActs = !now.isUnderControl();
-            if (button == Button.SPOT && robotActs && !spotWatch.isRobotActive()) {
-                spotWatch.started();
-            }
             listeners.forEach(listener -> listener.pressed(button, robotActs));
+            if (robotActs) {
+                estimate.pressed(button);
+                if (estimate.activity().isWork()) {
+                    activityWatch.expected();
+                }
+                if (estimate.activity() == ActivityEstimate.Activity.SPOT) {
+                    spotWatch.started();
+                } else {
+                    spotWatch.forget();
+                }
+                tellActivity();
+            }
+        }
+    }
+
+    /** Tells what the robot does, as far as it is one of the things that its model knows. */
+    private void tellActivity() {
+        switch (estimate.activity()) {
+            case ON -> tell(SessionListener.Activity.ON);
+            case CLEAN -> tell(SessionListener.Activity.CLEAN);
+            case SPOT -> tell(SessionListener.Activity.SPOT);
+            default -> LOG.debug("the robot is in {}", estimate.activity());
         }
     }
 
@@ -217,34 +223,51 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
     private void comeBackIntoSight() {
         if (outOfSight && --settlingFrames <= 0) {
             outOfSight = false;
-            if (engaged) {
-                trySend(new Command.Safe());
-                trySend(new ActuatorCommand.DriveDirect(0, 0));
-                tell(SessionListener.Activity.ON);
+            regaining = engaged;
+            if (regaining) {
+                connection.trySend(new Command.Safe());
+                connection.trySend(new ActuatorCommand.DriveDirect(0, 0));
             }
         }
     }
 
-    /** The robot leaves Safe mode by itself, for instance when it is lifted; once it is at rest it is taken back. */
-    private void keepControl(Telemetry now) {
-        SensorValues values = now.values();
-        boolean mayTake = wantsControl
-                && !outOfSight
-                && !now.isUnderControl()
-                && !values.anyWheelDrop()
-                && values.value(Packet.CHARGING_SOURCES) == 0
-                && activityWatch.restFrames() >= SpotWatch.QUIET_FRAMES
-                && activityWatch.restFrames() % SpotWatch.QUIET_FRAMES == 0;
-        if (mayTake) {
-            trySend(new Command.Safe());
+    private void seeControl(boolean underControl, boolean before) {
+        if (underControl && !before) {
+            // Only when it begins: a command that ends control takes some frames to show.
+            estimate.controlled();
+        }
+        if (underControl && regaining) {
+            regaining = false;
+            tell(SessionListener.Activity.ON);
+        }
+        Command command = unconfirmed;
+        if (!underControl) {
+            unconfirmed = null;
+        } else if (command != null && ++unconfirmedFrames % CONFIRM_FRAMES == 0) {
+            // It would have ended control, had the robot received it.
+            connection.trySend(command);
         }
     }
 
-    private void trySend(Command command) {
-        try {
-            send(command);
-        } catch (LinkException gone) {
-            LOG.debug("{}", gone.getMessage());
+    /**
+     * The robot leaves Safe mode by itself, for instance when it is lifted, and a command may be lost on a noisy line: it
+     * is taken back, tried again until it obeys.
+     */
+    private void keepControl(Telemetry now) {
+        SensorValues values = now.values();
+        boolean mayTake = (wantsControl || regaining)
+                && !outOfSight
+                && !now.isUnderControl()
+                && !values.anyWheelDrop()
+                && values.value(Packet.CHARGING_SOURCES) == 0;
+        framesWithoutControl = mayTake ? framesWithoutControl + 1 : 0;
+        int tries = framesWithoutControl / SpotWatch.QUIET_FRAMES;
+        if (tries > 0 && framesWithoutControl % SpotWatch.QUIET_FRAMES == 0) {
+            if (tries % 2 == 0) {
+                connection.completeWhateverIsPending();
+            } else {
+                connection.trySend(new Command.Safe());
+            }
         }
     }
 
@@ -253,24 +276,33 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
      * instead of not at all: what stops the wheels is sent by threads that are being stopped.
      *
      * @throws LinkException if it could not be sent
+     * @throws RobotException if the robot has just come back into sight and is not under control again yet
      */
     public void send(Command command) {
+        if (regaining) {
+            throw new RobotException(connection.description()
+                    + ": the robot has just come back into sight; try again when it is under control");
+        }
         synchronized (sending) {
             if (options.mayWait()) {
                 pauseAfterModeChange();
             }
             connection.send(command.bytes());
-            if (MODE_CHANGING.contains(command.opcode())) {
+            if (command.opcode().changesMode()) {
                 modeChanged = true;
                 modeChangedNanos = clock.nanoTime();
             }
         }
-        if (command instanceof Command.Spot || command instanceof Command.Clean) {
-            synchronized (receiving) {
+        synchronized (receiving) {
+            estimate.commanded(command);
+            unconfirmed = null;
+            if (command instanceof Command.Spot || command instanceof Command.Clean) {
                 activityWatch.expected();
-                if (command instanceof Command.Spot) {
-                    spotWatch.started();
-                }
+                unconfirmed = isUnderControl() ? command : null;
+                unconfirmedFrames = 0;
+            }
+            if (command instanceof Command.Spot && estimate.activity() == ActivityEstimate.Activity.SPOT) {
+                spotWatch.started();
             }
         }
     }
@@ -310,6 +342,7 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
     public void letGo() {
         engaged = false;
         wantsControl = false;
+        regaining = false;
         if (isUnderControl()) {
             send(new ActuatorCommand.DriveDirect(0, 0));
             send(new Command.Start());

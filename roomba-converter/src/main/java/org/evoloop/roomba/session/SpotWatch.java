@@ -23,9 +23,6 @@ public final class SpotWatch {
     /** No spot cleaning lasts longer: 180 s. */
     static final int LONGEST_FRAMES = 12_000;
 
-    /** At rest for this long the robot is taken to do nothing: 0.3 s. */
-    static final int REST_FRAMES = 20;
-
     /** So many frames in a row are believed; one alone may be spoilt. */
     static final int SURE_FRAMES = 3;
 
@@ -62,15 +59,9 @@ public final class SpotWatch {
         return phase != Phase.NONE;
     }
 
-    /** Whether the robot has moved or cleaned of late: then its SPOT button pauses it, else it starts a spot cleaning. */
-    public boolean isRobotActive() {
-        return motion.restFrames() < REST_FRAMES;
-    }
-
-    /** The robot was out of sight: whatever it does now, it is not known to be a spot cleaning. */
+    /** Forgets the spot cleaning: the robot was out of sight, or does something else. */
     void forget() {
         phase = Phase.NONE;
-        motion.forget();
     }
 
     /** Takes the next frame; returns how the spot cleaning ended if it has ended now, else null. */

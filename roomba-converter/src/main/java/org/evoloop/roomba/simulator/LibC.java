@@ -24,6 +24,7 @@ final class LibC {
     static final int EAGAIN = 11;
 
     static final int TCSANOW = 0;
+    static final int B115200 = 0x1002;
     static final NativeLong TCGETS2 = new NativeLong(0x802C542AL, true);
 
     /** Larger than a {@code struct termios} of any C library, and than the kernel's {@code struct termios2}. */
@@ -52,6 +53,8 @@ final class LibC {
     static native int tcgetattr(int descriptor, Pointer termios);
 
     static native void cfmakeraw(Pointer termios);
+
+    static native int cfsetspeed(Pointer termios, int speed);
 
     static native int tcsetattr(int descriptor, int when, Pointer termios);
 

@@ -20,8 +20,8 @@ import org.jspecify.annotations.Nullable;
  * A pseudo-terminal: the device's end of a cable whose other end is a file that programs open as a serial port. Linux
  * only.
  *
- * <p>The line is raw from the start: no echo, no control characters. It has no RTS or DTR. The kernel ignores the baud
- * rate but {@linkplain #clientBaud() tells it}, so that a wrong one can be simulated.
+ * <p>The line is raw and at 115200 baud from the start: no echo, no control characters. It has no RTS or DTR. The kernel
+ * ignores the baud rate but {@linkplain #clientBaud() tells it}, so that a wrong one can be simulated.
  *
  * <p>Threading: thread-safe, made for one reading and any number of writing threads. No call blocks for longer than
  * {@value #LONGEST_WAIT_MILLIS} ms, and {@link #hangUp()} ends a waiting {@link #read} at once.
@@ -121,6 +121,7 @@ public final class Pty implements AutoCloseable {
         try (Memory termios = new Memory(LibC.TERMIOS_BYTES)) {
             LibC.check(LibC.tcgetattr(master, termios), "tcgetattr");
             LibC.cfmakeraw(termios);
+            LibC.check(LibC.cfsetspeed(termios, LibC.B115200), "cfsetspeed");
             LibC.check(LibC.tcsetattr(master, LibC.TCSANOW, termios), "tcsetattr");
         }
     }
@@ -232,6 +233,11 @@ public final class Pty implements AutoCloseable {
         } finally {
             writeLock.unlock();
         }
+    }
+
+    /** Whether the cable has been pulled. */
+    public boolean isHungUp() {
+        return hungUp;
     }
 
     /** How many bytes found the buffer of a client that was there full. */

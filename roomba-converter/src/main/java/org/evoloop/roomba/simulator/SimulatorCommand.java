@@ -6,17 +6,21 @@ import java.io.InputStream;
 import java.io.InputStreamReader;
 import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
-import org.evoloop.roomba.simulator.robot.RobotOptions;
+import org.evoloop.roomba.simulator.drawing.RoomDrawing;
+import org.evoloop.roomba.simulator.drawing.Trail;
 import org.evoloop.time.Clock;
 import org.evoloop.time.SystemClock;
+import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
@@ -29,11 +33,31 @@ import picocli.CommandLine.Spec;
 @Command(
         name = "simulator",
         description = "Runs a simulated Roomba at a pseudo-terminal.",
+        footer = {
+            "",
+            "Standard input takes a command a line, and standard output answers each:",
+            "  press clean|spot|dock [MILLIS]   presses a button",
+            "  lift, set-down                   holds the robot in the air, and sets it down",
+            "  place X Y HEADING                carries it elsewhere",
+            "  dock, undock                     puts it onto its dock, and off it",
+            "  unplug, replug                   pulls its cable, and plugs it in again",
+            "  state                            tells its true state in JSON",
+            "  help, quit",
+            "",
+            "A room file has a thing on each line, in mm and in degrees counterclockwise",
+            "from the x axis; # begins a comment:",
+            "  wall X Y X Y               walls around a rectangle, by two corners",
+            "  wall X Y X Y X Y ...       walls around a polygon",
+            "  obstacle X Y X Y ...       something solid, a rectangle or polygon likewise",
+            "  cliff X Y X Y ...          where there is no floor, likewise",
+            "  dock X Y HEADING           where a docked robot stands and looks;",
+            "                             the dock itself is 176 mm ahead",
+            "  start X Y HEADING          where it begins (default: the dock, else 0 0 0)"
+        },
         mixinStandardHelpOptions = true)
 public final class SimulatorCommand implements Callable<Integer> {
     private static final Logger LOG = LoggerFactory.getLogger(SimulatorCommand.class);
 
-    private static final double MILLIS_PER_SECOND = 1000;
     private static final long END_LIMIT_SECONDS = 5;
 
     private final InputStream input;
@@ -53,11 +77,13 @@ public final class SimulatorCommand implements Callable<Integer> {
     private double speed;
 
     @Option(
-            names = "--spot-duration",
-            paramLabel = "SECONDS",
-            defaultValue = "45",
-            description = "How long spot cleaning lasts in robot time (default: ${DEFAULT-VALUE}).")
-    private double spotDurationSeconds;
+            names = "--svg",
+            paramLabel = "FILE",
+            description = "Draws the room and where the robot went; written at start and when the simulator ends.")
+    private @Nullable Path svg;
+
+    @Mixin
+    private final RobotArguments robot = new RobotArguments();
 
     @Spec
     @SuppressWarnings("NullAway.Init") // picocli sets it before it calls.
@@ -76,29 +102,44 @@ public final class SimulatorCommand implements Callable<Integer> {
         CountDownLatch quit = new CountDownLatch(1);
         CountDownLatch ended = new CountDownLatch(1);
         Thread onSignal = new Thread(() -> endBySignal(quit, ended), "simulator-signal");
+        Trail trail = new Trail();
         try (Clock clock = new SystemClock();
-                SimulatorServer server = start(clock)) {
+                SimulatorServer server = start(clock, trail)) {
+            draw(server, trail);
             Runtime.getRuntime().addShutdownHook(onSignal);
             PrintWriter output = spec.commandLine().getOut();
             output.println("ready " + server.path());
             output.flush();
-            answerInBackground(new WorldCommands(server.robot()), output, quit);
+            answerInBackground(new WorldCommands(server), output, quit);
             quit.await();
+            draw(server, trail);
         }
         ended.countDown();
         removeHook(onSignal);
         return CommandLine.ExitCode.OK;
     }
 
-    private SimulatorServer start(Clock clock) {
+    private SimulatorServer start(Clock clock, Trail trail) {
         try {
-            RobotOptions options = RobotOptions.defaults()
-                    .withSpotDurationMillis((int) Math.round(spotDurationSeconds * MILLIS_PER_SECOND));
-            return SimulatorServer.start(link, options, clock, speed);
+            return SimulatorServer.start(link, robot.toOptions(), clock, speed, trail);
         } catch (IllegalArgumentException | IOException mistake) {
-            throw new CommandLine.ParameterException(
-                    spec.commandLine(), "cannot start the simulator: " + mistake.getMessage());
+            throw mistake("cannot start the simulator: " + mistake.getMessage());
         }
+    }
+
+    private void draw(SimulatorServer server, Trail trail) {
+        if (svg == null) {
+            return;
+        }
+        try {
+            Files.writeString(svg, RoomDrawing.svg(server.robot().state(), trail));
+        } catch (IOException failure) {
+            throw mistake("cannot write " + svg + " (--svg); its folder must exist and be writable");
+        }
+    }
+
+    private CommandLine.ParameterException mistake(String message) {
+        return new CommandLine.ParameterException(spec.commandLine(), message);
     }
 
     /** A daemon thread, since nothing but the end of input ends a read. */

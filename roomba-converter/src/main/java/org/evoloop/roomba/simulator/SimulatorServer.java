@@ -3,7 +3,10 @@ package org.evoloop.roomba.simulator;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
+import java.util.function.Consumer;
 import org.evoloop.roomba.simulator.robot.RobotOptions;
+import org.evoloop.roomba.simulator.robot.RobotState;
 import org.evoloop.roomba.simulator.robot.SimulatedRoomba;
 import org.evoloop.time.Clock;
 import org.slf4j.Logger;
@@ -16,10 +19,13 @@ import org.slf4j.LoggerFactory;
  * tick, and looks for bytes from the client between the ticks; what it is late by more than
  * {@value #LONGEST_LAG_SECONDS} s of the clock is lost to the robot.
  *
+ * <p>A pseudo-terminal has no wake line: that a client opens the port counts as a pulse of it. It has no bits on a wire
+ * either: the robot is told the client's baud rate and makes garbage of a wrong one.
+ *
  * <p>Threading: one thread, which rests in the pseudo-terminal until bytes come or a tick is due. All methods may be
  * called from any thread.
  */
-public final class SimulatorServer implements AutoCloseable {
+public final class SimulatorServer implements Cable, AutoCloseable {
     public static final double SLOWEST = 0.01;
     public static final double FASTEST = 1000;
 
@@ -31,17 +37,26 @@ public final class SimulatorServer implements AutoCloseable {
     private static final long END_LIMIT_MILLIS = 2_000;
     private static final int BUFFER_BYTES = 1_024;
 
-    private final Pty pty;
+    /** How long the robot waits for its cable before it looks again. */
+    private static final long UNPLUGGED_REST_NANOS = TimeUnit.MILLISECONDS.toNanos(10);
+
+    private final Path link;
+    private volatile Pty pty;
     private final SimulatedRoomba robot;
+    private final Consumer<RobotState> observer;
     private final Clock clock;
     private final long nanosPerTick;
     private final long startNanos;
     private final Thread thread = new Thread(this::run, "roomba-simulator");
+    private boolean clientPresent;
     private volatile boolean closing;
 
-    private SimulatorServer(Pty pty, RobotOptions options, Clock clock, double speed) {
+    private SimulatorServer(
+            Path link, Pty pty, RobotOptions options, Clock clock, double speed, Consumer<RobotState> observer) {
+        this.link = link;
         this.pty = pty;
-        this.robot = new SimulatedRoomba(options, bytes -> pty.write(bytes, bytes.length));
+        this.robot = new SimulatedRoomba(options, bytes -> this.pty.write(bytes, bytes.length));
+        this.observer = observer;
         this.clock = clock;
         this.startNanos = clock.nanoTime();
         this.nanosPerTick = Math.round(SimulatedRoomba.TICK_MILLIS * NANOS_PER_MILLI / speed);
@@ -57,11 +72,22 @@ public final class SimulatorServer implements AutoCloseable {
      * @throws IOException if there is no pseudo-terminal or no such link to be had
      */
     public static SimulatorServer start(Path link, RobotOptions options, Clock clock, double speed) throws IOException {
+        return start(link, options, clock, speed, state -> {});
+    }
+
+    /**
+     * Starts a robot, as {@link #start(Path, RobotOptions, Clock, double)}, and somebody who watches it.
+     *
+     * @param observer told the state after every tick, on the server's thread
+     */
+    public static SimulatorServer start(
+            Path link, RobotOptions options, Clock clock, double speed, Consumer<RobotState> observer)
+            throws IOException {
         if (!(speed >= SLOWEST && speed <= FASTEST)) {
             throw new IllegalArgumentException(
                     "speed is " + speed + "; allowed is " + SLOWEST + " to " + FASTEST + " times real time");
         }
-        SimulatorServer server = new SimulatorServer(Pty.open(link), options, clock, speed);
+        SimulatorServer server = new SimulatorServer(link, Pty.open(link), options, clock, speed, observer);
         server.thread.start();
         return server;
     }
@@ -87,12 +113,32 @@ public final class SimulatorServer implements AutoCloseable {
             }
             if (waitNanos <= 0) {
                 robot.tick();
+                observer.accept(robot.state());
                 dueNanos += nanosPerTick;
             }
-            int length = pty.read(buffer, waitNanos <= 0 ? 0 : restMillis(waitNanos));
-            if (length > 0) {
-                robot.receive(buffer, length);
+            listen(buffer, waitNanos);
+        }
+    }
+
+    private void listen(byte[] buffer, long waitNanos) {
+        Pty cable = pty;
+        int earlierBaud = cable.clientBaud();
+        int length = cable.read(buffer, waitNanos <= 0 ? 0 : restMillis(waitNanos));
+        if (length == Pty.NO_CLIENT) {
+            clientPresent = false;
+            if (cable.isHungUp()) {
+                LockSupport.parkNanos(Math.max(0, Math.min(waitNanos, UNPLUGGED_REST_NANOS)));
             }
+            return;
+        }
+        if (!clientPresent) {
+            clientPresent = true;
+            robot.wakeUp();
+        }
+        // A client may change its rate as soon as it has written: its bytes were fine if either rate was.
+        robot.clientBaud(earlierBaud == robot.baud() ? earlierBaud : cable.clientBaud());
+        if (length > 0) {
+            robot.receive(buffer, length);
         }
     }
 
@@ -108,14 +154,35 @@ public final class SimulatorServer implements AutoCloseable {
 
     /** The file that clients open. */
     public Path path() {
-        return pty.path();
+        return link;
+    }
+
+    @Override
+    public synchronized void unplug() {
+        if (pty.isHungUp()) {
+            throw new IllegalArgumentException("the cable is unplugged already");
+        }
+        pty.hangUp();
+    }
+
+    @Override
+    public synchronized void replug() throws IOException {
+        if (!pty.isHungUp()) {
+            throw new IllegalArgumentException("the cable is plugged in already");
+        }
+        if (closing) {
+            throw new IllegalArgumentException("the simulator has ended");
+        }
+        pty = Pty.open(link);
     }
 
     /** Pulls the cable, removes the link and ends the robot. A second call does nothing. */
     @Override
     public void close() {
-        closing = true;
-        pty.hangUp();
+        synchronized (this) {
+            closing = true;
+            pty.hangUp();
+        }
         try {
             thread.join(END_LIMIT_MILLIS);
             if (thread.isAlive()) {

@@ -1,35 +1,59 @@
 package org.evoloop.roomba.simulator;
 
+import java.io.IOException;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import org.evoloop.roomba.oi.Button;
 import org.evoloop.roomba.simulator.robot.SimulatedRoomba;
+import org.evoloop.roomba.simulator.room.Pose;
+import org.jspecify.annotations.Nullable;
 
 /**
  * What people do to the robot, and see of it, as text. Each command is one line and has one line for an answer:
  *
  * <ul>
  *   <li>{@code press clean|spot|dock [MILLIS]}: {@code ok}, the button is down for 150 or so many ms of robot time
+ *   <li>{@code lift}, {@code set-down}: {@code ok}, the robot hangs in the air, or stands where it was
+ *   <li>{@code place X Y HEADING}: {@code ok}, the robot stands there, in mm and degrees counterclockwise from x
+ *   <li>{@code dock}, {@code undock}: {@code ok}, the robot stands on its dock, or half a metre behind
+ *   <li>{@code unplug}, {@code replug}: {@code ok}, the client's cable is pulled, or in again
  *   <li>{@code state}: the robot's true state in JSON, see {@code RobotState}
+ *   <li>{@code help}: these commands
  *   <li>{@code quit}: {@code ok}, and from now on {@link #hasQuit()}
  * </ul>
  *
- * <p>Everything else is answered by {@code error: } and what is wrong.
+ * <p>Everything else is answered by {@code error: } and what is wrong, and changes nothing.
  *
  * <p>Threading: thread-safe.
  */
 public final class WorldCommands {
     private static final String OK = "ok";
+    private static final String PRESS = "press clean|spot|dock [MILLIS]";
+    private static final String PLACE = "place X Y HEADING";
+    private static final String HELP = String.join(
+            "; ", PRESS, "lift", "set-down", PLACE, "dock", "undock", "unplug", "replug", "state", "help", "quit");
     private static final List<Button> BUTTONS = List.of(Button.CLEAN, Button.SPOT, Button.DOCK);
     private static final int LONGEST_PRESS_MILLIS = 60_000;
+    private static final double FARTHEST_MM = 100_000;
 
     private final SimulatedRoomba robot;
+    private final @Nullable Cable cable;
     private volatile boolean quit;
 
-    /** Commands for this robot. */
+    /** Commands for this robot, which has no cable to unplug. */
     public WorldCommands(SimulatedRoomba robot) {
+        this(robot, null);
+    }
+
+    /** Commands for this server's robot and its cable. */
+    public WorldCommands(SimulatorServer server) {
+        this(server.robot(), server);
+    }
+
+    private WorldCommands(SimulatedRoomba robot, @Nullable Cable cable) {
         this.robot = robot;
+        this.cable = cable;
     }
 
     /** Carries out one line and returns its answer, without a line's end. */
@@ -37,7 +61,7 @@ public final class WorldCommands {
         List<String> words = Arrays.asList(line.trim().split("\\s+"));
         try {
             return execute(words.get(0), words.subList(1, words.size()));
-        } catch (IllegalArgumentException mistake) {
+        } catch (IllegalArgumentException | IOException mistake) {
             return "error: " + mistake.getMessage();
         }
     }
@@ -47,28 +71,49 @@ public final class WorldCommands {
         return quit;
     }
 
-    private String execute(String command, List<String> arguments) {
-        return switch (command) {
+    private String execute(String command, List<String> arguments) throws IOException {
+        switch (command) {
             case "press" -> press(arguments);
-            case "state" -> {
-                requireCount("state", arguments, 0, 0);
-                yield robot.state().toJson();
+            case "place" -> place(arguments);
+            case "lift", "set-down", "dock", "undock", "unplug", "replug", "state", "help", "quit" -> {
+                requireCount(command, arguments, 0, 0);
+                return act(command);
             }
-            case "quit" -> {
-                requireCount("quit", arguments, 0, 0);
-                quit = true;
-                yield OK;
-            }
-            default ->
-                throw new IllegalArgumentException("'" + command + "' is no command, there are press, state and quit");
-        };
+            default -> throw new IllegalArgumentException("'" + command + "' is no command; there are " + HELP);
+        }
+        return OK;
     }
 
-    private String press(List<String> arguments) {
-        requireCount("press clean|spot|dock [MILLIS]", arguments, 1, 2);
+    private String act(String command) throws IOException {
+        switch (command) {
+            case "lift" -> robot.lift();
+            case "set-down" -> robot.setDown();
+            case "dock" -> robot.dock();
+            case "undock" -> robot.undock();
+            case "unplug" -> cable().unplug();
+            case "replug" -> cable().replug();
+            case "quit" -> quit = true;
+            case "help" -> {
+                return HELP;
+            }
+            default -> {
+                return robot.state().toJson();
+            }
+        }
+        return OK;
+    }
+
+    private Cable cable() {
+        if (cable == null) {
+            throw new IllegalArgumentException("this robot has no cable");
+        }
+        return cable;
+    }
+
+    private void press(List<String> arguments) {
+        requireCount(PRESS, arguments, 1, 2);
         Button button = button(arguments.get(0));
         robot.press(button, arguments.size() < 2 ? SimulatedRoomba.USUAL_PRESS_MILLIS : millis(arguments.get(1)));
-        return OK;
     }
 
     private static Button button(String name) {
@@ -86,6 +131,22 @@ public final class WorldCommands {
                     "MILLIS is '" + text + "'; allowed is 1 to " + LONGEST_PRESS_MILLIS + " ms");
         }
         return Integer.parseInt(text);
+    }
+
+    private void place(List<String> arguments) {
+        requireCount(PLACE, arguments, 3, 3);
+        robot.place(new Pose(
+                number("X", arguments.get(0)),
+                number("Y", arguments.get(1)),
+                Math.toRadians(number("HEADING", arguments.get(2)))));
+    }
+
+    private static double number(String name, String text) {
+        if (!text.matches("-?\\d{1,7}(\\.\\d{1,7})?") || Math.abs(Double.parseDouble(text)) > FARTHEST_MM) {
+            throw new IllegalArgumentException(
+                    name + " is '" + text + "'; allowed is -" + (int) FARTHEST_MM + " to " + (int) FARTHEST_MM);
+        }
+        return Double.parseDouble(text);
     }
 
     private static void requireCount(String usage, List<String> arguments, int least, int most) {

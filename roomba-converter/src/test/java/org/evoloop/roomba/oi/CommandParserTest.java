@@ -76,13 +76,32 @@ class CommandParserTest {
         assertThat(Feeding.parse(octets(145, 0, 0, 2, 0, 128)))
                 .containsExactly(
                         new Parsed.Malformed(
-                                Opcode.DRIVE_DIRECT, "leftMmPerS is 512 mm/s; allowed is -500 to 500 mm/s"),
+                                Opcode.DRIVE_DIRECT,
+                                "leftMmPerS is 512 mm/s; allowed is -500 to 500 mm/s",
+                                new ActuatorCommand.DriveDirect(0, 500)),
                         START);
         assertThat(Feeding.parse(octets(142, 59, 128)))
                 .containsExactly(
                         new Parsed.Malformed(
-                                Opcode.SENSORS, "packet id is 59; allowed is 0 to 58, 100, 101, 106 and 107"),
+                                Opcode.SENSORS, "packet id is 59; allowed is 0 to 58, 100, 101, 106 and 107", null),
                         START);
+    }
+
+    @Test
+    void aWheelCommandOutOfItsRangeTellsTheNearestThatIsInIt() {
+        assertNearest(octets(137, 2, 88, 0, 100), new ActuatorCommand.Drive(500, 100));
+        assertNearest(octets(137, 128, 0, 128, 0), new ActuatorCommand.Drive(-500, Short.MIN_VALUE));
+        assertNearest(octets(137, 0, 100, 19, 136), new ActuatorCommand.Drive(100, 2000));
+        assertNearest(octets(145, 253, 168, 0, 7), new ActuatorCommand.DriveDirect(-500, 7));
+        assertNearest(octets(146, 1, 0, 254, 0), new ActuatorCommand.DrivePwm(255, -255));
+    }
+
+    private static void assertNearest(byte[] bytes, Command nearest) {
+        assertThat(Feeding.parse(bytes))
+                .singleElement()
+                .isInstanceOfSatisfying(
+                        Parsed.Malformed.class,
+                        malformed -> assertThat(malformed.nearest()).isEqualTo(nearest));
     }
 
     @ParameterizedTest

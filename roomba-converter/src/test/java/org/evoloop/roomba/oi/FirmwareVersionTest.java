@@ -1,6 +1,7 @@
 package org.evoloop.roomba.oi;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import org.junit.jupiter.api.Test;
 
@@ -31,5 +32,15 @@ class FirmwareVersionTest {
         assertThat(new FirmwareVersion(3, 3, 0)).isGreaterThan(new FirmwareVersion(3, 2, 6));
         assertThat(new FirmwareVersion(3, 3, 1)).isGreaterThan(new FirmwareVersion(3, 3, 0));
         assertThat(new FirmwareVersion(3, 3, 0)).hasToString("3.3.0");
+    }
+
+    @Test
+    void aVersionIsParsedFromTextAndNothingElseIs() {
+        assertThat(FirmwareVersion.parse("3.2.6")).isEqualTo(new FirmwareVersion(3, 2, 6));
+        for (String wrong : new String[] {"", "3.2", "3.2.6.1", "v3.2.6", "3.2.12345"}) {
+            assertThatThrownBy(() -> FirmwareVersion.parse(wrong))
+                    .isInstanceOf(IllegalArgumentException.class)
+                    .hasMessage("'" + wrong + "' is no firmware version; one is written as 3.2.6");
+        }
     }
 }

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.BufferedReader;
 import java.io.ByteArrayInputStream;
+import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.charset.StandardCharsets;
@@ -11,6 +12,8 @@ import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.util.concurrent.TimeUnit;
+import org.evoloop.roomba.simulator.robot.RobotOptions;
+import org.evoloop.roomba.simulator.robot.SimulatedRoomba;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.EnabledOnOs;
@@ -23,6 +26,8 @@ import picocli.CommandLine;
 @EnabledOnOs(OS.LINUX)
 @Timeout(60)
 class SimulatorCommandTest {
+    private static final SimulatedRoomba ANY_ROBOT = new SimulatedRoomba(RobotOptions.defaults(), bytes -> {});
+
     @TempDir
     Path folder;
 
@@ -45,7 +50,7 @@ class SimulatorCommandTest {
                 .containsExactly(
                         "ready " + link,
                         "ok",
-                        "error: 'nonsense' is no command, there are press, state and quit",
+                        "error: 'nonsense' is no command; there are " + new WorldCommands(ANY_ROBOT).execute("help"),
                         "ok");
         assertThat(errors.toString()).isEmpty();
         assertThat(exitCode).isZero();
@@ -60,6 +65,12 @@ class SimulatorCommandTest {
                 "--link L --speed fast | Invalid value for option '--speed': 'fast' is not a double",
                 "--link L --speed 0    | cannot start the simulator: speed is 0.0; allowed is 0.01 to 1000.0 times real time",
                 "--link L --spot-duration 1 | cannot start the simulator: spot duration is 1000 ms; allowed is 8000 to 600000 ms",
+                "--link L --battery 0 | cannot start the simulator: battery is 0 %; allowed is 1 to 100 %",
+                "--link L --drop 0.6 | cannot start the simulator: drop is 0.6; allowed is 0 to 0.5",
+                "--link L --firmware x | Invalid value for option '--firmware': 'x' is no firmware version; one is written as 3.2.6",
+                "--link L --checksum md5 | Invalid value for option '--checksum': 'md5' is unknown; there are real and spec500",
+                "--link L --room none.txt | cannot start the simulator: none.txt: cannot be read; it must be an existing, readable text file",
+                "--link L --svg no/such/folder.svg | cannot write no/such/folder.svg (--svg); its folder must exist and be writable",
                 "--link . | cannot start the simulator: . exists and is not a symbolic link; remove it or choose another path",
             })
     void aWrongOptionIsOneClearMessageAndCode2(String arguments, String message) {
@@ -72,6 +83,33 @@ class SimulatorCommandTest {
         assertThat(errors.toString().lines().findFirst()).contains(message);
         assertThat(output.toString()).isEmpty();
         assertThat(folder).isEmptyDirectory();
+    }
+
+    @Test
+    void allThatIsWrongIsToldAtOnce() {
+        String link = folder.resolve("roomba").toString();
+        assertThat(run("", "--link", link, "--battery", "101", "--baud", "9601", "--mode-offset", "2"))
+                .isEqualTo(2);
+        assertThat(errors.toString())
+                .contains("battery is 101 %; allowed", "baud is 9601; allowed", "mode offset is 2; allowed");
+    }
+
+    @Test
+    void aRoomsMistakeNamesFileAndLine() throws IOException {
+        Path room = Files.writeString(folder.resolve("room.txt"), "wall 0 0 5000 4000\nsofa 1 2 3 4\n");
+        assertThat(run("", "--link", folder.resolve("roomba").toString(), "--room", room.toString()))
+                .isEqualTo(2);
+        assertThat(errors.toString().lines().findFirst())
+                .contains("cannot start the simulator: " + room
+                        + ", line 2: 'sofa' is unknown; a line begins with wall," + " obstacle, cliff, dock or start");
+    }
+
+    @Test
+    void theDrawingIsWrittenAtTheEnd() throws IOException {
+        Path svg = folder.resolve("room.svg");
+        assertThat(run("dock\nquit\n", "--link", folder.resolve("roomba").toString(), "--svg", svg.toString()))
+                .isZero();
+        assertThat(svg).content().startsWith("<svg ").endsWith("</svg>\n");
     }
 
     @Test

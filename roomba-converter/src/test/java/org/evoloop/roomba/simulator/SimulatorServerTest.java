@@ -11,12 +11,16 @@ import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.evoloop.roomba.link.Link;
 import org.evoloop.roomba.link.LinkException;
 import org.evoloop.roomba.link.SerialLink;
 import org.evoloop.roomba.link.SerialSettings;
 import org.evoloop.roomba.oi.ActuatorCommand.DriveDirect;
+import org.evoloop.roomba.oi.Button;
 import org.evoloop.roomba.oi.Command;
 import org.evoloop.roomba.oi.InputCommand;
 import org.evoloop.roomba.oi.OiMode;
@@ -53,9 +57,24 @@ class SimulatorServerTest {
         private final List<SensorValues> frames = new CopyOnWriteArrayList<>();
         private final StreamFramer framer = new StreamFramer(WATCHED, frames::add);
         private final Link link;
+        private final CompletableFuture<LinkException> lost;
+        private final AtomicInteger bytes = new AtomicInteger();
 
         Client(Path port) {
-            link = new SerialLink(new SerialSettings(port.toString()));
+            this(port, new CompletableFuture<>());
+        }
+
+        Client(Path port, CompletableFuture<LinkException> lost) {
+            this(new SerialSettings(port.toString()), lost);
+        }
+
+        Client(Path port, int baud) {
+            this(new SerialSettings(port.toString()).withBaud(baud), new CompletableFuture<>());
+        }
+
+        private Client(SerialSettings settings, CompletableFuture<LinkException> lost) {
+            this.lost = lost;
+            link = new SerialLink(settings);
             link.open(this);
         }
 
@@ -67,11 +86,14 @@ class SimulatorServerTest {
 
         @Override
         public void received(byte[] buffer, int length) {
+            bytes.addAndGet(length);
             framer.feed(buffer, 0, length);
         }
 
         @Override
-        public void lost(LinkException cause) {}
+        public void lost(LinkException cause) {
+            lost.complete(cause);
+        }
 
         @Override
         public void close() {
@@ -85,7 +107,7 @@ class SimulatorServerTest {
 
     @Test
     void aClientSeesASpotFromPressToEnd() throws IOException {
-        RobotOptions options = RobotOptions.defaults().withSpotDurationMillis(10_000);
+        RobotOptions options = RobotOptions.builder().spotDurationMillis(10_000).build();
         try (Clock clock = new SystemClock();
                 SimulatorServer server = SimulatorServer.start(port(), options, clock, 20);
                 Client client = new Client(server.path())) {
@@ -117,6 +139,84 @@ class SimulatorServerTest {
             try (Client second = new Client(server.path())) {
                 await().until(() -> second.frames.size() > 5);
                 assertThat(second.frames.get(5).mode()).contains(OiMode.SAFE);
+            }
+        }
+    }
+
+    @Test
+    void theRobotLivesOnWhileItsCableIsUnplugged() throws Exception {
+        try (Clock clock = new SystemClock();
+                SimulatorServer server = SimulatorServer.start(port(), RobotOptions.defaults(), clock, 5)) {
+            WorldCommands world = new WorldCommands(server);
+            CompletableFuture<LinkException> lost = new CompletableFuture<>();
+            try (Client first = new Client(server.path(), lost)) {
+                first.send(START, SAFE, new DriveDirect(100, 100), new InputCommand.Stream(WATCHED));
+                await().until(() -> first.frames.size() > 5);
+                assertThat(world.execute("replug")).isEqualTo("error: the cable is plugged in already");
+                assertThat(world.execute("unplug")).isEqualTo("ok");
+                assertThat(lost.get(10, TimeUnit.SECONDS)).isNotNull();
+            }
+            assertThat(world.execute("unplug")).isEqualTo("error: the cable is unplugged already");
+            assertThat(Files.exists(port(), LinkOption.NOFOLLOW_LINKS)).isFalse();
+            double leftAtMm = server.robot().state().xMm();
+            await().until(() -> server.robot().state().xMm() > leftAtMm + 50);
+            assertThat(world.execute("replug")).isEqualTo("ok");
+            try (Client second = new Client(server.path())) {
+                await().until(() -> second.frames.size() > 5);
+                assertThat(second.frames.get(5).mode()).contains(OiMode.SAFE);
+            }
+        }
+    }
+
+    @Test
+    void openingThePortWakesTheRobotUnlessItIsSleepy() throws IOException {
+        for (boolean sleepy : new boolean[] {false, true}) {
+            RobotOptions options = RobotOptions.builder().sleepy(sleepy).build();
+            try (ManualClock clock = new ManualClock();
+                    SimulatorServer server = SimulatorServer.start(port(), options, clock, 1_000)) {
+                try (Client client = new Client(server.path())) {
+                    client.send(START);
+                    await().until(() -> server.robot().state().oiMode() == OiMode.PASSIVE);
+                }
+                // 301 s of the robot's.
+                clock.advance(Duration.ofMillis(301));
+                await().until(() -> server.robot().state().asleep());
+                try (Client client = new Client(server.path())) {
+                    client.send(START, new InputCommand.Stream(WATCHED));
+                    if (sleepy) {
+                        clock.advance(Duration.ofMillis(2));
+                        await().until(() -> server.robot().state().timeMillis() >= 302_000);
+                        assertThat(server.robot().state().asleep()).isTrue();
+                        server.robot().press(Button.CLEAN);
+                        client.send(START, new InputCommand.Stream(WATCHED));
+                    }
+                    await().until(() -> server.robot().state().streaming());
+                    assertThat(server.robot().state().asleep()).isFalse();
+                }
+            }
+        }
+    }
+
+    @Test
+    void aClientWithAnotherBaudRateHearsGarbage() throws IOException {
+        RobotOptions options = RobotOptions.builder().baud(19_200).build();
+        try (Clock clock = new SystemClock();
+                SimulatorServer server = SimulatorServer.start(port(), options, clock, 5)) {
+            try (Client right = new Client(server.path(), 19_200)) {
+                right.send(START, new InputCommand.Stream(WATCHED));
+                await().until(() -> right.frames.size() > 5);
+            }
+            try (Client wrong = new Client(server.path(), 115_200)) {
+                await().until(() -> wrong.bytes.get() > 500);
+                assertThat(wrong.frames).isEmpty();
+            }
+            try (Client right = new Client(server.path(), 19_200)) {
+                await().until(() -> right.frames.size() > 5);
+                right.send(new Command.Baud(57_600));
+                await().until(() -> server.robot().baud() == 57_600);
+            }
+            try (Client right = new Client(server.path(), 57_600)) {
+                await().until(() -> right.frames.size() > 5);
             }
         }
     }

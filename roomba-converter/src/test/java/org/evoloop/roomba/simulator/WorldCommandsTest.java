@@ -17,7 +17,9 @@ class WorldCommandsTest {
         assertThat(world.execute("state"))
                 .isEqualTo("{\"timeMillis\":0,\"activity\":\"off\",\"oiMode\":\"off\",\"xMm\":0.0,\"yMm\":0.0,"
                         + "\"headingDeg\":0.00,\"leftMmPerS\":0.0,\"rightMmPerS\":0.0,\"pressed\":[],"
-                        + "\"streaming\":false}");
+                        + "\"streaming\":false,\"docked\":false,\"charging\":false,\"lifted\":false,"
+                        + "\"asleep\":false,\"batteryPercent\":100,\"bumps\":[],\"cliffs\":[],\"wheelDrops\":[],"
+                        + "\"baud\":115200}");
     }
 
     @Test
@@ -41,6 +43,30 @@ class WorldCommandsTest {
     }
 
     @Test
+    void peopleCarryTheRobotAbout() {
+        assertThat(world.execute("place 120 -30.5 90")).isEqualTo("ok");
+        assertThat(world.execute("state")).contains("\"xMm\":120.0,\"yMm\":-30.5,\"headingDeg\":90.00");
+        assertThat(world.execute("lift")).isEqualTo("ok");
+        assertThat(world.execute("state"))
+                .contains("\"lifted\":true", "\"wheelDrops\":[\"left\",\"right\"]", "\"cliffs\":[\"left\",");
+        assertThat(world.execute("set-down")).isEqualTo("ok");
+        assertThat(world.execute("state")).contains("\"lifted\":false", "\"wheelDrops\":[]");
+        assertThat(world.execute("dock")).isEqualTo("ok");
+        assertThat(world.execute("state")).contains("\"docked\":true", "\"xMm\":120.0,\"yMm\":-30.5,");
+        assertThat(world.execute("undock")).isEqualTo("ok");
+        assertThat(world.execute("state")).contains("\"docked\":false", "\"xMm\":120.0,\"yMm\":-530.5,");
+        assertThat(world.execute("dock")).as("back to the same dock").isEqualTo("ok");
+        assertThat(world.execute("state")).contains("\"docked\":true", "\"xMm\":120.0,\"yMm\":-30.5,");
+    }
+
+    @Test
+    void helpNamesEveryCommand() {
+        assertThat(world.execute("help"))
+                .isEqualTo("press clean|spot|dock [MILLIS]; lift; set-down; place X Y HEADING; dock; undock; unplug;"
+                        + " replug; state; help; quit");
+    }
+
+    @Test
     void quitIsRemembered() {
         assertThat(world.hasQuit()).isFalse();
         assertThat(world.execute("quit")).isEqualTo("ok");
@@ -51,8 +77,15 @@ class WorldCommandsTest {
     @CsvSource(
             delimiter = '#',
             value = {
-                "''              # error: '' is no command, there are press, state and quit",
-                "jump            # error: 'jump' is no command, there are press, state and quit",
+                "''              # error: '' is no command; there are press clean|spot|dock [MILLIS]; lift; set-down;"
+                        + " place X Y HEADING; dock; undock; unplug; replug; state; help; quit",
+                "lift it         # error: the command is 'lift'",
+                "place 1 2       # error: the command is 'place X Y HEADING'",
+                "place 1 two 3   # error: Y is 'two'; allowed is -100000 to 100000",
+                "place 1e9 2 3   # error: X is '1e9'; allowed is -100000 to 100000",
+                "place 0 0 999999 # error: HEADING is '999999'; allowed is -100000 to 100000",
+                "undock          # error: the robot is not on a dock",
+                "unplug          # error: this robot has no cable",
                 "press           # error: the command is 'press clean|spot|dock [MILLIS]'",
                 "press clock     # error: 'clock' is no button, there are clean, spot and dock",
                 "press clean 0   # error: MILLIS is '0'; allowed is 1 to 60000 ms",

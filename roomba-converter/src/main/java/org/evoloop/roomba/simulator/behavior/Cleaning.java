@@ -2,14 +2,15 @@ package org.evoloop.roomba.simulator.behavior;
 
 import org.evoloop.roomba.simulator.body.Body;
 import org.evoloop.roomba.simulator.body.CleaningMotors;
-import org.evoloop.roomba.simulator.body.Pose;
+import org.evoloop.roomba.simulator.room.Pose;
 
-/** A spiral outwards, then straight runs to and fro until somebody pauses it. */
+/** A spiral outwards until something is in the way, then straight runs to and fro until somebody pauses it. */
 public final class Cleaning implements Behavior {
     private static final double SPIRAL_SECONDS = 20;
 
     private final Spiral spiral;
     private final Wandering wandering = new Wandering();
+    private boolean spiraling = true;
     private long ticks;
 
     /** From this pose on. */
@@ -21,7 +22,8 @@ public final class Cleaning implements Behavior {
     public boolean steer(Body body) {
         double elapsedSeconds = ticks++ * Body.TICK_SECONDS;
         body.setCleaningMotors(CleaningMotors.ON);
-        if (elapsedSeconds < SPIRAL_SECONDS) {
+        spiraling &= elapsedSeconds < SPIRAL_SECONDS && !Reflex.isNeeded(body);
+        if (spiraling) {
             spiral.steerOutward(body, elapsedSeconds);
             return true;
         }

@@ -1,8 +1,8 @@
 package org.evoloop.roomba.simulator.behavior;
 
 import org.evoloop.roomba.simulator.body.Body;
-import org.evoloop.roomba.simulator.body.Pose;
-import org.evoloop.roomba.simulator.body.Wheel;
+import org.evoloop.roomba.simulator.room.Point;
+import org.evoloop.roomba.simulator.room.Pose;
 
 /**
  * A spiral with even distances between its turns, and a robot that runs after a point that moves along it at an even
@@ -17,9 +17,6 @@ record Spiral(Pose start, double outwardSeconds) {
 
     /** How far the robot keeps behind the point. */
     private static final double BEHIND_SECONDS = 0.4;
-
-    private static final double ARRIVED_MM = 10;
-    private static final double SPIN_MM_PER_S = 200;
 
     /** Steers after the point on its way out, and along the outermost turn's end when it has come there. */
     void steerOutward(Body body, double elapsedSeconds) {
@@ -45,24 +42,8 @@ record Spiral(Pose start, double outwardSeconds) {
 
     private void steerTowards(Body body, double radiusMm, double angleRad) {
         double directionRad = start.headingRad() + angleRad;
-        double xMm = start.xMm() + radiusMm * Math.cos(directionRad);
-        double yMm = start.yMm() + radiusMm * Math.sin(directionRad);
-        double distanceMm = body.pose().distanceMmTo(xMm, yMm);
-        double bearingRad = body.pose().bearingRadTo(xMm, yMm);
-        if (distanceMm < ARRIVED_MM) {
-            body.drive(0, 0);
-        } else if (Math.abs(bearingRad) > Math.PI / 2) {
-            double spin = Math.signum(bearingRad) * SPIN_MM_PER_S;
-            body.drive(spin, -spin);
-        } else {
-            driveArc(body, distanceMm / BEHIND_SECONDS, 2 * Math.sin(bearingRad) / distanceMm);
-        }
-    }
-
-    /** Drives along an arc of this curvature, slower where the outer wheel could not follow. */
-    private static void driveArc(Body body, double speedMmPerS, double curvaturePerMm) {
-        double difference = curvaturePerMm * Pose.WHEEL_BASE_MM / 2;
-        double speed = Math.min(speedMmPerS, Wheel.FASTEST_MM_PER_S / (1 + Math.abs(difference)));
-        body.drive(speed * (1 + difference), speed * (1 - difference));
+        Point goal = new Point(
+                start.xMm() + radiusMm * Math.cos(directionRad), start.yMm() + radiusMm * Math.sin(directionRad));
+        Pursuit.steer(body, goal, BEHIND_SECONDS);
     }
 }

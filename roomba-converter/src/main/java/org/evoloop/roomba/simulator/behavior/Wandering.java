@@ -3,24 +3,32 @@ package org.evoloop.roomba.simulator.behavior;
 import org.evoloop.roomba.simulator.body.Body;
 
 /**
- * Straight runs with turns between, for ever; also how the robot looks for its dock. As every turn is the same, the runs
- * form a star that stays in one place.
+ * Straight runs with turns between, until the robot is stuck. In a room a run ends where something is in the way; on an
+ * open plain all turns are the same, and the runs form a star that stays in one place.
  */
 public final class Wandering implements Behavior {
-    private static final double RUN_SECONDS = 4;
+    private static final double OPEN_RUN_SECONDS = 4;
+
+    /** Through ten metres of room. */
+    private static final double LONGEST_RUN_SECONDS = 33;
+
     private static final double TURN_SECONDS = 1.3;
     private static final double RUN_MM_PER_S = 300;
-    private static final double TURN_MM_PER_S = 200;
 
+    private final Reflex reflex = new Reflex();
     private long ticks;
 
     @Override
     public boolean steer(Body body) {
-        double secondsInRound = ticks++ * Body.TICK_SECONDS % (RUN_SECONDS + TURN_SECONDS);
-        if (secondsInRound < RUN_SECONDS) {
+        if (reflex.steer(body)) {
+            ticks = 0;
+            return !reflex.isStuck();
+        }
+        double runSeconds = body.room().isOpen() ? OPEN_RUN_SECONDS : LONGEST_RUN_SECONDS;
+        if (ticks++ * Body.TICK_SECONDS % (runSeconds + TURN_SECONDS) < runSeconds) {
             body.drive(RUN_MM_PER_S, RUN_MM_PER_S);
         } else {
-            body.drive(TURN_MM_PER_S, -TURN_MM_PER_S);
+            Pursuit.spin(body, 1);
         }
         return true;
     }

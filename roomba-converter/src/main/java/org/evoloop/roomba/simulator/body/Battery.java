@@ -8,7 +8,14 @@ public final class Battery {
     private static final double FULL_MILLI_VOLTS = 16_400;
     private static final double SECONDS_PER_HOUR = 3600;
 
-    private double chargeMilliAmpHours = CAPACITY_MILLI_AMP_HOURS;
+    /** With less the robot stops cleaning. */
+    private static final double LOW_SHARE = 0.1;
+
+    private double chargeMilliAmpHours;
+
+    Battery(int percent) {
+        chargeMilliAmpHours = CAPACITY_MILLI_AMP_HOURS * percent / 100.0;
+    }
 
     /**
      * Lets a tick pass.
@@ -24,8 +31,28 @@ public final class Battery {
         return (int) Math.round(chargeMilliAmpHours);
     }
 
+    public int percent() {
+        return (int) Math.round(100 * share());
+    }
+
+    private double share() {
+        return chargeMilliAmpHours / CAPACITY_MILLI_AMP_HOURS;
+    }
+
+    public boolean isFull() {
+        return share() == 1;
+    }
+
+    /** Whether it is time to look for the dock. */
+    public boolean isLow() {
+        return share() < LOW_SHARE;
+    }
+
+    public boolean isEmpty() {
+        return chargeMilliAmpHours == 0;
+    }
+
     public int milliVolts() {
-        double full = chargeMilliAmpHours / CAPACITY_MILLI_AMP_HOURS;
-        return (int) Math.round(EMPTY_MILLI_VOLTS + (FULL_MILLI_VOLTS - EMPTY_MILLI_VOLTS) * full);
+        return (int) Math.round(EMPTY_MILLI_VOLTS + (FULL_MILLI_VOLTS - EMPTY_MILLI_VOLTS) * share());
     }
 }

@@ -1,5 +1,8 @@
 package org.evoloop.roomba.simulator.body;
 
+import org.evoloop.roomba.simulator.room.Pose;
+import org.evoloop.roomba.simulator.room.Room;
+
 /**
  * The robot's mechanics. What the firmware sets here takes effect from the next {@link #tick()} on.
  *
@@ -14,14 +17,36 @@ public final class Body {
 
     private static final int ELECTRONICS_MILLI_AMPS = 200;
 
+    /** What is left of that when the robot sleeps. */
+    private static final int SLEEPING_MILLI_AMPS = 5;
+
+    private static final int CHARGING_MILLI_AMPS = 1_000;
+    private static final int TRICKLE_MILLI_AMPS = 50;
+
     /** How far the front wheel rolls until its light-and-dark sensor changes. */
     private static final double FRONT_WHEEL_STRIPE_MM = 20;
 
     private final Wheel left = new Wheel();
     private final Wheel right = new Wheel();
-    private final Battery battery = new Battery();
+    private final Battery battery;
     private CleaningMotors cleaningMotors = CleaningMotors.OFF;
-    private Pose pose = Pose.ORIGIN;
+    private Room room;
+    private Pose pose;
+    private double progressMm;
+    private boolean lifted;
+    private boolean awake = true;
+    private boolean chargerAllowed = true;
+
+    /**
+     * A robot at the start of a room.
+     *
+     * @param batteryPercent how full the battery is, 0 to 100
+     */
+    public Body(Room room, int batteryPercent) {
+        this.room = room;
+        this.pose = room.start();
+        this.battery = new Battery(batteryPercent);
+    }
 
     /** Sets the velocities that the wheels shall reach; beyond {@link Wheel#FASTEST_MM_PER_S} counts as that. */
     public void drive(double rightMmPerS, double leftMmPerS) {
@@ -43,8 +68,57 @@ public final class Body {
     public void tick() {
         double leftMm = left.tick();
         double rightMm = right.tick();
-        pose = pose.rolled(leftMm, rightMm);
+        // With a wheel in the air the robot lies on its belly, or somebody holds it.
+        if (surroundings().wheelDrops().isEmpty()) {
+            Pose before = pose;
+            pose = room.moved(before, before.rolled(leftMm, rightMm));
+            double movedMm = before.distanceMmTo(pose.center());
+            progressMm += Math.abs(before.bearingRadTo(pose.xMm(), pose.yMm())) < Math.PI / 2 ? movedMm : -movedMm;
+        }
         battery.tick(batteryMilliAmps());
+    }
+
+    /** Somebody carries the robot elsewhere. */
+    public void place(Pose where) {
+        pose = where;
+    }
+
+    /** Somebody holds the robot up in the air, or sets it down where it was. */
+    public void setLifted(boolean inTheAir) {
+        lifted = inTheAir;
+    }
+
+    /** Somebody puts the dock elsewhere. */
+    public void moveDock(Pose where) {
+        room = room.withDock(where);
+    }
+
+    /** Whether the electronics are at work or sleep. */
+    public void setAwake(boolean atWork) {
+        awake = atWork;
+    }
+
+    /** Whether the battery may be charged when there is current to be had. */
+    public void allowCharger(boolean allowed) {
+        chargerAllowed = allowed;
+    }
+
+    /** Whether current flows into the battery; the dock always has some. */
+    public boolean isCharging() {
+        return chargerAllowed && surroundings().docked();
+    }
+
+    public Room room() {
+        return room;
+    }
+
+    public boolean isLifted() {
+        return lifted;
+    }
+
+    /** What the robot feels and sees at this moment. */
+    public Surroundings surroundings() {
+        return new Surroundings(room, pose, lifted);
     }
 
     public Wheel left() {
@@ -67,19 +141,30 @@ public final class Body {
         return pose;
     }
 
-    /** How far the robot's centre came since it was made; rolling back makes it less. */
+    /** How far the robot's centre came by its wheels since it was made; rolling back makes it less. */
     public double travelledMm() {
         return (left.travelledMm() + right.travelledMm()) / 2;
     }
 
-    /** How far the robot turned since it was made, counterclockwise. */
+    /** How far the robot turned by its wheels since it was made, counterclockwise. */
     public double turnedDeg() {
         return Math.toDegrees((right.travelledMm() - left.travelledMm()) / Pose.WHEEL_BASE_MM);
     }
 
+    /** Whether the robot drives forward, or turns within less than its own radius; not straight or widely back. */
+    public boolean isMovingForwardOrTightly() {
+        double sum = left.velocityMmPerS() + right.velocityMmPerS();
+        double difference = right.velocityMmPerS() - left.velocityMmPerS();
+        double radiusMm = Math.abs(Pose.WHEEL_BASE_MM / 2 * sum / difference);
+        return sum > 0 || radiusMm < Room.ROBOT_RADIUS_MM;
+    }
+
     /** What flows into the battery; negative flows out. */
     public int batteryMilliAmps() {
-        return -(ELECTRONICS_MILLI_AMPS
+        if (isCharging()) {
+            return battery.isFull() ? TRICKLE_MILLI_AMPS : CHARGING_MILLI_AMPS;
+        }
+        return -((awake ? ELECTRONICS_MILLI_AMPS : SLEEPING_MILLI_AMPS)
                 + left.motorMilliAmps()
                 + right.motorMilliAmps()
                 + cleaningMotors.mainBrushMilliAmps()
@@ -89,6 +174,6 @@ public final class Body {
 
     /** Whether the front wheel's sensor sees its light half; it changes again and again while the robot moves. */
     public boolean frontWheelLight() {
-        return ((long) Math.floor(travelledMm() / FRONT_WHEEL_STRIPE_MM) & 1) == 1;
+        return ((long) Math.floor(progressMm / FRONT_WHEEL_STRIPE_MM) & 1) == 1;
     }
 }

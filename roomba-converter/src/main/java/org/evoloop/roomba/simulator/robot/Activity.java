@@ -14,6 +14,9 @@ package org.evoloop.roomba.simulator.robot;
  * <p>The arrows are presses of the robot's buttons, which it obeys in the modes Off and Passive. The commands Safe and
  * Full lead to ON from everywhere; the commands Clean, Max, Spot and Seek Dock lead from OFF and ON to the activity, and
  * from an activity to ON.
+ *
+ * <p>By itself, every activity leads to ON when the robot loses its floor, is stuck or gets onto its dock, and CLEAN leads
+ * to DOCK, or without a dock to ON, when the battery is low. Whoever sleeps is OFF.
  */
 public enum Activity {
     /** Standby: it has power and listens, its light is off. */

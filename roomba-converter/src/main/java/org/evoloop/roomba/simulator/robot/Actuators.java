@@ -7,8 +7,8 @@ import org.evoloop.roomba.oi.ActuatorCommand.Motors;
 import org.evoloop.roomba.oi.ActuatorCommand.PwmMotors;
 import org.evoloop.roomba.simulator.body.Body;
 import org.evoloop.roomba.simulator.body.CleaningMotors;
-import org.evoloop.roomba.simulator.body.Pose;
 import org.evoloop.roomba.simulator.body.Wheel;
+import org.evoloop.roomba.simulator.room.Pose;
 
 /** Wheels and cleaning motors under the client's control. */
 final class Actuators {

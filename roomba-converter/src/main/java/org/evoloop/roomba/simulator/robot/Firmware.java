@@ -9,9 +9,10 @@ import org.evoloop.roomba.oi.InputCommand;
 import org.evoloop.roomba.oi.OiMode;
 import org.evoloop.roomba.simulator.behavior.Behavior;
 import org.evoloop.roomba.simulator.behavior.Cleaning;
+import org.evoloop.roomba.simulator.behavior.DockSeeking;
 import org.evoloop.roomba.simulator.behavior.SpotCleaning;
-import org.evoloop.roomba.simulator.behavior.Wandering;
 import org.evoloop.roomba.simulator.body.Body;
+import org.evoloop.roomba.simulator.body.Surroundings;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -23,28 +24,42 @@ final class Firmware {
     /** How long the robot holds down what command Buttons presses: 1/6 s. */
     private static final int COMMANDED_PRESS_MILLIS = 167;
 
+    /** So long in Passive mode without anything to do, and the robot sleeps. */
+    private static final int TIRED_TICKS = 5 * 60_000 / Body.TICK_MILLIS;
+
+    private static final int TICKS_PER_SECOND = 1000 / Body.TICK_MILLIS;
+
     private final Body body;
     private final RobotOptions options;
     private final ButtonPanel buttons = new ButtonPanel();
     private final Speaker speaker = new Speaker();
     private final Actuators actuators;
     private final Reporter reporter;
+    private final Consumer<byte[]> sink;
     private OiMode mode = OiMode.OFF;
     private Activity activity = Activity.OFF;
     private @Nullable Behavior behavior;
+    private boolean untilEmpty;
+    private boolean wasDocked;
+    private boolean digestsModeChange;
+    private int idleTicks;
+    private long chargingTicks;
 
     Firmware(Body body, RobotOptions options, Consumer<byte[]> sink) {
         this.body = body;
         this.options = options;
         this.actuators = new Actuators(body);
-        this.reporter = new Reporter(new Sensors(body, this)::value, sink);
+        this.reporter = new Reporter(new Sensors(body, this, options)::value, options.checksum(), sink);
+        this.sink = sink;
+        this.wasDocked = body.surroundings().docked();
     }
 
     /** Obeys a command, or ignores it if the mode does not accept it. */
     void execute(Command command) {
-        if (!command.opcode().isAcceptedIn(mode)) {
+        if (digestsModeChange || !command.opcode().isAcceptedIn(mode)) {
             return;
         }
+        digestsModeChange = options.strictModeWindow() && command.opcode().changesMode();
         if (command instanceof InputCommand input) {
             reporter.execute(input);
         } else if (command instanceof ActuatorCommand actuator) {
@@ -67,10 +82,14 @@ final class Firmware {
                 enter(OiMode.PASSIVE);
                 rest(Activity.OFF);
             }
-            case CLEAN, MAX -> startOrPause(Activity.CLEAN);
+            case CLEAN -> startOrPause(Activity.CLEAN);
+            case MAX -> {
+                startOrPause(Activity.CLEAN);
+                untilEmpty = true;
+            }
             case SPOT -> startOrPause(Activity.SPOT);
             case SEEK_DOCK -> startOrPause(Activity.DOCK);
-            // The line's rate means nothing to a simulation, and nobody waits for the schedule's day.
+            // The line's rate is no affair of this program, and nobody waits for the schedule's day.
             default -> {}
         }
     }
@@ -99,6 +118,7 @@ final class Firmware {
 
     /** Somebody presses a button; the robot obeys as it goes down, unless a client has control. */
     void press(Button button, int durationMillis) {
+        idleTicks = 0;
         if (buttons.press(button, durationMillis) && !isControlled()) {
             obey(button);
         }
@@ -134,15 +154,16 @@ final class Firmware {
         if (activity.isRunning()) {
             rest(Activity.ON);
         } else {
-            activity = wanted;
-            behavior = begin(wanted);
+            begin(wanted);
         }
     }
 
-    private Behavior begin(Activity wanted) {
-        return switch (wanted) {
+    private void begin(Activity wanted) {
+        activity = wanted;
+        untilEmpty = false;
+        behavior = switch (wanted) {
             case SPOT -> new SpotCleaning(body.pose(), options.spotDurationMillis());
-            case DOCK -> new Wandering();
+            case DOCK -> new DockSeeking();
             default -> new Cleaning(body.pose());
         };
     }
@@ -153,6 +174,19 @@ final class Firmware {
         }
         activity = Activity.ON;
         mode = wanted;
+        protect();
+    }
+
+    /** In Safe mode: gives the control up where the specification says so, and stops all motors. */
+    private void protect() {
+        if (mode != OiMode.SAFE) {
+            return;
+        }
+        Surroundings surroundings = body.surroundings();
+        boolean cliff = !surroundings.cliffs().isEmpty() && body.isMovingForwardOrTightly();
+        if (cliff || !surroundings.wheelDrops().isEmpty() || surroundings.docked()) {
+            enter(OiMode.PASSIVE);
+        }
     }
 
     /** Goes to a mode in which the client has no control, so what it set in motion stops. */
@@ -175,16 +209,53 @@ final class Firmware {
 
     /** The first half of a tick: what the robot does by itself. */
     void act() {
-        if (behavior != null && !behavior.steer(body)) {
+        boolean docked = body.surroundings().docked();
+        if (docked && !wasDocked && activity.isRunning()) {
             rest(Activity.ON);
+        }
+        wasDocked = docked;
+        body.allowCharger(!isControlled() && !activity.isRunning());
+        if (behavior != null) {
+            boolean canMove = body.surroundings().wheelDrops().isEmpty();
+            if (!canMove || !behavior.steer(body)) {
+                rest(Activity.ON);
+            } else if (activity == Activity.CLEAN
+                    && !untilEmpty
+                    && body.battery().isLow()) {
+                goHome();
+            }
         }
         speaker.tick();
     }
 
+    private void goHome() {
+        rest(Activity.ON);
+        if (body.room().dock().isPresent()) {
+            begin(Activity.DOCK);
+        }
+    }
+
     /** The second half of a tick, after the body has moved: what the robot tells. */
     void report() {
+        protect();
+        digestsModeChange = false;
+        idleTicks = mode == OiMode.PASSIVE && !activity.isRunning() && !body.isCharging() ? idleTicks + 1 : 0;
+        chargingTicks = body.isCharging() ? chargingTicks + 1 : 0;
+        if (chargingTicks % TICKS_PER_SECOND == 1) {
+            sink.accept(RobotText.charging(body, chargingTicks / TICKS_PER_SECOND));
+        }
         reporter.tick();
         buttons.tick();
+    }
+
+    /** Somebody used the wake line. */
+    void stayAwake() {
+        idleTicks = 0;
+    }
+
+    /** Whether nothing has happened for so long that the robot sleeps. */
+    boolean isTired() {
+        return idleTicks >= TIRED_TICKS;
     }
 
     OiMode mode() {

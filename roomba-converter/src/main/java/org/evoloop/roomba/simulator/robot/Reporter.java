@@ -8,16 +8,19 @@ import org.evoloop.roomba.oi.Packet;
 import org.evoloop.roomba.oi.PacketId;
 import org.evoloop.roomba.oi.SensorValues;
 import org.evoloop.roomba.oi.StreamFrame;
+import org.evoloop.roomba.oi.StreamFrame.Checksum;
 
 /** Answers queries at once, and sends the stream's frame at every tick. */
 final class Reporter {
     private final ToIntFunction<Packet> sensors;
+    private final Checksum checksum;
     private final Consumer<byte[]> sink;
     private List<PacketId> stream = List.of();
     private boolean paused;
 
-    Reporter(ToIntFunction<Packet> sensors, Consumer<byte[]> sink) {
+    Reporter(ToIntFunction<Packet> sensors, Checksum checksum, Consumer<byte[]> sink) {
         this.sensors = sensors;
+        this.checksum = checksum;
         this.sink = sink;
     }
 
@@ -36,7 +39,7 @@ final class Reporter {
 
     void tick() {
         if (isStreaming()) {
-            sink.accept(StreamFrame.encode(stream, sensors));
+            sink.accept(StreamFrame.encode(stream, sensors, checksum));
         }
     }
 

@@ -1,31 +1,203 @@
 package org.evoloop.roomba.simulator.robot;
 
+import java.util.ArrayList;
+import java.util.List;
+import org.evoloop.roomba.oi.Command;
+import org.evoloop.roomba.oi.FirmwareVersion;
+import org.evoloop.roomba.oi.StreamFrame.Checksum;
+import org.evoloop.roomba.simulator.room.Room;
+
 /**
- * What can be chosen about a simulated robot.
+ * What can be chosen about a simulated robot: where it lives, and how it misbehaves. {@link #builder()} begins with a
+ * well-behaved robot on an open plain.
  *
+ * <p>Threading: immutable; the builder is not thread-safe.
+ *
+ * @param room where it lives; it begins at the room's start
  * @param spotDurationMillis how long spot cleaning lasts, {@value #SHORTEST_SPOT_MILLIS} to
  *     {@value #LONGEST_SPOT_MILLIS}; iRobot does not tell how long it is in truth
+ * @param batteryPercent how full the battery is at first, 1 to 100
+ * @param baud the line's rate after power-on, one of {@link Command.Baud#RATES}
+ * @param firmware what the boot text tells; old versions report wrong distances (before 3.3.0) and angles (up to 3.4.0)
+ * @param checksum of stream frames; real robots count the header
+ * @param modeOffset what packet 35 reports too much, 0 or 1, as some robots with Wi-Fi do
+ * @param noise whether stray bytes come between replies and frames
+ * @param dropShare the part of all bytes, to and from the robot, that get lost, 0 to 0.5
+ * @param corruptShare the part of all bytes, to and from the robot, that get changed, 0 to 0.5
+ * @param seed chooses which bytes these are; the same seed, the same bytes
+ * @param sleepy whether the wake line is not connected, so that only its CLEAN button wakes the robot
+ * @param strictModeWindow whether commands that come too soon after one that changes the mode are ignored
  */
-public record RobotOptions(int spotDurationMillis) {
+public record RobotOptions(
+        Room room,
+        int spotDurationMillis,
+        int batteryPercent,
+        int baud,
+        FirmwareVersion firmware,
+        Checksum checksum,
+        int modeOffset,
+        boolean noise,
+        double dropShare,
+        double corruptShare,
+        long seed,
+        boolean sleepy,
+        boolean strictModeWindow) {
     /** Less would not suffice to drive half a metre and back. */
     public static final int SHORTEST_SPOT_MILLIS = 8_000;
 
     public static final int LONGEST_SPOT_MILLIS = 600_000;
-    public static final int DEFAULT_SPOT_MILLIS = 45_000;
 
+    private static final double LARGEST_SHARE = 0.5;
+
+    /** Refuses with all that is wrong in one message. */
     public RobotOptions {
-        if (spotDurationMillis < SHORTEST_SPOT_MILLIS || spotDurationMillis > LONGEST_SPOT_MILLIS) {
-            throw new IllegalArgumentException("spot duration is " + spotDurationMillis + " ms; allowed is "
-                    + SHORTEST_SPOT_MILLIS + " to " + LONGEST_SPOT_MILLIS + " ms");
+        List<String> problems = new ArrayList<>();
+        require(
+                spotDurationMillis >= SHORTEST_SPOT_MILLIS && spotDurationMillis <= LONGEST_SPOT_MILLIS,
+                "spot duration is " + spotDurationMillis + " ms; allowed is " + SHORTEST_SPOT_MILLIS + " to "
+                        + LONGEST_SPOT_MILLIS + " ms",
+                problems);
+        require(
+                batteryPercent >= 1 && batteryPercent <= 100,
+                "battery is " + batteryPercent + " %; allowed is 1 to 100 %",
+                problems);
+        require(
+                Command.Baud.RATES.contains(baud),
+                "baud is " + baud + "; allowed is one of " + Command.Baud.RATES,
+                problems);
+        require(modeOffset == 0 || modeOffset == 1, "mode offset is " + modeOffset + "; allowed is 0 or 1", problems);
+        requireShare("drop", dropShare, problems);
+        requireShare("corrupt", corruptShare, problems);
+        if (!problems.isEmpty()) {
+            throw new IllegalArgumentException(String.join("\n", problems));
         }
     }
 
-    /** A well-behaved robot. */
-    public static RobotOptions defaults() {
-        return new RobotOptions(DEFAULT_SPOT_MILLIS);
+    private static void require(boolean holds, String problem, List<String> problems) {
+        if (!holds) {
+            problems.add(problem);
+        }
     }
 
-    public RobotOptions withSpotDurationMillis(int millis) {
-        return new RobotOptions(millis);
+    private static void requireShare(String name, double share, List<String> problems) {
+        require(
+                share >= 0 && share <= LARGEST_SHARE,
+                name + " is " + share + "; allowed is 0 to " + LARGEST_SHARE,
+                problems);
+    }
+
+    /** A well-behaved robot on an open plain. */
+    public static RobotOptions defaults() {
+        return builder().build();
+    }
+
+    public static Builder builder() {
+        return new Builder();
+    }
+
+    /** Collects options; each method sets what the record's component of the same name says. */
+    public static final class Builder {
+        private Room room = Room.OPEN;
+        private int spotDurationMillis = 45_000;
+        private int batteryPercent = 100;
+        private int baud = 115_200;
+        private FirmwareVersion firmware = new FirmwareVersion(3, 7, 7);
+        private Checksum checksum = Checksum.WITH_HEADER;
+        private int modeOffset;
+        private boolean noise;
+        private double dropShare;
+        private double corruptShare;
+        private long seed = 1;
+        private boolean sleepy;
+        private boolean strictModeWindow;
+
+        private Builder() {}
+
+        public Builder room(Room value) {
+            room = value;
+            return this;
+        }
+
+        public Builder spotDurationMillis(int value) {
+            spotDurationMillis = value;
+            return this;
+        }
+
+        public Builder batteryPercent(int value) {
+            batteryPercent = value;
+            return this;
+        }
+
+        public Builder baud(int value) {
+            baud = value;
+            return this;
+        }
+
+        public Builder firmware(FirmwareVersion value) {
+            firmware = value;
+            return this;
+        }
+
+        public Builder checksum(Checksum value) {
+            checksum = value;
+            return this;
+        }
+
+        public Builder modeOffset(int value) {
+            modeOffset = value;
+            return this;
+        }
+
+        public Builder noise(boolean value) {
+            noise = value;
+            return this;
+        }
+
+        public Builder dropShare(double value) {
+            dropShare = value;
+            return this;
+        }
+
+        public Builder corruptShare(double value) {
+            corruptShare = value;
+            return this;
+        }
+
+        public Builder seed(long value) {
+            seed = value;
+            return this;
+        }
+
+        public Builder sleepy(boolean value) {
+            sleepy = value;
+            return this;
+        }
+
+        public Builder strictModeWindow(boolean value) {
+            strictModeWindow = value;
+            return this;
+        }
+
+        /**
+         * The options.
+         *
+         * @throws IllegalArgumentException a line for each that is out of its range, with its value and what is allowed
+         */
+        public RobotOptions build() {
+            return new RobotOptions(
+                    room,
+                    spotDurationMillis,
+                    batteryPercent,
+                    baud,
+                    firmware,
+                    checksum,
+                    modeOffset,
+                    noise,
+                    dropShare,
+                    corruptShare,
+                    seed,
+                    sleepy,
+                    strictModeWindow);
+        }
     }
 }

@@ -1,56 +1,100 @@
 package org.evoloop.roomba.simulator.robot;
 
+import java.util.Collection;
+import java.util.Comparator;
 import java.util.Locale;
 import java.util.Set;
 import java.util.stream.Collectors;
 import org.evoloop.roomba.oi.Button;
 import org.evoloop.roomba.oi.OiMode;
+import org.evoloop.roomba.simulator.body.Surroundings;
+import org.evoloop.roomba.simulator.room.Pose;
 
 /**
  * The truth about a simulated robot at one moment, whatever its sensors tell.
  *
  * @param timeMillis since the robot was made
- * @param xMm of the robot's centre; it begins at 0, and x is where it looked then
- * @param yMm to the left of x
- * @param headingDeg from x, counterclockwise, -180 to 180
+ * @param pose where the robot's centre is in its room, and where it looks
  * @param leftMmPerS how fast the left wheel turns
  * @param rightMmPerS how fast the right wheel turns
  * @param pressed the buttons held down
  * @param streaming whether frames are being sent
+ * @param surroundings what bumps, cliffs, wheel drops and the dock are to the robot
+ * @param asleep whether it hears and says nothing until it is woken
+ * @param batteryPercent how full the battery is
+ * @param charging whether the dock fills it
+ * @param baud the rate of the robot's port
  */
 public record RobotState(
         long timeMillis,
         Activity activity,
         OiMode oiMode,
-        double xMm,
-        double yMm,
-        double headingDeg,
+        Pose pose,
         double leftMmPerS,
         double rightMmPerS,
         Set<Button> pressed,
-        boolean streaming) {
+        boolean streaming,
+        Surroundings surroundings,
+        boolean asleep,
+        int batteryPercent,
+        boolean charging,
+        int baud) {
 
     public RobotState {
         pressed = Set.copyOf(pressed);
     }
 
-    /** One line, its keys the components' names in their order; names of activity, mode and buttons in lower case. */
+    public double xMm() {
+        return pose.xMm();
+    }
+
+    public double yMm() {
+        return pose.yMm();
+    }
+
+    /** From the x axis, counterclockwise, -180 to 180. */
+    public double headingDeg() {
+        return pose.headingDeg();
+    }
+
+    /**
+     * One line with these keys in this order: timeMillis, activity, oiMode, xMm, yMm, headingDeg, leftMmPerS,
+     * rightMmPerS, pressed, streaming, docked, charging, lifted, asleep, batteryPercent, bumps, cliffs, wheelDrops,
+     * baud. Keys may be added at the end. Names of activity, mode, buttons and sensors are in lower case.
+     */
     public String toJson() {
-        String buttons = pressed.stream().sorted().map(RobotState::quoted).collect(Collectors.joining(",", "[", "]"));
         return String.format(
                 Locale.ROOT,
                 "{\"timeMillis\":%d,\"activity\":%s,\"oiMode\":%s,\"xMm\":%.1f,\"yMm\":%.1f,\"headingDeg\":%.2f,"
-                        + "\"leftMmPerS\":%.1f,\"rightMmPerS\":%.1f,\"pressed\":%s,\"streaming\":%b}",
+                        + "\"leftMmPerS\":%.1f,\"rightMmPerS\":%.1f,\"pressed\":%s,\"streaming\":%b,"
+                        + "\"docked\":%b,\"charging\":%b,\"lifted\":%b,\"asleep\":%b,\"batteryPercent\":%d,"
+                        + "\"bumps\":%s,\"cliffs\":%s,\"wheelDrops\":%s,\"baud\":%d}",
                 timeMillis,
                 quoted(activity),
                 quoted(oiMode),
-                xMm,
-                yMm,
-                headingDeg,
+                xMm(),
+                yMm(),
+                headingDeg(),
                 leftMmPerS,
                 rightMmPerS,
-                buttons,
-                streaming);
+                list(pressed),
+                streaming,
+                surroundings.docked(),
+                charging,
+                surroundings.lifted(),
+                asleep,
+                batteryPercent,
+                list(surroundings.bumps()),
+                list(surroundings.cliffs()),
+                list(surroundings.wheelDrops()),
+                baud);
+    }
+
+    private static String list(Collection<? extends Enum<?>> values) {
+        return values.stream()
+                .sorted(Comparator.comparingInt(Enum::ordinal))
+                .map(RobotState::quoted)
+                .collect(Collectors.joining(",", "[", "]"));
     }
 
     private static String quoted(Enum<?> value) {

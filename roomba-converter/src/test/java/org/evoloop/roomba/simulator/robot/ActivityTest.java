@@ -146,7 +146,8 @@ class ActivityTest {
     @Test
     void spotLastsItsTimeEndsByItselfAndWhereItBegan() {
         for (int durationMillis : new int[] {RobotOptions.SHORTEST_SPOT_MILLIS, 20_000, 45_000, 90_000}) {
-            Bench bench = new Bench(RobotOptions.defaults().withSpotDurationMillis(durationMillis));
+            Bench bench = new Bench(
+                    RobotOptions.builder().spotDurationMillis(durationMillis).build());
             bench.send(Bench.START, Bench.SAFE, new ActuatorCommand.DriveDirect(200, 100))
                     .seconds(3)
                     .send(new ActuatorCommand.DriveDirect(0, 0))

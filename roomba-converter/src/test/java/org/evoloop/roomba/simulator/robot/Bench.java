@@ -1,6 +1,7 @@
 package org.evoloop.roomba.simulator.robot;
 
 import java.io.ByteArrayOutputStream;
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import org.evoloop.roomba.oi.Command;
@@ -30,7 +31,12 @@ final class Bench {
 
     /** A robot in this mode; awake in Safe and Full, else in standby. */
     static Bench in(OiMode mode) {
-        Bench bench = new Bench();
+        return in(mode, RobotOptions.defaults());
+    }
+
+    /** A robot in this mode; awake in Safe and Full, else in standby. */
+    static Bench in(OiMode mode, RobotOptions options) {
+        Bench bench = new Bench(options);
         switch (mode) {
             case OFF -> {}
             case PASSIVE -> bench.send(START);
@@ -67,6 +73,19 @@ final class Bench {
         byte[] bytes = sent.toByteArray();
         sent.reset();
         return bytes;
+    }
+
+    /** What the robot has sent since the last look, as text. */
+    String sentText() {
+        return new String(sent(), StandardCharsets.ISO_8859_1);
+    }
+
+    /** Pulls the wake line low for so long. */
+    Bench pulse(int millis) {
+        robot.wakeLine(true);
+        ticks((millis + SimulatedRoomba.TICK_MILLIS - 1) / SimulatedRoomba.TICK_MILLIS);
+        robot.wakeLine(false);
+        return this;
     }
 
     /** The frames among what the robot has sent since the last look. */

@@ -1,4 +1,4 @@
-package org.evoloop.roomba.simulator.body;
+package org.evoloop.roomba.simulator.room;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.offset;

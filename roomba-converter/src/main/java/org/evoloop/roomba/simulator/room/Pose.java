@@ -1,7 +1,10 @@
-package org.evoloop.roomba.simulator.body;
+package org.evoloop.roomba.simulator.room;
+
+import java.util.Locale;
 
 /**
- * Where the robot's centre is and where it looks. The robot begins at the origin and looks along x; y is to its left.
+ * Where the robot's centre is and where it looks. Without a room the robot begins at the origin and looks along x; y is
+ * to its left.
  *
  * @param headingRad from the x axis, counterclockwise, -pi to pi
  */
@@ -35,6 +38,40 @@ public record Pose(double xMm, double yMm, double headingRad) {
     /** From the x axis, counterclockwise, -180 to 180. */
     public double headingDeg() {
         return Math.toDegrees(headingRad);
+    }
+
+    public Point center() {
+        return new Point(xMm, yMm);
+    }
+
+    /** The same heading somewhere else. */
+    public Pose at(Point center) {
+        return new Pose(center.xMm(), center.yMm(), headingRad);
+    }
+
+    /** The point this far ahead of the centre, and this far to the left of that. */
+    public Point ahead(double forwardMm, double leftMm) {
+        double cos = Math.cos(headingRad);
+        double sin = Math.sin(headingRad);
+        return new Point(xMm + forwardMm * cos - leftMm * sin, yMm + forwardMm * sin + leftMm * cos);
+    }
+
+    /** How far a point is ahead of the centre (x) and to the left of it (y); the inverse of {@link #ahead}. */
+    public Point seen(Point point) {
+        double cos = Math.cos(headingRad);
+        double sin = Math.sin(headingRad);
+        Point away = point.minus(center());
+        return new Point(away.xMm() * cos + away.yMm() * sin, away.yMm() * cos - away.xMm() * sin);
+    }
+
+    /** For messages: {@code (1200, -30) mm, 90 degrees}. */
+    public String describe() {
+        return String.format(Locale.ROOT, "(%.0f, %.0f) mm, %.0f degrees", xMm, yMm, headingDeg());
+    }
+
+    /** How far away a point is. */
+    public double distanceMmTo(Point point) {
+        return distanceMmTo(point.xMm(), point.yMm());
     }
 
     /** How far away a point is. */

@@ -1,0 +1,32 @@
+package org.evoloop.benchmarks;
+
+import org.evoloop.evolution.ModelPair;
+import org.evoloop.statemachine.StateMachine;
+
+/** The paper's cleaning robot, the same as {@code models/cleaning-robot.xml}: a forked JVM needs no file. */
+final class PaperModels {
+    private PaperModels() {}
+
+    static ModelPair cleaningRobot() {
+        return new ModelPair(
+                StateMachine.named("original")
+                        .initial("Off")
+                        .transition("Off", "Clean", "On")
+                        .transition("On", "Clean", "Clean")
+                        .transition("On", "Spot", "Spot")
+                        .transition("Clean", "Clean", "On")
+                        .transition("Spot", "endSpot", "On")
+                        .build(),
+                StateMachine.named("new")
+                        .initial("Off")
+                        .transition("Off", "Clean", "On")
+                        .transition("On", "Spot", "Move")
+                        .transition("On", "Clean", "Clean")
+                        .transition("Move", "arriveSpot", "Spot")
+                        .transition("Spot", "endSpot", "On")
+                        .transition("Clean", "Clean", "SpotWait")
+                        .transition("SpotWait", "timeout", "On")
+                        .transition("SpotWait", "Clean", "Spot")
+                        .build());
+    }
+}

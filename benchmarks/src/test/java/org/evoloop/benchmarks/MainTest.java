@@ -1,0 +1,33 @@
+package org.evoloop.benchmarks;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class MainTest {
+    private final StringWriter errors = new StringWriter();
+
+    private int run(String... arguments) {
+        return Main.commandLine().setErr(new PrintWriter(errors, true)).execute(arguments);
+    }
+
+    @Test
+    void namesAnOptionThatThereIsNot() {
+        assertThat(run("--slowly")).isEqualTo(2);
+        assertThat(errors.toString()).contains("--slowly").contains("./evoloop bench --help");
+    }
+
+    @Test
+    void saysBeforeItMeasuresThatTheFileCannotBeWritten(@TempDir Path directory) {
+        Path file = directory.resolve("missing").resolve("results.json");
+
+        assertThat(run("--json", file.toString())).isEqualTo(2);
+        assertThat(errors.toString())
+                .isEqualToIgnoringNewLines(
+                        "error: --json: cannot write " + file + "; name a file in a directory that exists");
+    }
+}

@@ -1,0 +1,198 @@
+package org.evoloop.converter;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.Set;
+import org.evoloop.PaperModels;
+import org.evoloop.evolution.ModelPair;
+import org.evoloop.evolution.Step;
+import org.evoloop.function.NewFunction;
+import org.evoloop.loop.LoopConfig;
+import org.evoloop.loop.LoopState;
+import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.ModelException;
+import org.evoloop.statemachine.StateMachine;
+import org.evoloop.time.ManualClock;
+import org.junit.jupiter.api.Test;
+
+/** What {@link SystemEventConverter#build} refuses, in one message that names everything. */
+class ConverterBuildTest {
+    private final SystemEventConverter converter = new SystemEventConverter(
+            LoopConfig.defaults("robot", new ManualClock()).withoutThreads());
+
+    private static final class Device extends EventExecute {
+        private final Set<String> sendable;
+
+        Device(String... sendable) {
+            this.sendable = Set.of(sendable);
+        }
+
+        @Override
+        protected Set<String> sendableEvents() {
+            return sendable;
+        }
+
+        @Override
+        protected void send(Step step) {}
+    }
+
+    /** Knowledge whose functions are registered from outside; tests may, since they live in its package. */
+    private static StateKnowledge complete(ModelPair pair) {
+        StateKnowledge knowledge = new StateKnowledge(pair);
+        knowledge.function("Move", NewFunction.none());
+        knowledge.function("SpotWait", NewFunction.none());
+        return knowledge;
+    }
+
+    @Test
+    void namesEverythingThatIsMissing() {
+        assertThatThrownBy(converter::build)
+                .isInstanceOf(IllegalStateException.class)
+                .hasMessage("converter robot: no knowledge, call addKnowledge; no execute component, call addExecute");
+        converter.addKnowledge(complete(PaperModels.cleaningRobot()));
+        assertThatThrownBy(converter::build)
+                .isInstanceOf(IllegalStateException.class)
+                .hasMessage("converter robot: no execute component, call addExecute");
+        converter.addExecute(new Device("Clean", "Spot"));
+        converter.build();
+        assertThat(converter.status().loop()).isEqualTo(LoopState.STOPPED);
+        assertThatThrownBy(converter::build)
+                .isInstanceOf(IllegalStateException.class)
+                .hasMessage("converter robot has been built before");
+    }
+
+    @Test
+    void isOfNoUseBeforeItIsBuilt() {
+        for (Runnable use : List.<Runnable>of(
+                converter::start, converter::stop, converter::status, converter::history, converter::knowledge)) {
+            assertThatThrownBy(use::run)
+                    .isInstanceOf(IllegalStateException.class)
+                    .hasMessage("converter robot is not built yet");
+        }
+        converter.close();
+    }
+
+    @Test
+    void refusesOptionsThatAreOutOfRange() {
+        SystemEventConverter wrong = new SystemEventConverter(LoopConfig.defaults("robot", new ManualClock())
+                .withQueueCapacity(0)
+                .withJoinLimit(Duration.ZERO));
+        wrong.addKnowledge(complete(PaperModels.cleaningRobot()));
+        wrong.addExecute(new Device("Clean", "Spot"));
+        assertThatThrownBy(wrong::build)
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessage("queueCapacity is 0, allowed is 1 to 1000000; joinLimit is PT0S, allowed is 1 ms to 1 min");
+    }
+
+    @Test
+    void refusesSecondKnowledgeAndASecondComponentOfTheSameName() {
+        converter.addKnowledge(complete(PaperModels.cleaningRobot()));
+        assertThatThrownBy(() -> converter.addKnowledge(complete(PaperModels.cleaningRobot())))
+                .isInstanceOf(IllegalStateException.class)
+                .hasMessage("there is knowledge already, StateKnowledge");
+        converter.addExecute(new Device("Clean"));
+        assertThatThrownBy(() -> converter.addExecute(new Device("Spot")))
+                .isInstanceOf(IllegalStateException.class)
+                .hasMessage("there is a component named Device already; give one of them another name");
+    }
+
+    @Test
+    void namesEveryViolationOfTheTwoConditions() {
+        ModelPair torn = new ModelPair(
+                StateMachine.named("original")
+                        .initial("Off")
+                        .transition("Off", "Clean", "On")
+                        .transition("On", "Spot", "Spot")
+                        .build(),
+                StateMachine.named("new")
+                        .initial("Idle")
+                        .transition("Idle", "Clean", "On")
+                        .transition("On", "Dock", "Docked")
+                        .build());
+        assertThatThrownBy(() -> new StateKnowledge(torn))
+                .isInstanceOf(ModelException.class)
+                .hasMessage("the models 'original' and 'new' are not an evolution: "
+                        + "Condition 1: event Spot is missing in the new model; "
+                        + "Condition 2: state Off is missing in the new model; "
+                        + "Condition 2: state Spot is missing in the new model; "
+                        + "the new model starts in Idle, the device in Off. "
+                        + "Keep what the device has and add to it: names must be equal, capital letters included");
+    }
+
+    @Test
+    void namesEverythingThatDoesNotFitInOneMessage() {
+        StateKnowledge knowledge = new StateKnowledge(PaperModels.cleaningRobot());
+        knowledge.function("Dance", NewFunction.none());
+        knowledge.function("Clean", NewFunction.none());
+        knowledge.timer("Clean", "timeout", Duration.ofSeconds(1));
+        knowledge.timer("SpotWait", "timeout", Duration.ofSeconds(-1));
+        knowledge.putTransition("On", "Dance", NewFunction.none(), "Spot");
+        knowledge.putTransition("On", "Clean", NewFunction.none(), "Clean");
+        converter.addKnowledge(knowledge);
+        converter.addMonitor(new PushMonitor("Panel") {
+            @Override
+            protected Set<String> spontaneousEvents() {
+                return Set.of("Dock");
+            }
+        });
+        converter.addExecute(new Device("Clean", "Max"));
+
+        assertThatThrownBy(converter::build)
+                .isInstanceOf(ModelException.class)
+                .satisfies(refusal -> assertThat(
+                                String.valueOf(refusal.getMessage()).lines())
+                        .containsExactlyInAnyOrder(
+                                "a function is registered for Dance, which is not a state of the new model",
+                                "a function is registered for Clean, but the device itself has that state",
+                                "a timer raises timeout in Clean, where the new model has no transition for it",
+                                "the timer that raises timeout in SpotWait has the negative delay PT-1S",
+                                "an action is registered for On --Spot--> Dance, which the new model does not have",
+                                "an action is registered for On --Clean--> Clean, but its target is a state of the "
+                                        + "device",
+                                "new state Move has no function: register one in registerNewFunctions, "
+                                        + "NewFunction.none() if nothing has to run",
+                                "the device cannot become what 'new' asks for:",
+                                "  Device can send Max, which is not an event of the original model 'original'",
+                                "  Panel names as the device's own Dock, which is not an event of the original model "
+                                        + "'original'",
+                                "  no plan in (Clean, SpotWait): event Clean leads to Spot, but with the device in "
+                                        + "Clean no events that can be sent take it there (sendable: Clean, Max)",
+                                "  no plan in (On, Move): event arriveSpot leads to Spot, but with the device in On "
+                                        + "no events that can be sent take it there (sendable: Clean, Max)"));
+    }
+
+    @Test
+    void canBeMendedAndBuiltAfterItWasRefused() {
+        StateKnowledge knowledge = new StateKnowledge(PaperModels.cleaningRobot());
+        knowledge.function("Move", NewFunction.none());
+        converter.addKnowledge(knowledge);
+        converter.addExecute(new Device("Clean", "Spot"));
+        assertThatThrownBy(converter::build).hasMessageContaining("new state SpotWait has no function");
+        knowledge.function("SpotWait", NewFunction.none());
+        converter.build();
+        converter.start();
+        assertThat(converter.status().loop()).isEqualTo(LoopState.RUNNING);
+        converter.close();
+    }
+
+    @Test
+    void aTimerOrAnActionOnEveryWayInIsAsGoodAsAFunction() {
+        StateKnowledge knowledge = new StateKnowledge(PaperModels.cleaningRobot());
+        knowledge.timer("SpotWait", "timeout", Duration.ofSeconds(5));
+        knowledge.putTransition("On", "Move", NewFunction.none(), "Spot");
+        converter.addKnowledge(knowledge);
+        converter.addExecute(new Device("Clean", "Spot"));
+        converter.build();
+        assertThat(converter
+                        .knowledge()
+                        .getTransition(knowledge.models().original().initial(), event("Spot")))
+                .isEmpty();
+    }
+
+    private static Event event(String name) {
+        return new Event(name);
+    }
+}

@@ -1,0 +1,277 @@
+package org.evoloop.converter;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.evoloop.converter.LiveRobot.await;
+import static org.evoloop.converter.LiveRobot.awaitDeaf;
+import static org.evoloop.converter.LiveRobot.take;
+import static org.evoloop.converter.Robot.at;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.util.Set;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.atomic.AtomicBoolean;
+import org.evoloop.converter.HistoryEntry.Outcome;
+import org.evoloop.evolution.Decision;
+import org.evoloop.evolution.Occurrence;
+import org.evoloop.function.NewFunction;
+import org.evoloop.loop.ComponentStatus;
+import org.evoloop.loop.ComponentStatus.Activity;
+import org.evoloop.statemachine.ModelException;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** Components that are exchanged and removed while a converter runs. */
+@Timeout(60)
+class ExchangeUnderWayTest {
+    private final CountDownLatch hanging = new CountDownLatch(1);
+    private final CountDownLatch atLast = new CountDownLatch(1);
+
+    /** A robot on the way from cleaning to spot cleaning, paused already, whose device hangs when it shall spot. */
+    private LiveRobot inTheMiddleOfTheDetour(LiveRobot.Taking hangs) throws InterruptedException {
+        LiveRobot robot = new LiveRobot(NewFunction.none(), 8, made -> {
+            made.converter.addExecute(made.device("Device", step -> {
+                if (step.event().name().equals("Spot")) {
+                    hangs.take(step);
+                }
+            }));
+        });
+        robot.press("Clean", "Clean", "Clean").awaitSpotWait();
+        robot.panel.press("Clean");
+        await(hanging);
+        robot.sent.clear();
+        return robot;
+    }
+
+    @Test
+    void aComponentThatIsExchangedInTheMiddleOfADetourLeavesTheRestToTheNextPress() throws InterruptedException {
+        try (LiveRobot robot = inTheMiddleOfTheDetour(step -> {
+            hanging.countDown();
+            atLast.await();
+        })) {
+            robot.converter.exchange("Device", robot.device("Spare"));
+
+            HistoryEntry failed = robot.awaitHistory(4);
+            assertThat(failed.outcome()).isEqualTo(Outcome.FAILED);
+            assertThat(failed.detail()).isEqualTo("Device.execute: was interrupted: it did not return within 50 ms");
+            assertThat(failed.after()).isEqualTo(at("On", "SpotWait"));
+
+            robot.press("Clean");
+            assertThat(take(robot.sent)).isEqualTo("Spare:Spot");
+            assertThat(robot.states()).isEqualTo(at("Spot", "Spot"));
+        }
+    }
+
+    @Test
+    void theStateThatAnExchangePreventedFromBeingLeftIsEnteredAnew() throws InterruptedException {
+        try (LiveRobot robot = inTheMiddleOfTheDetour(step -> {
+            hanging.countDown();
+            atLast.await();
+        })) {
+            robot.converter.exchange("Device", robot.device("Spare"));
+            robot.awaitSpotWait();
+            robot.clock.advance(Duration.ofMillis(4999));
+            robot.press("Spot");
+            assertThat(robot.states()).isEqualTo(at("On", "SpotWait"));
+            robot.clock.advance(Duration.ofMillis(1));
+            robot.awaitStates("On", "On");
+        }
+    }
+
+    @Test
+    void aDeafComponentThatWasExchangedReturnsIntoTheVoid() throws InterruptedException {
+        try (LiveRobot robot = inTheMiddleOfTheDetour(step -> {
+            hanging.countDown();
+            awaitDeaf(atLast);
+        })) {
+            robot.converter.exchange("Device", robot.device("Spare"));
+            robot.press("Clean");
+            assertThat(take(robot.sent)).isEqualTo("Spare:Spot");
+
+            atLast.countDown();
+            assertThat(take(robot.sent)).isEqualTo("Device:Spot");
+            robot.press("endSpot", "Clean");
+            assertThat(robot.states()).isEqualTo(at("Clean", "Clean"));
+            assertThat(robot.converter.history())
+                    .extracting(HistoryEntry::outcome)
+                    .doesNotContain(Outcome.STALE);
+        }
+    }
+
+    @Test
+    void aDeafAnalyzeThatWasExchangedCannotMixUpTheEventsOfItsSuccessor() throws InterruptedException {
+        CountDownLatch returned = new CountDownLatch(1);
+        DecisionAnalyze deaf = new DecisionAnalyze() {
+            @Override
+            protected @Nullable Decision analyze(Occurrence occurrence) {
+                hanging.countDown();
+                awaitDeaf(atLast);
+                try {
+                    return super.analyze(occurrence);
+                } finally {
+                    returned.countDown();
+                }
+            }
+        };
+        try (LiveRobot robot = new LiveRobot(NewFunction.none(), 8, made -> {
+            made.converter.addAnalyze(deaf);
+            made.converter.addExecute(made.device("Device"));
+        })) {
+            robot.panel.press("Spot");
+            await(hanging);
+            CountDownLatch analyzed = new CountDownLatch(1);
+            CountDownLatch planning = new CountDownLatch(1);
+            robot.converter.exchange(deaf.name(), new DecisionAnalyze() {
+                @Override
+                protected @Nullable Decision analyze(Occurrence occurrence) {
+                    Decision decision = super.analyze(occurrence);
+                    analyzed.countDown();
+                    awaitDeaf(planning);
+                    return decision;
+                }
+            });
+            assertThat(robot.awaitHistory(1).outcome()).isEqualTo(Outcome.FAILED);
+            robot.panel.press("Clean");
+            await(analyzed);
+            atLast.countDown();
+            await(returned);
+            planning.countDown();
+
+            assertThat(robot.awaitHistory(2).occurrence().event().name()).isEqualTo("Clean");
+            assertThat(robot.states()).isEqualTo(at("On", "On"));
+        }
+    }
+
+    @Test
+    void aRefusedChangeDoesNotHoldTheLoopUpThatItHasInterrupted() throws InterruptedException {
+        try (LiveRobot robot = inTheMiddleOfTheDetour(step -> {
+            hanging.countDown();
+            atLast.await();
+        })) {
+            assertThatThrownBy(() -> robot.converter.addPlan(new DecisionPlan() {}))
+                    .isInstanceOf(IllegalStateException.class)
+                    .hasMessageContaining("there is a component of the role PLAN already, DecisionPlan");
+            assertThat(robot.awaitHistory(4).outcome()).isEqualTo(Outcome.FAILED);
+            robot.press("Spot");
+            assertThat(robot.awaitHistory(5).outcome()).isEqualTo(Outcome.IGNORED);
+        }
+    }
+
+    @Test
+    void aMonitorThatHangsIsReplacedAndItsSuccessorIsHeard() throws InterruptedException {
+        CountDownLatch monitoring = new CountDownLatch(1);
+        try (LiveRobot robot = new LiveRobot(NewFunction.none(), 8, made -> {
+            made.converter.addMonitor(new EventMonitor("Hanging") {
+                @Override
+                protected @Nullable Occurrence getEvent() throws InterruptedException {
+                    monitoring.countDown();
+                    new CountDownLatch(1).await();
+                    return null;
+                }
+            });
+            made.converter.addExecute(made.device("Device"));
+        })) {
+            await(monitoring);
+            PushMonitor successor = new PushMonitor("Successor");
+            robot.converter.exchange("Hanging", successor);
+            successor.press("Clean");
+            robot.press("Clean");
+            robot.awaitStates("Clean", "Clean");
+            assertThat(robot.converter.status().components())
+                    .filteredOn(component -> component.name().equals("Successor"))
+                    .extracting(ComponentStatus::activity)
+                    .containsExactly(Activity.WAITING);
+        }
+    }
+
+    @Test
+    void sparesAreExchangedByName() throws InterruptedException {
+        try (LiveRobot robot = new LiveRobot(NewFunction.none())) {
+            robot.converter.addSpare("spareDevice", () -> robot.device("Second"));
+            robot.converter.addSpare("sparePanel", () -> new PushMonitor("SecondPanel"));
+            assertThat(robot.converter.spares()).containsExactly("spareDevice", "sparePanel");
+
+            robot.converter.exchange("Device", "spareDevice");
+            robot.press("Clean", "Clean");
+            assertThat(take(robot.sent)).isEqualTo("Second:Clean");
+
+            assertThatThrownBy(() -> robot.converter.exchange("Second", "spareWheel"))
+                    .isInstanceOf(IllegalArgumentException.class)
+                    .hasMessage("no spare is named spareWheel; there are spareDevice, sparePanel");
+            assertThatThrownBy(() -> robot.converter.exchange("Second", "sparePanel"))
+                    .isInstanceOf(IllegalArgumentException.class)
+                    .hasMessageContaining("Second is a component of the role EXECUTE");
+            assertThatThrownBy(() -> robot.converter.exchange("First", "spareDevice"))
+                    .isInstanceOf(IllegalArgumentException.class)
+                    .hasMessageContaining("no component is named First; there are Panel,");
+            robot.press("Clean");
+            assertThat(robot.states()).isEqualTo(at("Clean", "SpotWait"));
+        }
+    }
+
+    @Test
+    void whatWouldLeaveDecisionsThatNobodyCanCarryOutIsRefused() throws InterruptedException {
+        try (LiveRobot robot = new LiveRobot(NewFunction.none(), 8, made -> {
+            made.converter.addExecute(made.new Device("Cleaner", Set.of("Clean"), step -> {}));
+            made.converter.addExecute(made.new Device("Spotter", Set.of("Spot"), step -> {}));
+        })) {
+            String noWay = "no plan in (On, Move): event arriveSpot leads to Spot, but with the device in On no events "
+                    + "that can be sent take it there (sendable: Clean)";
+            assertThatThrownBy(() -> robot.converter.remove("Spotter"))
+                    .isInstanceOf(ModelException.class)
+                    .hasMessageStartingWith("the device cannot become what 'new' asks for:\n  ")
+                    .hasMessageContaining(noWay);
+            assertThatThrownBy(() ->
+                            robot.converter.exchange("Spotter", robot.new Device("Other", Set.of("Clean"), step -> {})))
+                    .isInstanceOf(ModelException.class)
+                    .hasMessageContaining(noWay);
+            assertThatThrownBy(() -> robot.converter.exchange(
+                            "Spotter", robot.new Device("Other", Set.of("Spot", "Dock"), step -> {})))
+                    .isInstanceOf(ModelException.class)
+                    .hasMessageContaining(
+                            "Other can send Dock, which is not an event of the original model 'original'");
+            assertThatThrownBy(() -> robot.converter.addExecute(robot.new Device("Third", Set.of("Max"), step -> {})))
+                    .isInstanceOf(ModelException.class)
+                    .hasMessageContaining("Third can send Max");
+
+            robot.press("Clean", "Clean", "Clean", "Clean");
+            assertThat(robot.sent).containsExactly("Cleaner:Clean", "Cleaner:Clean", "Cleaner:Clean", "Spotter:Spot");
+        }
+    }
+
+    @Test
+    void theOnlyComponentOfARoleIsExchangedNotRemoved() {
+        try (LiveRobot robot = new LiveRobot(NewFunction.none())) {
+            for (String needed : new String[] {"DecisionAnalyze", "DecisionPlan", "Device"}) {
+                assertThatThrownBy(() -> robot.converter.remove(needed))
+                        .isInstanceOf(IllegalStateException.class)
+                        .hasMessageContaining("exchange it instead");
+            }
+            assertThatThrownBy(() -> robot.converter.remove("Nobody")).isInstanceOf(IllegalArgumentException.class);
+            robot.press("Clean");
+            assertThat(robot.states()).isEqualTo(at("On", "On"));
+        }
+    }
+
+    @Test
+    void anExecuteThatFailsCanBeExchangedBetweenTwoEvents() throws InterruptedException {
+        AtomicBoolean broken = new AtomicBoolean(true);
+        try (LiveRobot robot = new LiveRobot(NewFunction.none(), 8, made -> {
+            made.converter.addExecute(made.device("Device", step -> {
+                if (broken.get()) {
+                    throw new IOException("the cable is out");
+                }
+            }));
+        })) {
+            robot.press("Clean");
+            robot.converter.exchange("Device", robot.device("Device"));
+            robot.press("Clean");
+            assertThat(robot.states()).isEqualTo(at("On", "On"));
+            assertThat(robot.component("Device").failures())
+                    .as("a new component starts with a clean record")
+                    .isZero();
+        }
+    }
+}

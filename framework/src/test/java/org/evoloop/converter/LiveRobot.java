@@ -1,0 +1,189 @@
+package org.evoloop.converter;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.Set;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
+import org.evoloop.PaperModels;
+import org.evoloop.evolution.Configuration;
+import org.evoloop.evolution.Step;
+import org.evoloop.function.NewFunction;
+import org.evoloop.loop.ComponentStatus;
+import org.evoloop.loop.LoopConfig;
+import org.evoloop.time.ManualClock;
+
+/** The paper's cleaning robot as a converter with threads under a manual clock; its parts do what a test makes them do. */
+final class LiveRobot implements AutoCloseable {
+    static final Duration STEP_LIMIT = Duration.ofSeconds(30);
+    static final Duration SHORT_JOIN = Duration.ofMillis(50);
+    private static final int PATIENCE_SECONDS = 20;
+
+    final ManualClock clock = new ManualClock();
+    final Robot.Panel panel = new Robot.Panel();
+    final BlockingQueue<String> sent = new LinkedBlockingQueue<>();
+    final BlockingQueue<String> heard = new LinkedBlockingQueue<>();
+    final SystemEventConverter converter;
+    private final BlockingQueue<Long> spotWaits = new LinkedBlockingQueue<>();
+
+    /** A robot whose device takes whatever is sent, and whose Move does {@code move}. */
+    LiveRobot(NewFunction move) {
+        this(move, 8, robot -> robot.converter.addExecute(robot.device("Device")));
+    }
+
+    /** @param parts adds the execute components, and whatever else is not usual */
+    LiveRobot(NewFunction move, int queueCapacity, Consumer<LiveRobot> parts) {
+        converter = new SystemEventConverter(LoopConfig.defaults("robot", clock)
+                .withQueueCapacity(queueCapacity)
+                .withStepLimit(STEP_LIMIT)
+                .withJoinLimit(SHORT_JOIN));
+        converter.addMonitor(panel);
+        converter.addKnowledge(new StateKnowledge(PaperModels.cleaningRobot()) {
+            @Override
+            protected void registerNewFunctions() {
+                function("Move", move);
+                function("SpotWait", visit -> {
+                    visit.finishAfter(Duration.ofSeconds(5), "timeout");
+                    spotWaits.add(visit.number());
+                });
+            }
+        });
+        parts.accept(this);
+        converter.build();
+        converter.start();
+    }
+
+    /** How a device takes an event. */
+    interface Taking {
+        void take(Step step) throws Exception;
+    }
+
+    Device device(String name) {
+        return device(name, step -> {});
+    }
+
+    /** A device that notes every event once {@code taking} has returned. */
+    Device device(String name, Taking taking) {
+        return new Device(name, Set.of("Clean", "Spot"), taking);
+    }
+
+    final class Device extends EventExecute {
+        private final Set<String> sendable;
+        private final Taking taking;
+
+        Device(String name, Set<String> sendable, Taking taking) {
+            super(name);
+            this.sendable = sendable;
+            this.taking = taking;
+        }
+
+        @Override
+        protected Set<String> sendableEvents() {
+            return sendable;
+        }
+
+        @Override
+        protected void send(Step step) throws Exception {
+            taking.take(step);
+            sent.add(name() + ":" + step.event());
+        }
+
+        @Override
+        protected void settled(Configuration now) {
+            heard.add(name() + " settled at " + now);
+        }
+
+        @Override
+        protected void released() {
+            heard.add(name() + " released");
+        }
+    }
+
+    /** Presses controller buttons one after the other, each once the one before has been dealt with. */
+    LiveRobot press(String... events) {
+        for (String event : events) {
+            int before = converter.history().size();
+            panel.press(event);
+            awaitHistory(before + 1);
+        }
+        return this;
+    }
+
+    /** Waits until so many events have come to their end; returns the last. */
+    HistoryEntry awaitHistory(int entries) {
+        until(() -> converter.history().size() >= entries);
+        List<HistoryEntry> all = converter.history();
+        return all.get(all.size() - 1);
+    }
+
+    LiveRobot awaitStates(String original, String evolved) {
+        until(() -> states().equals(Robot.at(original, evolved)));
+        return this;
+    }
+
+    /** Waits until the function of SpotWait has begun once more and set its timer. */
+    LiveRobot awaitSpotWait() throws InterruptedException {
+        take(spotWaits);
+        return this;
+    }
+
+    Configuration states() {
+        return converter.knowledge().configuration();
+    }
+
+    ComponentStatus component(String name) {
+        return converter.status().components().stream()
+                .filter(component -> component.name().equals(name))
+                .findFirst()
+                .orElseThrow();
+    }
+
+    /** Waits for something that no latch tells. */
+    static void until(BooleanSupplier holds) {
+        long deadline = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
+        while (!holds.getAsBoolean()) {
+            if (System.nanoTime() > deadline) {
+                throw new AssertionError("never came to hold");
+            }
+            Thread.onSpinWait();
+        }
+    }
+
+    static void await(CountDownLatch latch) throws InterruptedException {
+        if (!latch.await(PATIENCE_SECONDS, TimeUnit.SECONDS)) {
+            throw new AssertionError("never happened");
+        }
+    }
+
+    /** Waits like code that was written by somebody who has not heard of interrupts. */
+    static void awaitDeaf(CountDownLatch latch) {
+        boolean interrupted = false;
+        while (latch.getCount() > 0) {
+            try {
+                latch.await();
+            } catch (InterruptedException ignored) {
+                interrupted = true;
+            }
+        }
+        if (interrupted) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    static <T> T take(BlockingQueue<T> queue) throws InterruptedException {
+        T taken = queue.poll(PATIENCE_SECONDS, TimeUnit.SECONDS);
+        if (taken == null) {
+            throw new AssertionError("nothing came");
+        }
+        return taken;
+    }
+
+    @Override
+    public void close() {
+        converter.close();
+    }
+}

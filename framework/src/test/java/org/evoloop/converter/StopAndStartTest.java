@@ -1,0 +1,200 @@
+package org.evoloop.converter;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.evoloop.converter.LiveRobot.await;
+import static org.evoloop.converter.LiveRobot.awaitDeaf;
+import static org.evoloop.converter.LiveRobot.take;
+import static org.evoloop.converter.LiveRobot.until;
+import static org.evoloop.converter.Robot.at;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.util.Set;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.LinkedBlockingQueue;
+import org.evoloop.converter.HistoryEntry.Outcome;
+import org.evoloop.evolution.Configuration;
+import org.evoloop.evolution.Step;
+import org.evoloop.function.NewFunction;
+import org.evoloop.loop.LoopState;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+@Timeout(60)
+class StopAndStartTest {
+    private final CountDownLatch sending = new CountDownLatch(1);
+    private final CountDownLatch mayGo = new CountDownLatch(1);
+
+    @Test
+    void stopLetsTheEventInTheLoopComeToItsEndAndRefusesThoseThatWait() throws InterruptedException {
+        try (LiveRobot robot = new LiveRobot(NewFunction.none(), 8, made -> {
+            made.converter.addExecute(made.device("Device", step -> {
+                if (step.source().name().equals("On")) {
+                    sending.countDown();
+                    // Well within the time that a stop grants.
+                    until(() -> made.converter.status().loop() == LoopState.STOPPED);
+                }
+            }));
+        })) {
+            robot.press("Clean");
+            robot.panel.press("Clean");
+            await(sending);
+            robot.panel.press("Clean");
+            until(() -> robot.converter.status().queue().depth() == 1);
+
+            robot.converter.stop();
+
+            assertThat(robot.states()).isEqualTo(at("Clean", "Clean"));
+            assertThat(robot.converter.status().queue().refused()).isEqualTo(1);
+            assertThat(robot.converter.history())
+                    .extracting(HistoryEntry::outcome)
+                    .containsExactly(Outcome.HANDLED, Outcome.HANDLED);
+        }
+    }
+
+    @Test
+    void stopGivesUpAnEventThatDoesNotComeToItsEnd() throws InterruptedException {
+        try (LiveRobot robot = new LiveRobot(NewFunction.none(), 8, made -> {
+            made.converter.addExecute(made.device("Device", step -> {
+                sending.countDown();
+                awaitDeaf(mayGo);
+            }));
+        })) {
+            robot.panel.press("Clean");
+            await(sending);
+            robot.converter.stop();
+
+            assertThat(robot.converter.status().loop()).isEqualTo(LoopState.STOPPED);
+            assertThat(robot.awaitHistory(1).outcome()).isEqualTo(Outcome.FAILED);
+            assertThat(robot.converter.status().function().state()).isEmpty();
+            assertThat(robot.heard).contains("Device released");
+            mayGo.countDown();
+            assertThat(take(robot.sent)).isEqualTo("Device:Clean");
+            assertThat(robot.states()).isEqualTo(at("Off", "Off"));
+        }
+    }
+
+    @Test
+    void whatHappensWhileTheLoopIsClosedIsRefusedAndNeverComesLater() {
+        try (LiveRobot robot = new LiveRobot(NewFunction.none())) {
+            robot.press("Clean");
+            robot.converter.stop();
+            robot.panel.press("Clean");
+            robot.panel.pressed("Clean", true);
+            robot.panel.pressed("Spot", true);
+            until(() -> robot.converter.status().queue().refused() == 3);
+
+            robot.converter.start();
+            robot.press("Clean");
+            assertThat(robot.states()).isEqualTo(at("Clean", "Clean"));
+            assertThat(robot.converter.history()).hasSize(2);
+        }
+    }
+
+    @Test
+    void theFunctionEndsWithStopAndBeginsAnewWithStart() throws InterruptedException {
+        BlockingQueue<String> life = new LinkedBlockingQueue<>();
+        try (LiveRobot robot = new LiveRobot(visit -> {
+            life.add("begins");
+            try {
+                visit.awaitEnd();
+                life.add("is told");
+            } catch (InterruptedException left) {
+                life.add("is interrupted");
+            }
+        })) {
+            robot.press("Clean", "Spot");
+            assertThat(take(life)).isEqualTo("begins");
+            robot.converter.stop();
+            assertThat(take(life)).startsWith("is ");
+            assertThat(robot.converter.status().function()).isEqualTo(new ConverterStatus.RunningFunction("", ""));
+
+            robot.converter.start();
+            assertThat(take(life)).isEqualTo("begins");
+            assertThat(robot.converter.status().function())
+                    .isEqualTo(new ConverterStatus.RunningFunction("Move", "function-Move-4"));
+        }
+    }
+
+    @Test
+    void aTimerOfTheStateInWhichItWasStoppedStartsAnew() throws InterruptedException {
+        try (LiveRobot robot = new LiveRobot(NewFunction.none())) {
+            robot.press("Clean", "Clean", "Clean").awaitSpotWait();
+            robot.clock.advance(Duration.ofSeconds(4));
+            robot.converter.stop();
+            robot.clock.advance(Duration.ofSeconds(10));
+            robot.converter.start();
+            robot.awaitSpotWait();
+            robot.clock.advance(Duration.ofMillis(4999));
+            robot.press("Spot");
+            assertThat(robot.states()).isEqualTo(at("Clean", "SpotWait"));
+            robot.clock.advance(Duration.ofMillis(1));
+            robot.awaitStates("On", "On");
+        }
+    }
+
+    @Test
+    void executesAreToldBeforeTheLoopOpensAndAfterItHasClosed() {
+        try (LiveRobot robot = new LiveRobot(NewFunction.none())) {
+            robot.press("Clean");
+            robot.converter.stop();
+            robot.converter.stop();
+            robot.converter.start();
+            robot.converter.start();
+            robot.converter.close();
+            robot.converter.close();
+            assertThat(robot.heard)
+                    .containsExactly(
+                            "Device settled at (Off, Off)",
+                            "Device settled at (On, On)",
+                            "Device released",
+                            "Device settled at (On, On)",
+                            "Device released");
+        }
+    }
+
+    @Test
+    void anExecuteThatFailsInItsHooksHoldsNothingUp() {
+        EventExecute rude = new EventExecute("Rude") {
+            @Override
+            protected Set<String> sendableEvents() {
+                return Set.of("Clean", "Spot");
+            }
+
+            @Override
+            protected void send(Step step) {}
+
+            @Override
+            protected void settled(Configuration now) throws Exception {
+                throw new IOException("not now");
+            }
+
+            @Override
+            protected void released() throws Exception {
+                throw new IOException("never");
+            }
+        };
+        CountDownLatch moving = new CountDownLatch(1);
+        try (LiveRobot robot = new LiveRobot(visit -> moving.countDown(), 8, made -> made.converter.addExecute(rude))) {
+            robot.press("Clean", "Spot");
+            awaitDeaf(moving);
+            assertThat(robot.states()).isEqualTo(at("On", "Move"));
+            until(() -> robot.component("Rude").failures() == 2);
+            assertThat(robot.component("Rude").lastFailure()).isEqualTo("Rude.execute: not now");
+            robot.converter.stop();
+            assertThat(robot.converter.status().loop()).isEqualTo(LoopState.STOPPED);
+        }
+    }
+
+    @Test
+    void everyThreadEndsWithTheConverter() {
+        LiveRobot robot = new LiveRobot(visit -> visit.awaitEnd());
+        robot.press("Clean", "Spot");
+        robot.close();
+        assertThat(Thread.getAllStackTraces().keySet())
+                .extracting(Thread::getName)
+                .noneMatch(name -> name.startsWith("mapek-robot-") || name.startsWith("function-Move-"));
+        assertThat(robot.clock.pendingTasks()).isLessThanOrEqualTo(1);
+    }
+}

@@ -1,0 +1,21 @@
+package org.evoloop.roomba.simulator;
+
+import java.io.IOException;
+
+/** The cable between the robot and its client, which people can pull and plug in again. The robot does not mind. */
+public interface Cable {
+    /**
+     * Pulls the cable: the client sees a hang-up.
+     *
+     * @throws IllegalArgumentException if it is unplugged already
+     */
+    void unplug();
+
+    /**
+     * Plugs the cable in again: clients can open the port under the same path as before.
+     *
+     * @throws IllegalArgumentException if it is plugged in already
+     * @throws IOException if the system cannot make the port
+     */
+    void replug() throws IOException;
+}

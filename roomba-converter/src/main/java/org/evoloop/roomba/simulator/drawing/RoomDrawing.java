@@ -1,0 +1,169 @@
+package org.evoloop.roomba.simulator.drawing;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.evoloop.roomba.simulator.robot.RobotState;
+import org.evoloop.roomba.simulator.room.Point;
+import org.evoloop.roomba.simulator.room.Pose;
+import org.evoloop.roomba.simulator.room.Room;
+import org.evoloop.roomba.simulator.room.Shape;
+
+/**
+ * Draws a room as seen from above, x to the right and y upwards: walls, obstacles, cliffs, the dock, the robot's way in
+ * the colours of its causes, where it began and where it is.
+ *
+ * <p>Threading: used by one thread.
+ */
+public final class RoomDrawing {
+    private static final double LEGEND_LINES_PER_SIDE = 34;
+    private static final double SMALLEST_SIDE_MM = 1_500;
+    private static final double MARGIN_MM = Room.ROBOT_RADIUS_MM + 80;
+    private static final double DOCK_DEPTH_MM = 90;
+    private static final double SCALE_BAR_MM = 1_000;
+
+    private final RobotState state;
+    private final Trail trail;
+    private final Room room;
+    private final StringBuilder text = new StringBuilder();
+
+    private RoomDrawing(RobotState state, Trail trail) {
+        this.state = state;
+        this.trail = trail;
+        this.room = state.surroundings().room();
+    }
+
+    /**
+     * The drawing as an SVG document.
+     *
+     * @param state where the robot is now
+     * @param trail how it came there
+     */
+    public static String svg(RobotState state, Trail trail) {
+        return new RoomDrawing(state, trail).draw();
+    }
+
+    private String draw() {
+        List<Trail.Piece> pieces = trail.pieces();
+        List<Point> extent = new ArrayList<>();
+        Stream.concat(
+                        room.shapes().stream().flatMap(shape -> shape.corners().stream()),
+                        pieces.stream().flatMap(piece -> piece.points().stream()))
+                .forEach(extent::add);
+        extent.add(state.pose().center());
+        room.dock().ifPresent(dock -> extent.add(dock.ahead(Room.DOCK_DISTANCE_MM, 0)));
+        double left = extent.stream().mapToDouble(Point::xMm).min().orElse(0) - MARGIN_MM;
+        double right =
+                Math.max(extent.stream().mapToDouble(Point::xMm).max().orElse(0) + MARGIN_MM, left + SMALLEST_SIDE_MM);
+        double bottom = extent.stream().mapToDouble(Point::yMm).min().orElse(0) - MARGIN_MM;
+        double top = Math.max(
+                extent.stream().mapToDouble(Point::yMm).max().orElse(0) + MARGIN_MM, bottom + SMALLEST_SIDE_MM);
+        double letterMm = Math.max(right - left, top - bottom) / LEGEND_LINES_PER_SIDE;
+
+        List<Cause> causes = pieces.stream()
+                .filter(piece -> piece.points().size() > 1)
+                .map(Trail.Piece::cause)
+                .distinct()
+                .sorted()
+                .toList();
+        double legendMm = letterMm * 1.6 * (causes.size() + 1.5);
+        add(
+                "<svg xmlns='http://www.w3.org/2000/svg' viewBox='%.0f %.0f %.0f %.0f' width='1000'"
+                        + " font-family='sans-serif' font-size='%.0f' stroke-linejoin='round' stroke-linecap='round'>",
+                left, -top, right - left, top - bottom + legendMm, letterMm);
+        add("<rect x='%.0f' y='%.0f' width='100%%' height='100%%' fill='white'/>", left, -top);
+        // SVG's y goes down, the room's goes up.
+        add("<g transform='scale(1,-1)'>");
+        room.shapes().forEach(this::draw);
+        room.dock().ifPresent(this::drawDock);
+        double lineMm = letterMm / 5;
+        pieces.forEach(piece -> draw(piece, lineMm));
+        drawStart(lineMm);
+        drawRobot(state.pose(), lineMm);
+        add("</g>");
+        drawLegend(causes, left + letterMm, -bottom + letterMm * 1.6, letterMm);
+        drawScaleBar(right - letterMm, -bottom + letterMm * 1.6, letterMm);
+        add("</svg>");
+        return text.toString();
+    }
+
+    private void draw(Shape shape) {
+        String style = switch (shape.kind()) {
+            case WALL -> "fill='none' stroke='#212529' stroke-width='24'";
+            case OBSTACLE -> "fill='#adb5bd' stroke='#212529' stroke-width='12'";
+            case CLIFF -> "fill='#ffe3e3' stroke='#e03131' stroke-width='10' stroke-dasharray='40 30'";
+        };
+        add("<polygon points='%s' %s/>", points(shape.corners()), style);
+    }
+
+    private void drawDock(Pose dock) {
+        double nearMm = Room.DOCK_DISTANCE_MM;
+        double widthMm = Room.DOCK_HALF_WIDTH_MM;
+        add(
+                "<polygon points='%s' fill='#1971c2' stroke='#0b3a66' stroke-width='10'/>",
+                points(List.of(
+                        dock.ahead(nearMm, widthMm),
+                        dock.ahead(nearMm, -widthMm),
+                        dock.ahead(nearMm + DOCK_DEPTH_MM, -widthMm),
+                        dock.ahead(nearMm + DOCK_DEPTH_MM, widthMm))));
+    }
+
+    private void draw(Trail.Piece piece, double lineMm) {
+        add(
+                "<polyline points='%s' fill='none' stroke='%s' stroke-width='%.0f' stroke-opacity='0.75'/>",
+                points(piece.points()), piece.cause().color(), lineMm);
+    }
+
+    private void drawStart(double lineMm) {
+        Pose start = trail.start();
+        if (start != null) {
+            add(
+                    "<circle cx='%.0f' cy='%.0f' r='%.0f' fill='white' stroke='#212529' stroke-width='%.0f'/>",
+                    start.xMm(), start.yMm(), lineMm * 2.5, lineMm);
+        }
+    }
+
+    private void drawRobot(Pose pose, double lineMm) {
+        Point front = pose.ahead(Room.ROBOT_RADIUS_MM, 0);
+        add(
+                "<circle cx='%.0f' cy='%.0f' r='%.0f' fill='#ffd43b' fill-opacity='0.55' stroke='#212529'"
+                        + " stroke-width='%.0f'/>",
+                pose.xMm(), pose.yMm(), Room.ROBOT_RADIUS_MM, lineMm);
+        add(
+                "<path d='M %.0f %.0f L %.0f %.0f' stroke='#212529' stroke-width='%.0f'/>",
+                pose.xMm(), pose.yMm(), front.xMm(), front.yMm(), lineMm);
+    }
+
+    private void drawLegend(List<Cause> causes, double xMm, double yMm, double letterMm) {
+        double lineMm = yMm;
+        for (Cause cause : causes) {
+            add(
+                    "<path d='M %.0f %.0f h %.0f' stroke='%s' stroke-width='%.0f'/>",
+                    xMm, lineMm - letterMm / 3, letterMm * 2, cause.color(), letterMm / 3);
+            add("<text x='%.0f' y='%.0f'>%s</text>", xMm + letterMm * 2.8, lineMm, cause.label());
+            lineMm += letterMm * 1.6;
+        }
+        add(
+                "<text x='%.0f' y='%.0f'>white ring: start; yellow: the robot after %.0f s, battery %d %%</text>",
+                xMm, lineMm, state.timeMillis() / 1000.0, state.batteryPercent());
+    }
+
+    private void drawScaleBar(double rightMm, double yMm, double letterMm) {
+        add(
+                "<path d='M %.0f %.0f h %.0f' stroke='#212529' stroke-width='%.0f'/>",
+                rightMm - SCALE_BAR_MM, yMm, SCALE_BAR_MM, letterMm / 6);
+        add("<text x='%.0f' y='%.0f' text-anchor='end'>1 m</text>", rightMm, yMm - letterMm / 3);
+    }
+
+    private static String points(List<Point> points) {
+        return points.stream()
+                .map(point -> String.format(Locale.ROOT, "%.0f,%.0f", point.xMm(), point.yMm()))
+                .collect(Collectors.joining(" "));
+    }
+
+    private void add(String format, Object... values) {
+        text.append(String.format(Locale.ROOT, format, values)).append('\n');
+    }
+}

@@ -1,0 +1,64 @@
+package org.evoloop.roomba.simulator.robot;
+
+import java.nio.charset.StandardCharsets;
+import java.util.Locale;
+import org.evoloop.roomba.oi.FirmwareVersion;
+import org.evoloop.roomba.simulator.body.Body;
+
+/** What the robot prints for people among its replies. Robots differ in all but the marks that programs look for. */
+final class RobotText {
+    /** From here on robots have another processor, and a boot text without a boot loader's. */
+    private static final FirmwareVersion FIRST_STM32 = new FirmwareVersion(3, 5, 0);
+
+    private static final int SECONDS_PER_MINUTE = 60;
+    private static final int CELSIUS_TENTHS = 10;
+
+    private RobotText() {}
+
+    /** When the robot starts anew. */
+    static byte[] boot(FirmwareVersion firmware) {
+        return firmware.compareTo(FIRST_STM32) < 0 ? bytes("""
+                        bl-start
+                        STR730
+                        bootloader rev: #x0001
+                        Roomba by iRobot!
+                        str730
+                        battery-current-zero 258
+                        r3_robot/tags/release-%s:4975 CLEAN
+                        """, firmware) : bytes("""
+                        Soft reset!
+                        Roomba by iRobot!
+                        stm32
+                        battery-current-zero 258
+                        r3-robot/tags/release-stm32-%s:6913 CLEAN
+                        """, firmware);
+    }
+
+    /** Once a second while it charges. */
+    static byte[] charging(Body body, long seconds) {
+        return bytes(
+                "bat:   min %d  sec %d  mV %d  mA %d  tenths-deg-C %d  mAH %d  state 5  \n",
+                seconds / SECONDS_PER_MINUTE,
+                seconds % SECONDS_PER_MINUTE,
+                body.battery().milliVolts(),
+                body.batteryMilliAmps(),
+                Sensors.TEMPERATURE_CELSIUS * CELSIUS_TENTHS,
+                body.battery().chargeMilliAmpHours());
+    }
+
+    /** When it falls asleep. */
+    static byte[] fallingAsleep() {
+        return bytes("processor-sleep\n");
+    }
+
+    /** When it wakes. */
+    static byte[] waking(String waker, long sleptSeconds) {
+        return bytes(
+                "%s-wakeup\nslept for %d minutes %d seconds\n",
+                waker, sleptSeconds / SECONDS_PER_MINUTE, sleptSeconds % SECONDS_PER_MINUTE);
+    }
+
+    private static byte[] bytes(String format, Object... values) {
+        return String.format(Locale.ROOT, format, values).replace("\n", "\r\n").getBytes(StandardCharsets.US_ASCII);
+    }
+}

@@ -1,0 +1,15 @@
+package org.evoloop;
+
+import java.nio.file.Path;
+import org.evoloop.evolution.ModelPair;
+import org.evoloop.xmi.XmiFile;
+
+/** The models that the project ships, read from their files. */
+public final class PaperPair {
+    private PaperPair() {}
+
+    public static ModelPair cleaningRobot() {
+        XmiFile file = XmiFile.read(Path.of(System.getProperty("evoloop.root"), "models", "cleaning-robot.xml"));
+        return new ModelPair(file.pick("original"), file.pick("new"));
+    }
+}

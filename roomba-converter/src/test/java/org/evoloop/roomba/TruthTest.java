@@ -1,0 +1,132 @@
+package org.evoloop.roomba;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Random;
+import org.evoloop.roomba.link.MemoryLink;
+import org.evoloop.roomba.oi.Button;
+import org.evoloop.roomba.simulator.robot.RobotOptions;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+
+/**
+ * Whatever people do to the robot and to its cable: once things are quiet, the converter's original model is in the state
+ * that the robot truly is in.
+ */
+class TruthTest {
+    /** The longest that anything takes: the link, a pause that shows, SpotWait, control that is taken. */
+    private static final Duration QUIET = Duration.ofSeconds(8);
+
+    /** Something that happens. */
+    private enum Deed {
+        ROBOT_CLEAN,
+        ROBOT_SPOT,
+        ROBOT_DOCK,
+        CONTROLLER_CLEAN,
+        CONTROLLER_SPOT,
+        LIFT,
+        SET_DOWN,
+        UNPLUG,
+        REPLUG,
+        NOISE,
+        SILENCE,
+        MOMENT,
+        WHILE
+    }
+
+    /** A deed, and how long nothing else happens after it. */
+    private record Act(Deed deed, int pauseMillis) {
+        static Act random(Random random) {
+            Deed deed = Deed.values()[random.nextInt(Deed.values().length)];
+            return new Act(deed, random.nextBoolean() ? random.nextInt(300) : random.nextInt(3000));
+        }
+    }
+
+    @Test
+    void isKnownAfterAFewHundredRandomSequences() {
+        search(20_261_121, 300);
+    }
+
+    @Test
+    @Tag("slow")
+    void isKnownAfterTenThousandRandomSequences() {
+        search(4_711, 10_000);
+    }
+
+    private static void search(long firstSeed, int sequences) {
+        for (long seed = firstSeed; seed < firstSeed + sequences; seed++) {
+            Random random = new Random(seed);
+            List<Act> acts = new ArrayList<>();
+            for (int count = 3 + random.nextInt(10); count > 0; count--) {
+                acts.add(Act.random(random));
+            }
+            String contradiction = play(acts);
+            if (!contradiction.isEmpty()) {
+                List<Act> shrunk = shrink(acts);
+                assertThat(play(shrunk))
+                        .as("seed %d, shrunk to %s", seed, shrunk)
+                        .isEmpty();
+            }
+        }
+    }
+
+    /** Leaves out and shortens whatever is not needed for the contradiction. */
+    private static List<Act> shrink(List<Act> acts) {
+        List<Act> shrunk = new ArrayList<>(acts);
+        for (int at = shrunk.size() - 1; at >= 0; at--) {
+            Act left = shrunk.remove(at);
+            if (play(shrunk).isEmpty()) {
+                shrunk.add(at, new Act(left.deed(), 0));
+                if (play(shrunk).isEmpty()) {
+                    shrunk.set(at, left);
+                }
+            }
+        }
+        return shrunk;
+    }
+
+    /** Performs the acts; returns how belief and truth differ in the end, empty if they agree. */
+    private static String play(List<Act> acts) {
+        try (SteppedRoomba stepped = new SteppedRoomba(
+                RobotOptions.builder().spotDurationMillis(20_000).build())) {
+            for (Act act : acts) {
+                perform(stepped, act.deed());
+                stepped.advance(Duration.ofMillis(act.pauseMillis()));
+            }
+            perform(stepped, Deed.SET_DOWN);
+            perform(stepped, Deed.REPLUG);
+            perform(stepped, Deed.SILENCE);
+            stepped.advance(QUIET);
+            String belief = stepped.states().original().name();
+            String truth = stepped.truth().activity().name();
+            boolean agree = belief.toUpperCase(Locale.ROOT).equals(truth);
+            return agree
+                    ? ""
+                    : "belief " + stepped.states() + ", truth " + stepped.truth() + ", history "
+                            + stepped.roomba.converter().history();
+        }
+    }
+
+    private static void perform(SteppedRoomba stepped, Deed deed) {
+        switch (deed) {
+            case ROBOT_CLEAN -> stepped.robotButton(Button.CLEAN);
+            case ROBOT_SPOT -> stepped.robotButton(Button.SPOT);
+            case ROBOT_DOCK -> stepped.robotButton(Button.DOCK);
+            case CONTROLLER_CLEAN -> stepped.controllerButton(RobotEvents.CLEAN);
+            case CONTROLLER_SPOT -> stepped.controllerButton(RobotEvents.SPOT);
+            case LIFT -> stepped.robot.lift();
+            case SET_DOWN -> stepped.robot.setDown();
+            case UNPLUG -> stepped.unplug();
+            case REPLUG -> stepped.replug();
+            // One frame in six is spoilt. At more than that a press that only switches the robot on may leave no trace.
+            case NOISE -> stepped.disturb(new MemoryLink.Noise(1, 0.002, 0.002));
+            case SILENCE -> stepped.disturb(null);
+            case MOMENT -> stepped.advance(Duration.ofMillis(40));
+            case WHILE -> stepped.advance(Duration.ofSeconds(6));
+        }
+    }
+}
