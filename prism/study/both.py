@@ -15,5 +15,7 @@ class Both:
     def check(self, model: str, properties: str, constants: Constants) -> Answers:
         answers = self._first.check(model, properties, constants)
         others = self._second.check(model, properties, constants)
-        self.largest_difference = max(self.largest_difference, answers.largest_difference(others))
+        # Transient values have an absolute precision; for the rest PRISM solves equations to a relative one.
+        difference = answers.largest_difference(others, relative=properties != "paper")
+        self.largest_difference = max(self.largest_difference, difference)
         return answers

@@ -24,13 +24,16 @@ class Answers:
     def value(self, name: str, **constants: Number) -> float:
         return self._values[name, _key(constants)]
 
-    def largest_difference(self, other: "Answers") -> float:
-        """The largest difference to the answers of another checker; infinite where one of them has no answer."""
+    def largest_difference(self, other: "Answers", relative: bool) -> float:
+        """
+        The largest difference to the answers of another checker; infinite where one of them has no answer.
+
+        If relative, the difference of two values above 1 counts in proportion to them.
+        """
         if self._values.keys() != other._values.keys():
             return float("inf")
-        return max(
-            (_difference(value, other._values[key]) for key, value in self._values.items()), default=0.0
-        )
+        differences = (_difference(value, other._values[key], relative) for key, value in self._values.items())
+        return max(differences, default=0.0)
 
 
 def _key(constants: Mapping[str, Number]) -> frozenset[tuple[str, float]]:
@@ -38,8 +41,10 @@ def _key(constants: Mapping[str, Number]) -> frozenset[tuple[str, float]]:
     return frozenset((name, round(float(value), 9)) for name, value in constants.items())
 
 
-def _difference(one: float, other: float) -> float:
-    return 0.0 if one == other else abs(one - other)
+def _difference(one: float, other: float, relative: bool) -> float:
+    if one == other:
+        return 0.0
+    return abs(one - other) / (max(1.0, one, other) if relative else 1.0)
 
 
 def varying(constants: Constants) -> dict[str, Sequence[Number]]:

@@ -262,21 +262,23 @@ def measured(curves: Curves, found: Table | None) -> str:
         return """## 8. Today's converter
 
 Not measured yet; `./evoloop study --measured` takes the conversion time from the benchmarks."""
-    conversion, source = float(found.rows[0][2]), found.rows[0][3]
+    conversion, source = found.rows[0][2:4]
     labels = {"exact": "paper's mechanism", "fifo-serial": "serial", "fifo-pipelined": "pipelined (Evoloop)"}
     rows = [(f"{labels[row[0]]}{f', K={row[1]}' if row[1] else ''}", row[4], row[5], 100 * row[6], row[7]) for row in found.rows]
     ours = found.rows[-1]
     return f"""## 8. Today's converter
 
-Mean conversion time: {conversion * 1e6:.1f} µs ({source}), taken in place of the paper's 0.25 s.
+Mean conversion time: {conversion * 1e6:.1f} µs ({source}), taken in place of the paper's 0.25 s. It
+was measured on the machine that ran the study, every thread having slept before, without the time that a link to the device
+takes.
 
 {table(("converter", "lost until 100 s", "completion in s", "lost per 100 s, in the long run", "mean wait in s"), rows)}
 
 The paper asks whether event conversion is sufficiently faster than the action time of the embedded system. It is, by a
-factor of {1 / conversion:,.0f}. So converting costs nothing that could be noticed: with the paper's mechanism the task takes as
+factor of {1 / conversion:,.0f}. Converting costs nothing that could be noticed: with the paper's mechanism the task takes as
 long and as many events get lost as without a converter. What makes a difference is the queue: the converter as it is by
-default loses {float(ours[4]):.2g} events in 100 s instead of {curves.lost("baseline", HORIZON_S):.2f}
-and finishes the task after {float(ours[5]):.1f} s instead of {curves.completion_s("baseline"):.0f}."""
+default loses {ours[4]:.2g} events in 100 s instead of {curves.lost("baseline", HORIZON_S):.2f}
+and finishes the task after {ours[5]:.1f} s instead of {curves.completion_s("baseline"):.0f}."""
 
 
 def files() -> str:

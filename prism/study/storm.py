@@ -1,8 +1,9 @@
 """Storm, called through stormpy."""
 
+import importlib.util
 import subprocess
 import sys
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -10,6 +11,10 @@ from study.checking import Answers, Constants, Number, combinations, model_file,
 from study.problem import Problem
 
 _PRECISION = "1/10000000000"
+
+
+def has_stormpy() -> bool:
+    return importlib.util.find_spec("stormpy") is not None
 
 
 class Storm:
@@ -97,7 +102,7 @@ class Storm:
         instantiated, _ = self._stormpy.instantiate_constants(program, _given(undefined, constants))
         return self._stormpy.build_model(instantiated, questions)
 
-    def _value(self, built: Any, question: Any, given: Mapping[str, Number]) -> float:
+    def _value(self, built: Any, question: Any, given: dict[str, Number]) -> float:
         formula = question.get_raw_formula()
         if given.get("T") == 0 and type(formula.subformula).__name__ == "CumulativeRewardFormula":
             return 0.0  # Storm refuses C<=0

@@ -27,7 +27,7 @@ class Table:
 
     @staticmethod
     def read(name: str, folder: Path) -> "Table | None":
-        """A table that was written before, its cells as text; None if there is none."""
+        """A table that was written before, its cells as numbers where they are; None if there is none."""
         path = folder / f"{name}.csv"
         if not path.is_file():
             return None
@@ -35,8 +35,17 @@ class Table:
             header, *rows = csv.reader(file)
         table = Table(name, tuple(header))
         for row in rows:
-            table.add(*row)
+            table.add(*(_cell(text) for text in row))
         return table
+
+
+def _cell(text: str) -> Cell:
+    if not text:
+        return None
+    try:
+        return float(text) if not text.isdigit() else int(text)
+    except ValueError:
+        return text
 
 
 def _text(cell: Cell) -> str:

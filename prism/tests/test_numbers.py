@@ -1,9 +1,12 @@
 """Small computations of the study's own."""
 
+import tempfile
 import unittest
+from pathlib import Path
 
 from study.counting import root
 from study.estimates import estimate, student
+from study.tables import Table
 
 
 class NumbersTest(unittest.TestCase):
@@ -21,3 +24,13 @@ class NumbersTest(unittest.TestCase):
         mean = estimate(100, 5.0, 1.0)
         self.assertTrue(mean.holds(5.26))
         self.assertFalse(mean.holds(5.27))
+
+    def test_tables_come_back_as_they_were_written(self) -> None:
+        table = Table("any", ("a", "b", "c", "d", "e"))
+        table.add("text, with comma", 8, 0.25, None, float("inf"))
+        with tempfile.TemporaryDirectory() as folder:
+            table.write(Path(folder))
+            read = Table.read("any", Path(folder))
+            self.assertIsNone(Table.read("other", Path(folder)))
+        self.assertIsNotNone(read)
+        self.assertEqual((read.header, read.rows), (table.header, table.rows))

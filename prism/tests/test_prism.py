@@ -88,9 +88,13 @@ class PrismTest(unittest.TestCase):
             Prism()
 
     def test_both_remember_the_largest_difference(self) -> None:
-        both = Both(_Fixed(1.0), _Fixed(1.5))
-        self.assertEqual(both.check("any", "any", {}).value("lost"), 1.0)
+        both = Both(_Fixed(1.0), _Fixed(2.0))
+        self.assertEqual(both.check("any", "longrun", {}).value("lost"), 1.0)
         self.assertEqual(both.largest_difference, 0.5)
+        both.check("any", "paper", {})
+        self.assertEqual(both.largest_difference, 1.0)
+        both.check("any", "longrun", {})
+        self.assertEqual(both.largest_difference, 1.0)
 
     @staticmethod
     def _command(folder: str, script: str) -> Path:

@@ -8,9 +8,10 @@ from unittest import mock
 
 from study import checking
 from study.problem import Problem
-from study.storm import Storm
+from study.storm import Storm, has_stormpy
 
 
+@unittest.skipUnless(has_stormpy(), "stormpy is not installed; PRISM does without")
 class StormTest(unittest.TestCase):
     def test_varies_constants_of_model_and_properties(self) -> None:
         answers = Storm().check("exact", "paper", {"event_arrive": 0.5, "conversion": (0.25, 1), "T": (0, 100)})

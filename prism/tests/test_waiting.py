@@ -3,9 +3,10 @@
 import unittest
 
 from study import waiting
-from study.storm import Storm
+from study.storm import Storm, has_stormpy
 
 
+@unittest.skipUnless(has_stormpy(), "stormpy is not installed; PRISM does without")
 class WaitingTest(unittest.TestCase):
     def test_the_wait_model_agrees_with_littles_law(self) -> None:
         storm = Storm()
