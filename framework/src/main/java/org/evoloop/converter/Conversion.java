@@ -75,7 +75,7 @@ public final class Conversion {
         try {
             execute.settled(core.configuration());
         } finally {
-            core.startFunction(entered, decision, occurrence);
+            core.startFunction(entered);
         }
     }
 

@@ -47,6 +47,9 @@ final class ConverterCore implements VisitHost, LoopListener<Occurrence> {
     private volatile @Nullable Visit visit;
     private long visits;
 
+    /** What runs in the current state if it is a new one: the function of the transition that led there. */
+    private NewFunction function = NewFunction.none();
+
     ConverterCore(LoopConfig config, StateKnowledge knowledge) {
         this.config = config;
         this.knowledge = knowledge;
@@ -206,7 +209,14 @@ final class ConverterCore implements VisitHost, LoopListener<Occurrence> {
         knowledge.move(after);
         Visit entered = null;
         if (conversion.leavesState()) {
-            entered = enter(after.evolved());
+            entered = enter(
+                    after.evolved(),
+                    knowledge
+                            .getTransition(
+                                    decision.before().evolved(),
+                                    conversion.occurrence().event())
+                            .map(BoundTransition::action)
+                            .orElse(NewFunction.none()));
         }
         if (decision instanceof Decision.NewFunction) {
             transcript.starts(after.evolved());
@@ -245,10 +255,11 @@ final class ConverterCore implements VisitHost, LoopListener<Occurrence> {
 
     // Visits
 
-    private synchronized Visit enter(State state) {
+    private synchronized Visit enter(State state, NewFunction toRun) {
         Visit entered = new Visit(state, ++visits, this);
         functions.begin(entered);
         visit = entered;
+        function = toRun;
         knowledge
                 .timersOf(state)
                 .forEach((event, delay) -> entered.after(
@@ -262,22 +273,16 @@ final class ConverterCore implements VisitHost, LoopListener<Occurrence> {
         return entered;
     }
 
-    void startFunction(@Nullable Visit entered, Decision decision, Occurrence occurrence) {
-        if (entered != null && entered == visit && decision instanceof Decision.NewFunction) {
-            functions.run(knowledge
-                    .getTransition(decision.before().evolved(), occurrence.event())
-                    .map(BoundTransition::action)
-                    .orElse(NewFunction.none()));
+    /** Runs the function of a new state that was entered, if it has not been left meanwhile. */
+    synchronized void startFunction(@Nullable Visit entered) {
+        if (entered != null && entered == visit && knowledge.models().isNew(entered.state())) {
+            functions.run(function);
         }
     }
 
     /** Enters the current state anew, as after a start or an attempt to leave it that failed. */
-    void enterAgain() {
-        State state = knowledge.getCurrentState();
-        enter(state);
-        if (knowledge.models().isNew(state)) {
-            functions.run(knowledge.functionOf(state));
-        }
+    synchronized void enterAgain() {
+        startFunction(enter(knowledge.getCurrentState(), function));
     }
 
     private synchronized void leave() {

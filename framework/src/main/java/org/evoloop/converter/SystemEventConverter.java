@@ -176,8 +176,7 @@ public final class SystemEventConverter implements AutoCloseable {
         ConverterCore built = built();
         if (built.loop.state() != LoopState.RUNNING) {
             built.settle();
-            built.loop.start();
-            built.enterAgain();
+            built.loop.start(built::enterAgain);
         }
     }
 

@@ -181,12 +181,22 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
 
     /** Opens the loop. Does nothing if it is open. @throws IllegalStateException if it is not built, or has ended */
     public void start() {
+        start(() -> {});
+    }
+
+    /**
+     * The same, and {@code beginning} runs before the first occurrence is taken from the queue; those that come meanwhile
+     * wait. It does not run if the loop is open already.
+     */
+    public void start(Runnable beginning) {
         synchronized (admin) {
             requireUsable();
             if (sequencer.state() == LoopState.NEW) {
                 throw new IllegalStateException("the loop " + config.name() + " is not built yet");
             }
-            sequencer.become(LoopState.RUNNING);
+            if (sequencer.state() != LoopState.RUNNING) {
+                sequencer.open(beginning);
+            }
         }
     }
 

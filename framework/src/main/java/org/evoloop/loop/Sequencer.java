@@ -297,6 +297,27 @@ final class Sequencer<O> {
         }
     }
 
+    /** Opens the loop; the first occurrence waits until {@code beginning} has run. */
+    void open(Runnable beginning) {
+        pause(true);
+        try {
+            become(LoopState.RUNNING);
+            beginning.run();
+        } finally {
+            pause(false);
+        }
+    }
+
+    private void pause(boolean nowPaused) {
+        lock.lock();
+        try {
+            paused = nowPaused;
+            begin();
+        } finally {
+            lock.unlock();
+        }
+    }
+
     void setAnalyze(@Nullable StageWorker<O> worker) {
         lock.lock();
         try {

@@ -120,6 +120,24 @@ class MapeLoopTest {
     }
 
     @Test
+    void takesNothingFromTheQueueBeforeItsBeginningIsOver() throws InterruptedException {
+        Relay relay = new Relay(LoopConfig.defaults("relay", new ManualClock()));
+        try (relay) {
+            relay.loop.build();
+            relay.loop.start(() -> {
+                relay.input.add("early");
+                while (relay.loop.queueStatus().depth() == 0) {
+                    Thread.onSpinWait();
+                }
+                relay.output.add("beginning");
+            });
+            relay.loop.start(() -> relay.output.add("beginning again"));
+            assertThat(take(relay.output)).isEqualTo("beginning");
+            assertThat(take(relay.output)).isEqualTo("hand:early");
+        }
+    }
+
+    @Test
     void lossesOfAFullQueueAreToldOnceABurst() throws InterruptedException {
         Relay relay = new Relay(LoopConfig.defaults("relay", new ManualClock()).withQueueCapacity(2));
         Relay.Hand hand = relay.new Hand("hanging");

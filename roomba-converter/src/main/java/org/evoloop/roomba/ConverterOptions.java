@@ -56,7 +56,7 @@ final class ConverterOptions {
      * @throws IllegalArgumentException if options are out of range or contradict each other
      */
     RoombaConverter.Options read() {
-        if (startPoint.length != 2) {
+        if (startPoint.length != 2 || !Double.isFinite(startPoint[0]) || !Double.isFinite(startPoint[1])) {
             throw new IllegalArgumentException("--start-point takes two numbers, X,Y in mm, for example 1000,500");
         }
         if (!(spotWaitSeconds >= 0.1 && spotWaitSeconds <= 3600)) {

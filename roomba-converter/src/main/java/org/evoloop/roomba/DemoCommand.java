@@ -49,6 +49,7 @@ final class DemoCommand implements Callable<Integer> {
     @Override
     public Integer call() throws IOException, InterruptedException {
         PrintWriter err = spec.commandLine().getErr();
+        RoombaCommand.requireSpeed(speed);
         String only = scenario;
         List<Scenario> wanted = only == null ? List.of(Scenario.values()) : List.of(Scenario.of(only));
         int failed = 0;

@@ -14,6 +14,7 @@ import org.evoloop.roomba.link.SerialLink;
 import org.evoloop.roomba.link.SerialSettings;
 import org.evoloop.roomba.session.SessionOptions;
 import org.evoloop.roomba.simulator.SimulatorCommand;
+import org.evoloop.roomba.simulator.SimulatorServer;
 import org.evoloop.time.Clock;
 import org.evoloop.time.SystemClock;
 import org.jspecify.annotations.Nullable;
@@ -74,7 +75,16 @@ final class RoombaCommand implements Callable<Integer> {
         if (!simulate) {
             throw new IllegalArgumentException("--speed goes with --simulate; a real robot has its own pace");
         }
-        return wanted;
+        return requireSpeed(wanted);
+    }
+
+    /** Refuses a speed that clocks and simulator do not have. */
+    static double requireSpeed(double speed) {
+        if (!(speed >= SimulatorServer.SLOWEST && speed <= SimulatorServer.FASTEST)) {
+            throw new IllegalArgumentException("--speed is " + speed + ", allowed is " + SimulatorServer.SLOWEST
+                    + " to " + SimulatorServer.FASTEST + " times real time");
+        }
+        return speed;
     }
 
     private int converse(String robotPort, RoombaConverter.Options read, double pace, @Nullable SimulatedWorld world)

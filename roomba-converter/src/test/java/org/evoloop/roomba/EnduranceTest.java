@@ -42,9 +42,9 @@ class EnduranceTest {
 
     private static void cleanOnANoisyLine(Duration duration) {
         try (SteppedRoomba stepped = new SteppedRoomba(RobotOptions.defaults())) {
-            stepped.controllerButton(RobotEvents.CLEAN);
+            stepped.press(RobotEvents.CLEAN);
             stepped.advance(Duration.ofSeconds(1));
-            stepped.controllerButton(RobotEvents.CLEAN);
+            stepped.press(RobotEvents.CLEAN);
             stepped.advance(Duration.ofSeconds(1));
             int events = stepped.roomba.converter().history().size();
             stepped.disturb(new MemoryLink.Noise(7, 0.01, 0.01));

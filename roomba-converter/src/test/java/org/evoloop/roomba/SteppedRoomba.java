@@ -2,7 +2,9 @@ package org.evoloop.roomba;
 
 import java.io.ByteArrayOutputStream;
 import java.time.Duration;
+import java.util.function.BooleanSupplier;
 import org.evoloop.PaperPair;
+import org.evoloop.converter.HistoryEntry;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.roomba.link.Link;
@@ -15,6 +17,7 @@ import org.evoloop.roomba.session.SessionOptions;
 import org.evoloop.roomba.simulator.robot.RobotOptions;
 import org.evoloop.roomba.simulator.robot.RobotState;
 import org.evoloop.roomba.simulator.robot.SimulatedRoomba;
+import org.evoloop.statemachine.State;
 import org.evoloop.time.ManualClock;
 import org.jspecify.annotations.Nullable;
 
@@ -33,7 +36,16 @@ final class SteppedRoomba implements AutoCloseable {
     private MemoryLink.@Nullable Noise noise;
     private boolean plugged = true;
 
+    SteppedRoomba() {
+        this(RobotOptions.defaults());
+    }
+
     SteppedRoomba(RobotOptions options) {
+        this(options, Scenario.START_X_MM, Scenario.START_Y_MM);
+    }
+
+    /** A robot whose starting point is elsewhere. */
+    SteppedRoomba(RobotOptions options, double startXMm, double startYMm) {
         robot = new SimulatedRoomba(options, robotSays::writeBytes);
         RoombaSession session =
                 new RoombaSession(this::plugIn, clock, SessionOptions.defaults().withoutWaiting());
@@ -41,7 +53,9 @@ final class SteppedRoomba implements AutoCloseable {
                 LoopConfig.defaults("roomba", clock).withoutThreads(),
                 session,
                 new RoombaConverter.Options(
-                        PaperPair.cleaningRobot(), StartPointSensor.byWheels(400, 100), Duration.ofSeconds(5)));
+                        PaperPair.cleaningRobot(),
+                        StartPointSensor.byWheels(startXMm, startYMm),
+                        Duration.ofSeconds(5)));
         session.open();
         advance(Duration.ofMillis(500));
         roomba.converter().start();
@@ -96,7 +110,7 @@ final class SteppedRoomba implements AutoCloseable {
     }
 
     /** Lets time pass for robot and converter. */
-    void advance(Duration duration) {
+    SteppedRoomba advance(Duration duration) {
         for (long left = duration.toNanos(); left > 0; left -= TICK.toNanos()) {
             robot.tick();
             deliver();
@@ -104,6 +118,7 @@ final class SteppedRoomba implements AutoCloseable {
             deliver();
             settle();
         }
+        return this;
     }
 
     private void deliver() {
@@ -132,16 +147,37 @@ final class SteppedRoomba implements AutoCloseable {
         }
     }
 
-    /** One of the robot's own buttons is pressed, long enough to be seen. */
-    void robotButton(Button button) {
+    /** Lets time pass until something holds, which it must within {@code limit}. */
+    SteppedRoomba until(BooleanSupplier holds, Duration limit) {
+        for (long ticks = limit.dividedBy(TICK); !holds.getAsBoolean(); ticks--) {
+            if (ticks == 0) {
+                throw new AssertionError("never came to hold: " + states() + ", " + truth() + ", "
+                        + roomba.converter().history());
+            }
+            advance(TICK);
+        }
+        return this;
+    }
+
+    /** A button of the robot is pressed for as long as people do, and some time passes until it is up again. */
+    SteppedRoomba robotPress(Button button) {
         robot.press(button);
-        advance(Duration.ofMillis(200));
+        return advance(Duration.ofMillis(2 * SimulatedRoomba.USUAL_PRESS_MILLIS));
     }
 
     /** A button of the external controller is pressed. */
-    void controllerButton(String event) {
+    SteppedRoomba press(String event) {
         roomba.controller().press(event);
-        advance(TICK);
+        settle();
+        return this;
+    }
+
+    static Configuration at(String original, String evolved) {
+        return new Configuration(new State(original), new State(evolved));
+    }
+
+    HistoryEntry last() {
+        return roomba.converter().history().get(roomba.converter().history().size() - 1);
     }
 
     Configuration states() {

@@ -3,10 +3,12 @@ package org.evoloop.roomba.session;
 import java.time.Duration;
 import java.util.Arrays;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
 import java.util.concurrent.Executor;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.RejectedExecutionException;
+import java.util.concurrent.TimeUnit;
 import java.util.function.IntFunction;
 import org.evoloop.roomba.link.Link;
 import org.evoloop.roomba.link.LinkException;
@@ -24,12 +26,18 @@ import org.slf4j.LoggerFactory;
  *
  * <pre>
  *   open() --&gt; ASKING --frame--&gt; UP --silence--&gt; ASKING
- *                |  |             |
- *                |  '--lost-------+--lost--&gt; DOWN --link opens--&gt; ASKING
- *                '--no answer at 115200 nor 19200, the first time--&gt; failed
+ *               |  ^  \             \
+ *     no answer |  |   '--lost--------+--lost--&gt; DOWN --link opens--&gt; ASKING
+ *               v  | at 115200
+ *              CHANGING_RATE
+ *
+ *   close() --&gt; CLOSED, from wherever it is, for good
  * </pre>
  *
+ * <p>Without an answer at either rate the first time, {@link #firstAnswer()} fails; the connection goes on asking.
+ *
  * <p>Threading: everything that may take a moment runs on one thread of its own, or, without waiting, on the clock's.
+ * Frames come on the link's thread, commands and {@link #close()} from any.
  */
 final class Connection {
     static final int BAUD = 115_200;
@@ -41,7 +49,7 @@ final class Connection {
     /** How often the connection looks after itself. */
     static final Duration LOOK = Duration.ofMillis(250);
 
-    /** A robot that is awake answers within a few frames. */
+    /** A robot that is awake answers within a few frames; more time has one whose silence is borne longer, too. */
     static final Duration ANSWER_LIMIT = Duration.ofSeconds(1);
 
     /** Longer than 500 ms: three shorter pulses after power-on would switch the robot to 19200 baud. */
@@ -56,8 +64,11 @@ final class Connection {
     private static final Logger LOG = LoggerFactory.getLogger(RoombaSession.class);
     private static final int ATTEMPTS = 3;
 
-    /** A stream of 255 packets. */
-    private static final int LONGEST_COMMAND = 257;
+    /** A song that claims to have 255 notes. */
+    private static final int LONGEST_COMMAND = 3 + 2 * 255;
+
+    private static final int BITS_PER_BYTE = 10;
+    private static final long END_LIMIT_MILLIS = 2_000;
 
     /** What the owner of the connection is told, on the thread that receives or on the connection's own. */
     interface Owner {
@@ -74,6 +85,8 @@ final class Connection {
         NEW,
         ASKING,
         UP,
+        /** The robot is told, at the alternate rate, to come back to the usual one; frames do not count. */
+        CHANGING_RATE,
         DOWN,
         CLOSED
     }
@@ -81,6 +94,7 @@ final class Connection {
     private final IntFunction<Link> cable;
     private final Clock clock;
     private final Duration silenceLimit;
+    private final Duration answerLimit;
     private final Owner owner;
     private final @Nullable ExecutorService thread;
     private final Executor own;
@@ -90,7 +104,7 @@ final class Connection {
     private volatile @Nullable Link link;
     private volatile String trouble = "";
     private volatile long lastFrameNanos;
-    private int baud = BAUD;
+    private boolean alternateTried;
     private int attempt;
     private long askedNanos;
     private long pulsedNanos;
@@ -100,9 +114,14 @@ final class Connection {
         this.cable = cable;
         this.clock = clock;
         this.silenceLimit = options.silenceLimit();
+        this.answerLimit = longer(ANSWER_LIMIT, silenceLimit.dividedBy(2));
         this.owner = owner;
         this.thread = options.mayWait() ? Executors.newSingleThreadExecutor(Connection::thread) : null;
         this.own = thread != null ? thread : Runnable::run;
+    }
+
+    private static Duration longer(Duration one, Duration other) {
+        return one.compareTo(other) >= 0 ? one : other;
     }
 
     private static Thread thread(Runnable work) {
@@ -113,17 +132,37 @@ final class Connection {
 
     /** Opens the link for the first time. @throws LinkException if that cannot be done */
     void open() {
-        pulsedNanos = clock.nanoTime();
-        plugIn();
-        later(LOOK, this::look);
+        try {
+            CompletableFuture.runAsync(
+                            () -> {
+                                pulsedNanos = clock.nanoTime();
+                                plugIn();
+                                scheduleLook();
+                            },
+                            own)
+                    .join();
+        } catch (CompletionException failure) {
+            throw failure.getCause() instanceof RuntimeException cause ? cause : failure;
+        }
     }
 
-    /** Completes with the first frame, or with a {@link RobotException} if none comes. */
+    /**
+     * Completes with the first frame; with a {@link RobotException} if none comes, or a {@link LinkException} if the
+     * link is lost or closed before.
+     */
     CompletableFuture<Void> firstAnswer() {
         return firstAnswer;
     }
 
+    /** Opens a link and asks the robot for its stream. */
     private void plugIn() {
+        plugIn(BAUD, State.ASKING);
+        trouble = "no answer yet";
+        attempt = 1;
+        ask();
+    }
+
+    private void plugIn(int baud, State next) {
         long ofGeneration = ++generation;
         Link fresh = cable.apply(baud);
         fresh.open(new Link.Receiver() {
@@ -139,29 +178,48 @@ final class Connection {
             }
         });
         link = fresh;
-        state = State.ASKING;
-        trouble = "no answer yet";
-        attempt = 1;
-        ask();
+        if (!enter(next)) {
+            // Closed meanwhile, by somebody who may not have seen this link.
+            fresh.close();
+        }
+    }
+
+    /** Goes on to a state; false if the connection has been closed, which is for good. */
+    private synchronized boolean enter(State next) {
+        boolean open = state != State.CLOSED;
+        if (open) {
+            state = next;
+        }
+        return open;
+    }
+
+    private synchronized boolean enter(State next, State from) {
+        return state == from && enter(next);
     }
 
     private void lose(long ofGeneration, LinkException cause) {
-        if (ofGeneration == generation && state != State.CLOSED && state != State.DOWN) {
+        if (ofGeneration == generation && enter(State.DOWN)) {
             LOG.warn("{}", cause.getMessage());
             trouble = String.valueOf(cause.getMessage());
-            state = State.DOWN;
+            firstAnswer.completeExceptionally(cause);
             owner.outOfSight();
         }
     }
 
     private void ask() {
+        if (state != State.ASKING) {
+            // It has answered while it was woken; a Start would now end its control.
+            return;
+        }
         askedNanos = clock.nanoTime();
+        Duration pause = MODE_CHANGE;
         if (attempt == 1) {
             trySend(new Command.Start());
         } else {
             completeWhateverIsPending();
+            pause = pause.plus(completionTime(BAUD));
         }
-        later(MODE_CHANGE, () -> {
+        later(pause, () -> {
             if (state == State.ASKING) {
                 trySend(new InputCommand.Stream(RoombaSession.STREAM));
             }
@@ -184,6 +242,11 @@ final class Connection {
         trySend(starts);
     }
 
+    /** How long the bytes that {@link #completeWhateverIsPending()} sends are on the line. */
+    private static Duration completionTime(int baud) {
+        return Duration.ofNanos(LONGEST_COMMAND * BITS_PER_BYTE * 1_000_000_000L / baud);
+    }
+
     private void trySend(byte[] bytes) {
         Link current = link;
         if (current != null) {
@@ -198,11 +261,20 @@ final class Connection {
     /** A frame has come. */
     void answered() {
         lastFrameNanos = clock.nanoTime();
-        if (state == State.ASKING) {
-            state = State.UP;
+        if (enter(State.UP, State.ASKING)) {
             trouble = "";
             firstAnswer.complete(null);
         }
+    }
+
+    private void scheduleLook() {
+        schedule(LOOK, () -> {
+            try {
+                look();
+            } finally {
+                scheduleLook();
+            }
+        });
     }
 
     private void look() {
@@ -210,35 +282,38 @@ final class Connection {
         switch (state) {
             case UP -> {
                 if (now - lastFrameNanos >= silenceLimit.toNanos()) {
-                    LOG.warn("{}: the robot has fallen silent", description());
-                    state = State.ASKING;
-                    trouble = "the robot has fallen silent";
-                    attempt = 1;
-                    owner.outOfSight();
-                    ask();
+                    fallSilent();
                 } else if (now - pulsedNanos >= KEEP_AWAKE.toNanos() && owner.isDozing()) {
                     pulse(() -> {});
                 }
             }
             case ASKING -> {
-                if (now - askedNanos >= ANSWER_LIMIT.toNanos()) {
+                if (now - askedNanos >= answerLimit.toNanos()) {
                     goOnAsking();
                 }
             }
             case DOWN -> replug();
-            default -> {
-                return;
-            }
+            case NEW, CHANGING_RATE, CLOSED -> {}
         }
-        later(LOOK, this::look);
+    }
+
+    private void fallSilent() {
+        if (enter(State.ASKING, State.UP)) {
+            LOG.warn("{}: the robot has fallen silent", description());
+            trouble = "the robot has fallen silent";
+            attempt = 1;
+            owner.outOfSight();
+            ask();
+        }
     }
 
     private void replug() {
         try {
-            baud = BAUD;
             plugIn();
         } catch (LinkException stillGone) {
             trouble = String.valueOf(stillGone.getMessage());
+            enter(State.DOWN);
+            firstAnswer.completeExceptionally(stillGone);
         }
     }
 
@@ -249,38 +324,36 @@ final class Connection {
         attempt++;
         if (attempt <= ATTEMPTS) {
             pulse(this::ask);
-        } else if (baud == BAUD) {
-            changeBaud();
-        } else if (!firstAnswer.isDone()) {
-            firstAnswer.completeExceptionally(new RobotException(firstBytes.diagnosis(description())));
+        } else if (!alternateTried) {
+            alternateTried = true;
+            changeRate();
         } else {
-            replugAt(BAUD);
+            firstAnswer.completeExceptionally(new RobotException(firstBytes.diagnosis(description())));
+            alternateTried = false;
+            closeLink();
+            replug();
         }
     }
 
     /** The robot may listen at the alternate rate; then it is told to come back to the usual one. */
-    private void changeBaud() {
-        replugAt(ALTERNATE_BAUD);
-        later(MODE_CHANGE, () -> trySend(new Command.Baud(BAUD)));
-        later(BAUD_CHANGE.plus(MODE_CHANGE), () -> {
-            if (state == State.ASKING) {
-                replugAt(BAUD);
-                // From here on a missing answer is final.
-                baud = ALTERNATE_BAUD;
-            }
-        });
-    }
-
-    private void replugAt(int nextBaud) {
+    private void changeRate() {
         closeLink();
-        baud = nextBaud;
         try {
-            plugIn();
-        } catch (LinkException gone) {
-            state = State.DOWN;
-            trouble = String.valueOf(gone.getMessage());
-            firstAnswer.completeExceptionally(gone);
+            plugIn(ALTERNATE_BAUD, State.CHANGING_RATE);
+        } catch (LinkException refused) {
+            LOG.debug("{}", refused.getMessage());
+            replug();
+            return;
         }
+        // What it has heard at the wrong rate may have begun any command.
+        completeWhateverIsPending();
+        later(MODE_CHANGE.plus(completionTime(ALTERNATE_BAUD)), () -> {
+            trySend(new Command.Baud(BAUD));
+            later(BAUD_CHANGE, () -> {
+                closeLink();
+                replug();
+            });
+        });
     }
 
     private void pulse(Runnable then) {
@@ -295,21 +368,42 @@ final class Connection {
         }
     }
 
+    /** Does some work for the link of this moment; nothing if there is another one by then, or none. */
     private void later(Duration delay, Runnable work) {
-        clock.schedule(
-                delay,
-                () -> run(() -> {
-                    if (state != State.CLOSED) {
-                        work.run();
-                    }
-                }));
+        long ofGeneration = generation;
+        schedule(delay, () -> {
+            if (ofGeneration == generation && state != State.DOWN) {
+                work.run();
+            }
+        });
+    }
+
+    private void schedule(Duration delay, Runnable work) {
+        if (state == State.CLOSED) {
+            return;
+        }
+        try {
+            clock.schedule(delay, () -> run(work));
+        } catch (RejectedExecutionException noMoreTime) {
+            LOG.debug("too late: the clock is closed");
+        }
     }
 
     private void run(Runnable work) {
         try {
-            own.execute(work);
+            own.execute(() -> runUnlessClosed(work));
         } catch (RejectedExecutionException closed) {
             LOG.debug("too late: the connection is closed");
+        }
+    }
+
+    private void runUnlessClosed(Runnable work) {
+        if (state != State.CLOSED) {
+            try {
+                work.run();
+            } catch (RuntimeException failure) {
+                LOG.error("{}: the connection's own work failed", description(), failure);
+            }
         }
     }
 
@@ -336,15 +430,32 @@ final class Connection {
         return current == null ? "no link" : current.description();
     }
 
-    /** Closes the link; nothing is sent any more. Idempotent. */
+    /** Closes the link; nothing is sent any more. Waits for the connection's thread. Idempotent. */
     void close() {
-        state = State.CLOSED;
+        enter(State.CLOSED);
+        firstAnswer.completeExceptionally(
+                new LinkException(LinkException.Fault.CLOSED, description() + " was closed before the robot answered"));
+        Link current = link;
+        if (current != null) {
+            current.close();
+        }
         if (thread != null) {
             thread.shutdown();
+            awaitEnd(thread);
         }
-        closeLink();
     }
 
+    private static void awaitEnd(ExecutorService ending) {
+        try {
+            if (!ending.awaitTermination(END_LIMIT_MILLIS, TimeUnit.MILLISECONDS)) {
+                LOG.warn("thread roomba-connection did not end within {} ms", END_LIMIT_MILLIS);
+            }
+        } catch (InterruptedException hurry) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    /** Ends the link that is to be replaced. */
     private void closeLink() {
         generation++;
         Link current = link;

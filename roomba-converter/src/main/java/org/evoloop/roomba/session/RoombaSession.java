@@ -74,7 +74,7 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
     private boolean modeChanged;
     private long modeChangedNanos;
     private @Nullable Command unconfirmed;
-    private int unconfirmedFrames;
+    private int framesOfControl;
     private boolean outOfSight;
     private int settlingFrames;
     private int framesWithoutControl;
@@ -133,7 +133,7 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
      * Waits for the robot to answer; it is woken if it does not.
      *
      * @throws RobotException if it stays silent
-     * @throws LinkException if the link is lost meanwhile
+     * @throws LinkException if the link is lost meanwhile, or the session closed
      * @throws InterruptedException if the thread is told to stop while it waits
      */
     public void awaitRobot() throws InterruptedException {
@@ -149,11 +149,12 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
 
     /** One frame has come; called on the link's thread. */
     private void framed(SensorValues raw) {
-        connection.answered();
         SensorValues values = filter.filter(raw);
         Telemetry earlier = latest;
         Telemetry now = new Telemetry(earlier == null ? 1 : earlier.frame() + 1, values, odometry.update(values));
         latest = now;
+        // Who waits for the robot finds its values.
+        connection.answered();
         listeners.forEach(listener -> listener.received(now));
         comeBackIntoSight();
         seeControl(now.isUnderControl(), earlier != null && earlier.isUnderControl());
@@ -180,6 +181,8 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
             listeners.forEach(listener -> listener.pressed(button, robotActs));
             if (robotActs) {
                 estimate.pressed(button);
+                // What the motors did before says nothing about what comes of the press.
+                activityWatch.forget();
                 if (estimate.activity().isWork()) {
                     activityWatch.expected();
                 }
@@ -241,11 +244,15 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
             tell(SessionListener.Activity.ON);
         }
         Command command = unconfirmed;
+        framesOfControl = underControl ? framesOfControl + 1 : 0;
         if (!underControl) {
             unconfirmed = null;
-        } else if (command != null && ++unconfirmedFrames % CONFIRM_FRAMES == 0) {
+        } else if (command != null && framesOfControl % CONFIRM_FRAMES == 0) {
             // It would have ended control, had the robot received it.
             connection.trySend(command);
+        } else if (command == null && engaged && !wantsControl && framesOfControl % SpotWatch.QUIET_FRAMES == 0) {
+            // Whatever it was left alone for, it does not do it.
+            tell(SessionListener.Activity.ON);
         }
     }
 
@@ -299,7 +306,8 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
             if (command instanceof Command.Spot || command instanceof Command.Clean) {
                 activityWatch.expected();
                 unconfirmed = isUnderControl() ? command : null;
-                unconfirmedFrames = 0;
+                // Counted anew: the frames that are on their way still show control.
+                framesOfControl = 0;
             }
             if (command instanceof Command.Spot && estimate.activity() == ActivityEstimate.Activity.SPOT) {
                 spotWatch.started();
@@ -338,12 +346,14 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
         wantsControl = false;
     }
 
-    /** Stops the wheels if the robot is under control, and gives it back to itself for good. */
+    /** Stops the wheels if the robot is under control or about to be, and gives it back to itself for good. */
     public void letGo() {
+        // Control that was just asked for may show only in the next frame.
+        boolean mayHaveControl = wantsControl || regaining || isUnderControl();
         engaged = false;
         wantsControl = false;
         regaining = false;
-        if (isUnderControl()) {
+        if (mayHaveControl) {
             send(new ActuatorCommand.DriveDirect(0, 0));
             send(new Command.Start());
         }

@@ -1,0 +1,201 @@
+package org.evoloop.roomba;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.evoloop.roomba.link.Link;
+import org.evoloop.roomba.link.LinkException;
+import org.evoloop.roomba.link.SerialLink;
+import org.evoloop.roomba.link.SerialSettings;
+import org.evoloop.roomba.simulator.Pty;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** What a user can mend is told on standard error, once and clearly; standard output stays empty, the status is 2. */
+@EnabledOnOs(OS.LINUX)
+@Timeout(180)
+class BadInputTest {
+    private static final Path MODELS = Path.of(System.getProperty("evoloop.root"), "models", "cleaning-robot.xml");
+
+    private static final String MACHINE = "<UML:StateMachine xmi.id=";
+
+    @TempDir
+    Path folder;
+
+    private void assertRefused(String message, String... arguments) throws IOException, InterruptedException {
+        Program.Result result = Program.run(folder, arguments);
+        assertThat(result.err()).isEqualTo(message + "\n");
+        assertThat(result.out()).isEmpty();
+        assertThat(result.status()).isEqualTo(2);
+    }
+
+    /** In a process of its own each: what they have in common is the way in and the way out. */
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "--simulate --port /dev/x | error: say which robot: --port PATH or --simulate",
+                "--speed 2 --port /dev/x | error: --speed goes with --simulate; a real robot has its own pace",
+                "--simulate --speed 0 | error: --speed is 0.0, allowed is 0.01 to 1000.0 times real time",
+                "--simulate --speed fast | error: Invalid value for option '--speed': 'fast' is not a double "
+                        + "(see roomba --help)",
+                "--simulate --start-point 1 | error: --start-point takes two numbers, X,Y in mm, for example 1000,500",
+                "--simulate --start-point 0,NaN | error: --start-point takes two numbers, X,Y in mm, for example "
+                        + "1000,500",
+                "--simulate --spot-wait 0 | error: --spot-wait is 0.0, allowed is 0.1 to 3600 seconds",
+                "--simulate --new models.xml | error: --original and --new go together, and not with --models; "
+                        + "give both or neither",
+                "--nonsense | error: Unknown option: '--nonsense' (see roomba --help)",
+                "demo --speed 0 | error: --speed is 0.0, allowed is 0.01 to 1000.0 times real time",
+                "demo --scenario dance | error: there is no scenario dance; there are remote-start, spot-from-clean, "
+                        + "own-button, timeout",
+            })
+    void optionsThatMakeNoSense(String arguments, String message) throws Exception {
+        assertRefused(message, arguments.split(" "));
+    }
+
+    @Test
+    void noRobotAtAll() throws Exception {
+        assertRefused("error: say which robot: --port PATH or --simulate");
+    }
+
+    @Test
+    void noSuchModelFile() throws Exception {
+        Path missing = folder.resolve("missing.xml");
+        assertRefused(
+                "error: " + missing + ": does not exist; correct the path",
+                "--simulate",
+                "--models",
+                missing.toString());
+    }
+
+    @Test
+    void aModelFileThatIsNotXml() throws Exception {
+        Path text = Files.writeString(folder.resolve("text.xml"), "Off --Clean--> On");
+        Program.Result result = Program.run(folder, "--simulate", "--models", text.toString());
+        assertThat(result.err())
+                .startsWith("error: " + text + ": is damaged or not XML")
+                .endsWith("\n");
+        assertThat(result.err().lines()).hasSize(1);
+        assertThat(result.out()).isEmpty();
+        assertThat(result.status()).isEqualTo(2);
+    }
+
+    @Test
+    void aModelFileWithoutStateMachines() throws Exception {
+        String models = Files.readString(MODELS);
+        Path empty = Files.writeString(
+                folder.resolve("empty.xml"),
+                models.replaceAll("(?s)<XMI\\.content>.*</XMI\\.content>", "<XMI.content/>"));
+        assertRefused(
+                "error: " + empty + ": holds no state machine; in Astah draw a State Machine Diagram and save with "
+                        + "Tools > XML Input & Output > Save as XML Project",
+                "--simulate",
+                "--models",
+                empty.toString());
+    }
+
+    @Test
+    void aMachineThatIsNotInTheFile() throws Exception {
+        Program.Result result =
+                Program.run(folder, "--simulate", "--original", MODELS + "#old", "--new", MODELS + "#new");
+        assertThat(result.err())
+                .startsWith("error: " + MODELS + ": no state machine is named 'old'; there is 'original' (machine ")
+                .contains("), 'new' (machine ");
+        assertThat(result.err().lines()).hasSize(1);
+        assertThat(result.out()).isEmpty();
+        assertThat(result.status()).isEqualTo(2);
+    }
+
+    @Test
+    void aNewModelThatLacksWhatTheDeviceHas() throws Exception {
+        assertRefused(
+                "error: the models 'new' and 'original' are not an evolution: "
+                        + "Condition 1: event arriveSpot is missing in the new model; "
+                        + "Condition 1: event timeout is missing in the new model; "
+                        + "Condition 2: state Move is missing in the new model; "
+                        + "Condition 2: state SpotWait is missing in the new model. "
+                        + "Keep what the device has and add to it: names must be equal, capital letters included",
+                "--simulate",
+                "--original",
+                MODELS + "#new",
+                "--new",
+                MODELS + "#original");
+    }
+
+    @Test
+    void aNewModelThatAsksForWhatNoEventLeadsTo() throws Exception {
+        // In the file of the models the machine "new" comes second; its transition timeout shall lead to Off.
+        String text = Files.readString(MODELS);
+        int evolved = text.indexOf(MACHINE, text.indexOf(MACHINE) + 1);
+        String off = idOf(text, evolved, "name=\"Off\"");
+        String on = idOf(text, evolved, "name=\"On\"");
+        int timeout = text.indexOf("name=\"timeout\"", evolved);
+        int target = text.indexOf(on, text.indexOf("<UML:Transition.target>", timeout));
+        Path changed = Files.writeString(
+                folder.resolve("unreachable.xml"),
+                text.substring(0, target) + off + text.substring(target + on.length()));
+
+        assertRefused(
+                "error: the device cannot become what 'new' asks for:\n"
+                        + "  no plan in (Clean, SpotWait): event timeout leads to Off, but with the device in Clean no "
+                        + "events that can be sent take it there (sendable: Clean, Spot)",
+                "--simulate",
+                "--models",
+                changed.toString());
+    }
+
+    private static String idOf(String text, int from, String attribute) {
+        String before = text.substring(0, text.indexOf(attribute, from));
+        String id = before.substring(before.lastIndexOf("xmi.id=\"") + "xmi.id=\"".length());
+        return id.substring(0, id.indexOf('"'));
+    }
+
+    @Test
+    void aPortThatDoesNotExist() throws Exception {
+        Path missing = folder.resolve("ttyNone");
+        Program.Result result = Program.run(folder, "--port", missing.toString());
+        assertThat(result.err()).startsWith("error: serial port " + missing + " at 115200 baud does not exist");
+        assertThat(result.err().lines()).hasSize(1);
+        assertThat(result.out()).isEmpty();
+        assertThat(result.status()).isEqualTo(2);
+    }
+
+    @Test
+    void aPortThatAnotherProgramHas() throws Exception {
+        try (Pty pty = Pty.open();
+                Link other = new SerialLink(new SerialSettings(pty.path().toString()))) {
+            other.open(new Link.Receiver() {
+                @Override
+                public void received(byte[] buffer, int length) {}
+
+                @Override
+                public void lost(LinkException cause) {}
+            });
+            assertRefused(
+                    "error: " + new SerialSettings(pty.path().toString()) + " is in use by java (process "
+                            + ProcessHandle.current().pid() + "); end it first",
+                    "--port",
+                    pty.path().toString());
+        }
+    }
+
+    @Test
+    void aRobotThatDoesNotAnswer() throws Exception {
+        try (Pty pty = Pty.open()) {
+            assertRefused(
+                    "error: " + new SerialSettings(pty.path().toString())
+                            + ": the robot does not answer. Is it switched on and awake (press CLEAN), is its cable "
+                            + "plugged in, and is this the port that the cable is on?",
+                    "--port",
+                    pty.path().toString());
+        }
+    }
+}

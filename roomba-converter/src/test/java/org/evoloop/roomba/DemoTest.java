@@ -1,0 +1,100 @@
+package org.evoloop.roomba;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Objects;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** The demo from end to end: processes, serial port, threads and time are real. */
+@EnabledOnOs(OS.LINUX)
+@Timeout(180)
+class DemoTest {
+    private static final String ONE_PROCESS = "--speed=10";
+    private static final String TWO_PROCESSES = "--two-processes";
+
+    @TempDir
+    Path folder;
+
+    /** Without trailing blanks, and with at most one empty line at a time. */
+    private static List<String> tidy(String text) {
+        List<String> lines = new ArrayList<>();
+        for (String line : text.split("\n")) {
+            String stripped = line.stripTrailing();
+            boolean again = stripped.isEmpty()
+                    && (lines.isEmpty() || lines.get(lines.size() - 1).isEmpty());
+            if (!again) {
+                lines.add(stripped);
+            }
+        }
+        return lines;
+    }
+
+    private static List<String> expected(String scenario) throws IOException {
+        try (InputStream resource =
+                Objects.requireNonNull(DemoTest.class.getResourceAsStream(scenario + ".txt"), scenario)) {
+            return tidy(new String(resource.readAllBytes(), StandardCharsets.UTF_8));
+        }
+    }
+
+    private static void assertPlayed(Program.Result result, String scenario) {
+        assertThat(result.err())
+                .isEqualTo("evoloop: " + scenario + " ended where it should, by the simulated robot's true state\n");
+        assertThat(result.status()).isZero();
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {ONE_PROCESS, TWO_PROCESSES})
+    void remoteStartIsThePapersFirstListing(String processes) throws Exception {
+        Program.Result result = Program.run(folder, "demo", "--scenario", "remote-start", processes);
+        assertPlayed(result, "remote-start");
+        assertThat(tidy(result.out())).isEqualTo(expected("remote-start"));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {ONE_PROCESS, TWO_PROCESSES})
+    void spotFromCleanIsThePapersSecondListing(String processes) throws Exception {
+        Program.Result result = Program.run(folder, "demo", "--scenario", "spot-from-clean", processes);
+        assertPlayed(result, "spot-from-clean");
+        List<String> lines = tidy(result.out());
+        assertThat(lines.subList(indexOfThirdEvent(lines), lines.size())).isEqualTo(expected("spot-from-clean"));
+    }
+
+    private static int indexOfThirdEvent(List<String> lines) {
+        int events = 0;
+        for (int line = 0; line < lines.size(); line++) {
+            if (lines.get(line).startsWith("----   button_event") && ++events == 3) {
+                return line;
+            }
+        }
+        throw new AssertionError("fewer than three events in " + lines);
+    }
+
+    @Test
+    void withoutAChoiceAllFourArePlayedUnderTheirHeaders() throws Exception {
+        Program.Result result = Program.run(folder, "demo", "--speed", "20");
+        assertThat(result.out().lines().filter(line -> line.startsWith("===")))
+                .containsExactly(
+                        "=== scenario: remote-start",
+                        "=== scenario: spot-from-clean",
+                        "=== scenario: own-button",
+                        "=== scenario: timeout");
+        assertThat(result.err().lines())
+                .hasSize(4)
+                .allMatch(line -> line.endsWith(" ended where it should, by the simulated robot's true state"));
+        assertThat(result.out().lines().filter(line -> line.contains("internal_event : timeout")))
+                .hasSize(1);
+        assertThat(result.status()).isZero();
+    }
+}
