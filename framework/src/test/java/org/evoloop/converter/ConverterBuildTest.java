@@ -84,7 +84,8 @@ class ConverterBuildTest {
         wrong.addExecute(new Device("Clean", "Spot"));
         assertThatThrownBy(wrong::build)
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessage("queueCapacity is -1, allowed is 0 to 1000000; joinLimit is PT0S, allowed is 1 ms to 1 min");
+                .hasMessage(
+                        "queueCapacity is -1, allowed is 0 to 1000000; joinLimit is PT0S, allowed is 1 ms to 1 min");
     }
 
     @Test
