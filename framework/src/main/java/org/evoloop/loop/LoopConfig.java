@@ -12,7 +12,8 @@ import org.evoloop.time.Clock;
  *
  * @param name part of every thread's name
  * @param clock the time of back-off and limits
- * @param queueCapacity how many occurrences may wait, 1 to 1,000,000
+ * @param queueCapacity how many occurrences may wait behind the one that is in the loop, 0 to 1,000,000; with 0 a loop
+ *     that is busy loses what comes, and an idle one takes it
  * @param stepLimit how long an analyze, plan or execute component may work on one occurrence before it is interrupted, at
  *     least 1 ms, in the clock's time
  * @param joinLimit how long to wait for a thread that was told to stop, 1 ms to 1 min, in real time
@@ -49,8 +50,8 @@ public record LoopConfig(
     /** Every option that is out of range, with its value and what is allowed. */
     public List<String> problems() {
         List<String> found = new ArrayList<>();
-        if (queueCapacity < 1 || queueCapacity > 1_000_000) {
-            found.add("queueCapacity is " + queueCapacity + ", allowed is 1 to 1000000");
+        if (queueCapacity < 0 || queueCapacity > 1_000_000) {
+            found.add("queueCapacity is " + queueCapacity + ", allowed is 0 to 1000000");
         }
         if (stepLimit.compareTo(Duration.ofMillis(1)) < 0) {
             found.add("stepLimit is " + stepLimit + ", allowed is at least 1 ms");

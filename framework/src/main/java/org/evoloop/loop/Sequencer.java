@@ -66,7 +66,7 @@ final class Sequencer<O> {
                 counts = counts.plusRefused(1);
                 return false;
             }
-            if (queue.size() < config.queueCapacity() || neverDropped.test(offered)) {
+            if (hasRoom() || neverDropped.test(offered)) {
                 dropping = false;
                 enqueue(offered);
                 return true;
@@ -86,7 +86,7 @@ final class Sequencer<O> {
         lock.lockInterruptibly();
         try {
             // Without threads nobody would make room.
-            while (config.threads() && state == LoopState.RUNNING && queue.size() >= config.queueCapacity()) {
+            while (config.threads() && state == LoopState.RUNNING && !hasRoom()) {
                 room.await();
             }
             if (state != LoopState.RUNNING) {
@@ -98,6 +98,11 @@ final class Sequencer<O> {
         } finally {
             lock.unlock();
         }
+    }
+
+    /** Whether one more may come; an idle loop has room for the one that it takes at once, even without any queue. */
+    private boolean hasRoom() {
+        return queue.size() < Math.max(config.queueCapacity(), busy == null ? 1 : 0);
     }
 
     private void enqueue(O offered) {
@@ -156,6 +161,9 @@ final class Sequencer<O> {
         occurrence = null;
         quiet.signalAll();
         begin();
+        if (busy == null) {
+            room.signal();
+        }
     }
 
     /**

@@ -78,13 +78,14 @@ class ConverterBuildTest {
     @Test
     void refusesOptionsThatAreOutOfRange() {
         SystemEventConverter wrong = new SystemEventConverter(LoopConfig.defaults("robot", new ManualClock())
-                .withQueueCapacity(0)
+                .withQueueCapacity(-1)
                 .withJoinLimit(Duration.ZERO));
         wrong.addKnowledge(complete(PaperModels.cleaningRobot()));
         wrong.addExecute(new Device("Clean", "Spot"));
         assertThatThrownBy(wrong::build)
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessage("queueCapacity is 0, allowed is 1 to 1000000; joinLimit is PT0S, allowed is 1 ms to 1 min");
+                .hasMessage(
+                        "queueCapacity is -1, allowed is 0 to 1000000; joinLimit is PT0S, allowed is 1 ms to 1 min");
     }
 
     @Test

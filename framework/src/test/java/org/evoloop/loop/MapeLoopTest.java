@@ -187,6 +187,54 @@ class MapeLoopTest {
     }
 
     @Test
+    void withoutAQueueABusyLoopLosesWhatComesAndAnIdleOneTakesIt() throws InterruptedException {
+        Relay relay = new Relay(LoopConfig.defaults("relay", new ManualClock()).withQueueCapacity(0));
+        Relay.Hand hand = relay.new Hand("hanging");
+        try (relay) {
+            relay.loop.build();
+            relay.loop.start();
+            relay.loop.exchange("hand", hand);
+            assertThat(relay.loop.offer("hang")).isTrue();
+            Relay.await(hand.hanging);
+            assertThat(relay.loop.offer("lost")).isFalse();
+            assertThat(relay.dropped).containsExactly("lost first");
+            AtomicReference<Boolean> queued = new AtomicReference<>();
+            Thread patient = new Thread(() -> {
+                try {
+                    queued.set(relay.loop.put("waits for the loop to be idle"));
+                } catch (InterruptedException e) {
+                    queued.set(false);
+                }
+            });
+            patient.start();
+            // Only a putter that found the loop busy has to be woken by it.
+            while (patient.getState() != Thread.State.WAITING) {
+                Thread.onSpinWait();
+            }
+            hand.release.countDown();
+            patient.join();
+            assertThat(queued.get()).isTrue();
+            assertThat(take(relay.output)).isEqualTo("hanging:waits for the loop to be idle");
+        }
+    }
+
+    @Test
+    void withoutAQueueAndThreadsOneOccurrenceWaitsForItsStep() {
+        Relay relay = new Relay(
+                LoopConfig.defaults("still", new ManualClock()).withoutThreads().withQueueCapacity(0));
+        relay.loop.build();
+        relay.loop.start();
+
+        assertThat(relay.loop.offer("one")).isTrue();
+        assertThat(relay.loop.offer("lost")).isFalse();
+        assertThat(relay.loop.step()).isTrue();
+        assertThat(relay.loop.offer("two")).isTrue();
+        assertThat(relay.loop.step()).isTrue();
+
+        assertThat(relay.output).containsExactly("hand:one", "hand:two");
+    }
+
+    @Test
     void endsEveryThreadAndCanBeClosedTwice() {
         Relay relay = Relay.running();
         relay.close();
@@ -229,11 +277,11 @@ class MapeLoopTest {
                 .hasMessageContaining("no plan")
                 .hasMessageContaining("no execute");
         assertThatThrownBy(() -> new Relay(LoopConfig.defaults("bad", new ManualClock())
-                        .withQueueCapacity(0)
+                        .withQueueCapacity(-1)
                         .withStepLimit(Duration.ZERO)
                         .withJoinLimit(Duration.ofHours(1))))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageContaining("queueCapacity is 0, allowed is 1 to 1000000")
+                .hasMessageContaining("queueCapacity is -1, allowed is 0 to 1000000")
                 .hasMessageContaining("stepLimit is PT0S")
                 .hasMessageContaining("joinLimit is PT1H");
     }

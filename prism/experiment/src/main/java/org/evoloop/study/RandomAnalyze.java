@@ -1,0 +1,39 @@
+package org.evoloop.study;
+
+import java.util.Objects;
+import org.evoloop.converter.DecisionAnalyze;
+import org.evoloop.evolution.Decision;
+import org.evoloop.evolution.Occurrence;
+import org.evoloop.time.ManualClock;
+import org.jspecify.annotations.Nullable;
+
+/** The framework's decision, taking a random conversion time. */
+final class RandomAnalyze extends DecisionAnalyze {
+    private final ManualClock clock;
+    private final RandomTimes times;
+    private final Point point;
+    private final SimulatedDevice device;
+    private @Nullable Occurrence current;
+
+    RandomAnalyze(ManualClock clock, RandomTimes times, Point point, SimulatedDevice device) {
+        this.clock = clock;
+        this.times = times;
+        this.point = point;
+        this.device = device;
+    }
+
+    @Override
+    protected @Nullable Decision analyze(Occurrence occurrence) {
+        current = occurrence;
+        if (point.mechanism() == Point.Mechanism.SERIAL) {
+            clock.advance(device.untilReady());
+        }
+        clock.advance(times.conversion(point.conversionSeconds()));
+        return super.analyze(occurrence);
+    }
+
+    /** When the event that is in the loop was observed. */
+    long observedNanos() {
+        return Objects.requireNonNull(current).observedNanos();
+    }
+}

@@ -1,0 +1,10 @@
+/**
+ * Runs the framework's converter against a simulated device whose times are random, and measures what the study's models
+ * predict: losses, completion times and waiting times.
+ *
+ * <p>This room may use all of the framework; nothing uses it but the study's programs, which call it as a process.
+ */
+@NullMarked
+package org.evoloop.study;
+
+import org.jspecify.annotations.NullMarked;

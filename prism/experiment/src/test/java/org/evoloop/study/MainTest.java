@@ -1,0 +1,50 @@
+package org.evoloop.study;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.BufferedReader;
+import java.io.ByteArrayOutputStream;
+import java.io.PrintStream;
+import java.io.StringReader;
+import java.nio.charset.StandardCharsets;
+import org.junit.jupiter.api.Test;
+import picocli.CommandLine;
+
+class MainTest {
+    private final ByteArrayOutputStream out = new ByteArrayOutputStream();
+    private final ByteArrayOutputStream err = new ByteArrayOutputStream();
+
+    private int run(String input, String... arguments) {
+        BufferedReader stdin = new BufferedReader(new StringReader(input));
+        return new CommandLine(new Main(stdin, print(out), print(err))).execute(arguments);
+    }
+
+    private static PrintStream print(ByteArrayOutputStream to) {
+        return new PrintStream(to, true, StandardCharsets.UTF_8);
+    }
+
+    @Test
+    void printsWhatItMeasuresForEachPoint() {
+        int status = run("u,unbuffered,1,1,0.5,0.25,1,0,3\np,pipelined,4,1,0.5,0.25,1,0,4\n", "--runs", "20");
+
+        assertThat(status).isZero();
+        assertThat(err.toString(StandardCharsets.UTF_8)).isEmpty();
+        assertThat(out.toString(StandardCharsets.UTF_8))
+                .startsWith("point,quantity,t,n,mean,deviation\n")
+                .containsPattern("u,lost,100,20,1[0-9]\\.")
+                .containsPattern("u,lost_per_s,0,100,0\\.17")
+                .containsPattern("u,wait_s,0,100,0\\.2[45]")
+                .containsPattern("u,divergence_s,0,21,")
+                .containsPattern("p,completion_s,0,20,[34][0-9]\\.")
+                .doesNotContain("p,divergence_s");
+    }
+
+    @Test
+    void refusesAPointThatDoesNotFit() {
+        for (String wrong : new String[] {"few,cells", "n,fast,1,1,0.5,0.25,1,0,1", "n,serial,0,1,0.5,0.25,1,0,1"}) {
+            err.reset();
+            assertThat(run(wrong)).isEqualTo(2);
+            assertThat(err.toString(StandardCharsets.UTF_8)).startsWith("error: '" + wrong + "'");
+        }
+    }
+}

@@ -1,0 +1,112 @@
+"""The command line."""
+
+import argparse
+import sys
+import unittest
+from pathlib import Path
+
+from study import closed_forms
+from study.both import Both
+from study.checking import Checker
+from study.measured import Measured, read, run_benchmark
+from study.prism_tool import Prism
+from study.problem import Problem
+from study.storm import Storm
+
+_ROOT = Path(__file__).resolve().parent.parent.parent
+_AGREEMENT = 1e-6
+
+
+def main(arguments: list[str]) -> int:
+    options = _parse(arguments)
+    try:
+        return _check(options) if options.check else _study(options)
+    except Problem as problem:
+        say(str(problem))
+        return problem.status
+    except KeyboardInterrupt:
+        return 130
+
+
+def say(text: str) -> None:
+    """Tells the user what goes on; results go to stdout."""
+    print(f"study: {text}", file=sys.stderr, flush=True)
+
+
+def _parse(arguments: list[str]) -> argparse.Namespace:
+    parser = argparse.ArgumentParser(
+        prog="./evoloop study",
+        description="Checks the models of prism/models and writes tables, plots and a report to prism/results.",
+        epilog="Exit status: 0 good, 1 something does not hold or cannot be done, 2 wrong usage or input.",
+    )
+    parser.add_argument(
+        "--check", action="store_true", help="only run the study's own tests and compare with the known closed forms"
+    )
+    parser.add_argument(
+        "--checker",
+        choices=("storm", "prism", "both"),
+        default="storm",
+        help="what checks the models: Storm (default), PRISM if it is on the PATH, or both and how far they differ",
+    )
+    parser.add_argument(
+        "--experiment", action="store_true", help="measure the converter that runs, too, and compare it with the models"
+    )
+    parser.add_argument(
+        "--seed", type=int, default=1, metavar="N", help="the seed of the experiment's first point (default: 1)"
+    )
+    parser.add_argument(
+        "--measured",
+        nargs="?",
+        const="",
+        metavar="FILE",
+        help="take the conversion time from FILE, which ./evoloop bench --json FILE has written, "
+        "or without FILE from a quick run of the benchmarks",
+    )
+    return parser.parse_args(arguments)
+
+
+def _checker(name: str) -> Checker:
+    if name == "both":
+        return Both(Storm(), Prism())
+    return Prism() if name == "prism" else Storm()
+
+
+def _check(options: argparse.Namespace) -> int:
+    checker = _checker(options.checker)
+    tests = unittest.defaultTestLoader.discover(str(_ROOT / "prism" / "tests"), top_level_dir=str(_ROOT / "prism"))
+    passed = unittest.TextTestRunner(verbosity=0).run(tests).wasSuccessful()
+    found = closed_forms.checks(checker)
+    for check in found:
+        print(check)
+    return 0 if all(check.holds() for check in found) and passed and _agree(checker) else 1
+
+
+def _study(options: argparse.Namespace) -> int:
+    # Only here: drawing takes a while to load, and --check does without.
+    from study import run
+
+    measured = _measured(options.measured)
+    checker = _checker(options.checker)
+    if options.experiment:
+        run.run_experiment(options.seed, say)
+    if measured is not None:
+        run.take_measured(checker, measured, say)
+    comparisons = run.study(checker, say)
+    missed = [one for one in comparisons if not one.holds()] if options.experiment else []
+    for one in missed:
+        say(f"{one.point.name}: {one.quantity} was measured as {one.measured}, the model says {one.model:.6g}")
+    print(run.RESULTS / "report.md")
+    return 0 if _agree(checker) and not missed else 1
+
+
+def _measured(given: str | None) -> Measured | None:
+    if given is None:
+        return None
+    return read(Path(given)) if given else run_benchmark(_ROOT, say)
+
+
+def _agree(checker: Checker) -> bool:
+    if not isinstance(checker, Both):
+        return True
+    print(f"largest difference between {checker.name}: {checker.largest_difference:.2e}")
+    return checker.largest_difference < _AGREEMENT

@@ -1,0 +1,37 @@
+"""The report, as Markdown."""
+
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from study import sections
+from study.curves import Curves
+from study.experiment import Comparison
+from study.tables import Table
+
+
+@dataclass
+class Findings:
+    """Everything that the study found out."""
+
+    checker: str
+    curves: Curves
+    tables: dict[str, Table]
+    flagged_baseline: float
+    comparisons: list[Comparison] = field(default_factory=list)
+    measured_events: int = 0
+
+
+def write(folder: Path, findings: Findings) -> None:
+    parts = [
+        sections.head(findings.checker),
+        sections.paper(findings.curves),
+        sections.counting(findings.curves, findings.tables, findings.flagged_baseline),
+        sections.converter(findings.curves, findings.tables),
+        sections.devices(findings.curves, findings.tables),
+        sections.sensitivity(findings.tables["sensitivity"]),
+        sections.code(),
+        sections.experiment(findings.comparisons, findings.measured_events),
+        sections.measured(findings.curves, findings.tables.get("measured")),
+        sections.files(),
+    ]
+    (folder / "report.md").write_text("\n\n".join(parts) + "\n", encoding="utf-8")

@@ -1,0 +1,67 @@
+"""The whole study, from models to report."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+from study import belief, counting, curves, devices, experiment, measured, plots, report, sensitivity, waiting
+from study.checking import Checker
+from study.tables import Table
+
+RESULTS = Path(__file__).resolve().parent.parent / "results"
+
+Tell = Callable[[str], None]
+
+_TABLES: dict[str, tuple[Callable[[Checker], Table], ...]] = {
+    "counting losses exactly": (counting.counting_table, counting.break_even_table),
+    "waiting times": (waiting.waiting_table, waiting.longer_table),
+    "belief and device": (belief.belief_table,),
+    "devices that make it harder": (devices.path_table, devices.holdoff_table),
+    "other arrivals and conversion times": (sensitivity.sensitivity_table,),
+}
+
+
+def study(checker: Checker, tell: Tell) -> list[experiment.Comparison]:
+    """
+    Checks every model and writes tables, plots and the report.
+
+    Returns how the measurements of the last experiment compare, nothing if there has been none.
+    """
+    RESULTS.mkdir(exist_ok=True)
+    tell(f"the paper's properties, with {checker.name}")
+    computed = curves.compute(checker)
+    tables = [curves.curves_table(computed), curves.summary_table(computed)]
+    for what, makers in _TABLES.items():
+        tell(what)
+        tables += [make(checker) for make in makers]
+    by_name = {table.name: table for table in tables}
+    found = report.Findings(checker.name, computed, by_name, counting.flagged_baseline(checker))
+    tell("plots")
+    plots.draw(RESULTS, computed, by_name)
+    measurements = experiment.load(RESULTS)
+    if measurements is not None:
+        tell("the experiment's measurements beside the models")
+        predictions = experiment.Predictions(checker)
+        found.comparisons = experiment.compare(measurements, predictions)
+        found.measured_events = min(measurements.events(point) for point in experiment.POINTS)
+        tables.append(experiment.comparison_table(found.comparisons))
+        plots.draw_experiment(RESULTS, measurements, predictions, by_name["waiting-longer"])
+    for table in tables:
+        table.write(RESULTS)
+    today = Table.read("measured", RESULTS)
+    if today is not None:
+        by_name["measured"] = today
+    report.write(RESULTS, found)
+    return found.comparisons
+
+
+def run_experiment(first_seed: int, tell: Tell) -> None:
+    """Measures the converter anew, for the report to take up."""
+    RESULTS.mkdir(exist_ok=True)
+    experiment.measure(first_seed, tell).write(RESULTS)
+
+
+def take_measured(checker: Checker, conversion: measured.Measured, tell: Tell) -> None:
+    """Checks the models at a measured conversion time, for the report to take up."""
+    RESULTS.mkdir(exist_ok=True)
+    tell(f"the measured conversion time, {conversion.conversion_s * 1e6:.1f} µs")
+    measured.measured_table(checker, conversion).write(RESULTS)
