@@ -1,0 +1,122 @@
+package org.evoloop.roomba.session;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.evoloop.roomba.session.Frames.cleaning;
+import static org.evoloop.roomba.session.Frames.encoders;
+import static org.evoloop.roomba.session.Frames.resting;
+
+import org.evoloop.roomba.oi.OiMode;
+import org.evoloop.roomba.oi.Packet;
+import org.evoloop.roomba.oi.SensorValues;
+import org.evoloop.roomba.session.SpotWatch.Ending;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.Test;
+
+class SpotWatchTest {
+    private static final SensorValues REST = resting(OiMode.PASSIVE);
+
+    private final SpotWatch watch = new SpotWatch();
+
+    /** Feeds the same frame so many times; the ending may come with the last one only. */
+    private @Nullable Ending feed(SensorValues frame, int times) {
+        for (int i = 1; i < times; i++) {
+            assertThat(watch.update(frame)).as("frame %d of %d", i, times).isNull();
+        }
+        return watch.update(frame);
+    }
+
+    @Test
+    void tellsNothingIfNobodyAskedForASpotCleaning() {
+        assertThat(feed(cleaning(), 500)).isNull();
+        assertThat(feed(REST, 500)).isNull();
+    }
+
+    @Test
+    void endsOnceAllHasBeenQuietForASecond() {
+        watch.started();
+        assertThat(feed(REST, 30)).isNull();
+        assertThat(feed(cleaning(), 2_000)).isNull();
+        assertThat(feed(REST, SpotWatch.QUIET_FRAMES)).isEqualTo(Ending.QUIET);
+        assertThat(feed(REST, 500)).as("only once").isNull();
+    }
+
+    @Test
+    void aPauseOfLessThanASecondIsNoEnd() {
+        watch.started();
+        for (int bumps = 0; bumps < 20; bumps++) {
+            assertThat(feed(cleaning(), 50)).isNull();
+            assertThat(feed(REST, SpotWatch.QUIET_FRAMES - 1)).isNull();
+        }
+    }
+
+    @Test
+    void anySignOfLifeIsEnough() {
+        for (SensorValues alive : new SensorValues[] {
+            REST.with(Packet.CURRENT, Motion.MOVING_CURRENT_MILLI_AMPS - 1),
+            REST.with(Packet.MAIN_BRUSH_CURRENT, Motion.BRUSH_CURRENT_MILLI_AMPS + 1),
+            REST.with(Packet.SIDE_BRUSH_CURRENT, -Motion.BRUSH_CURRENT_MILLI_AMPS - 1),
+        }) {
+            watch.started();
+            assertThat(feed(alive, 10)).isNull();
+            assertThat(feed(REST, SpotWatch.QUIET_FRAMES)).as("%s", alive).isEqualTo(Ending.QUIET);
+        }
+        watch.started();
+        for (int counts = 0; counts < 300; counts++) {
+            assertThat(watch.update(encoders(counts, -counts))).isNull();
+        }
+        assertThat(feed(encoders(299, -299), SpotWatch.QUIET_FRAMES)).isEqualTo(Ending.QUIET);
+    }
+
+    @Test
+    void aRobotThatNeverBeginsIsToldSo() {
+        watch.started();
+        assertThat(feed(REST, SpotWatch.START_FRAMES)).isEqualTo(Ending.NOT_STARTED);
+        assertThat(feed(REST, 500)).isNull();
+    }
+
+    @Test
+    void movingUnderControlIsNoSpotCleaning() {
+        watch.started();
+        SensorValues driven = resting(OiMode.SAFE).with(Packet.CURRENT, -900);
+        assertThat(feed(driven, SpotWatch.START_FRAMES)).isEqualTo(Ending.NOT_STARTED);
+    }
+
+    @Test
+    void controlTakenByAClientEndsItAtOnce() {
+        watch.started();
+        feed(cleaning(), 100);
+        assertThat(watch.update(cleaning().with(Packet.OI_MODE, OiMode.SAFE.code())))
+                .isEqualTo(Ending.OVERRIDDEN);
+    }
+
+    @Test
+    void noneLastsLongerThanThreeMinutes() {
+        watch.started();
+        assertThat(feed(cleaning(), SpotWatch.LONGEST_FRAMES)).isEqualTo(Ending.TOO_LONG);
+    }
+
+    @Test
+    void lostFramesMakeItLateNeverEarly() {
+        watch.started();
+        feed(cleaning(), 100);
+        // Every second frame is lost: what comes is counted, so the second of rest takes two.
+        int seen = 0;
+        Ending ending = null;
+        for (int frame = 0; ending == null; frame++) {
+            if (frame % 2 == 0) {
+                ending = watch.update(REST);
+                seen++;
+            }
+        }
+        assertThat(seen).isEqualTo(SpotWatch.QUIET_FRAMES);
+    }
+
+    @Test
+    void aSecondStartBeginsAnew() {
+        watch.started();
+        feed(cleaning(), 100);
+        feed(REST, SpotWatch.QUIET_FRAMES - 1);
+        watch.started();
+        assertThat(feed(REST, SpotWatch.START_FRAMES)).isEqualTo(Ending.NOT_STARTED);
+    }
+}
