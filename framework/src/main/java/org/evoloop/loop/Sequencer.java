@@ -275,6 +275,9 @@ final class Sequencer<O> {
             begin();
             lock.unlock();
             // Also after a change that was refused: what was given up for it must be reported, or nothing else begins.
+            if (late != null) {
+                late.letReturn();
+            }
             goOn(late, failure);
             if (interrupted) {
                 Thread.currentThread().interrupt();

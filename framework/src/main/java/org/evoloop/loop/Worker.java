@@ -8,6 +8,8 @@ import org.jspecify.annotations.Nullable;
 
 /** The thread of one component, and how the component fares. */
 abstract class Worker implements Runnable {
+    private static final long RETURN_NANOS = 50_000_000;
+
     private final Component component;
     private final @Nullable Thread thread;
     private final AtomicLong failures = new AtomicLong();
@@ -94,6 +96,14 @@ abstract class Worker implements Runnable {
 
     final boolean ownsCurrentThread() {
         return thread == Thread.currentThread();
+    }
+
+    /** Gives a component that was interrupted a moment to return, so that what comes next does not find it stuck. */
+    final void letReturn() {
+        long deadline = System.nanoTime() + RETURN_NANOS;
+        while (stuck && System.nanoTime() < deadline) {
+            giveWay();
+        }
     }
 
     final boolean isStuck() {
