@@ -26,6 +26,7 @@ class ArchitectureTest {
     private static final String LINK = "org.evoloop.roomba.link..";
     private static final String SIMULATOR = "org.evoloop.roomba.simulator..";
     private static final String SESSION = "org.evoloop.roomba.session..";
+    private static final String CAMERA = "org.evoloop.roomba.camera..";
     private static final String MOVE = "org.evoloop.roomba.move..";
     private static final String TIME = "org.evoloop.time..";
 
@@ -51,12 +52,16 @@ class ArchitectureTest {
             room(SESSION, or(resideInAnyPackage(OI, LINK, TIME), type(DeviceLink.class)));
 
     @ArchTest
+    static final ArchRule theCameraKnowsNoRobot = room(CAMERA, resideInAPackage(TIME));
+
+    @ArchTest
     static final ArchRule moveSeesTheRobotThroughItsSession = room(
             MOVE,
             or(
                     resideInAnyPackage(
                             OI,
                             SESSION,
+                            CAMERA,
                             TIME,
                             "org.evoloop.loop..",
                             "org.evoloop.function..",

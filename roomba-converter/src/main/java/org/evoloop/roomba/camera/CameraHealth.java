@@ -1,0 +1,31 @@
+package org.evoloop.roomba.camera;
+
+/**
+ * What state a camera is in.
+ *
+ * @param reason for people, with the mend; empty while it sees
+ */
+public record CameraHealth(State state, String reason) {
+
+    /**
+     * <pre>
+     *   OPENING --first frame--&gt; SEEING --no frame in time--&gt; STALLED --frame--&gt; SEEING
+     *      ^                        |                             |
+     *      '-- after a pause -- GONE &lt;--unplugged, given up-------'        any --close--&gt; CLOSED
+     * </pre>
+     */
+    public enum State {
+        /** It was asked to open and has shown nothing yet. */
+        OPENING,
+        /** Frames come. */
+        SEEING,
+        /** It is there and sends nothing, or nothing that can be read. */
+        STALLED,
+        /** It is not there; it is tried again. */
+        GONE,
+        /** Nobody wants it any more. */
+        CLOSED
+    }
+
+    public static final CameraHealth SEEING = new CameraHealth(State.SEEING, "");
+}
