@@ -1,6 +1,7 @@
 package org.evoloop;
 
 import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAPackage;
+import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAnyPackage;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
 
 import com.tngtech.archunit.core.importer.ImportOption;
@@ -19,6 +20,8 @@ class ArchitectureTest {
             .definedBy("org.evoloop.statemachine..")
             .layer("time")
             .definedBy("org.evoloop.time..")
+            .layer("statechart")
+            .definedBy("org.evoloop.statechart..")
             .optionalLayer("xmi")
             .definedBy("org.evoloop.xmi..")
             .layer("evolution")
@@ -35,8 +38,10 @@ class ArchitectureTest {
             .mayNotAccessAnyLayer()
             .whereLayer("time")
             .mayNotAccessAnyLayer()
-            .whereLayer("xmi")
+            .whereLayer("statechart")
             .mayOnlyAccessLayers("statemachine")
+            .whereLayer("xmi")
+            .mayOnlyAccessLayers("statechart", "statemachine")
             .whereLayer("evolution")
             .mayOnlyAccessLayers("statemachine")
             .whereLayer("loop")
@@ -50,7 +55,8 @@ class ArchitectureTest {
 
     @ArchTest
     static final ArchRule decisionsArePure = noClasses()
-            .that(resideInAPackage("org.evoloop.statemachine..").or(resideInAPackage("org.evoloop.evolution..")))
+            .that(resideInAnyPackage(
+                    "org.evoloop.statemachine..", "org.evoloop.statechart..", "org.evoloop.evolution.."))
             .should()
             .dependOnClassesThat()
             .resideInAnyPackage("java.io..", "java.nio..", "java.net..", "org.slf4j..", "jakarta..")

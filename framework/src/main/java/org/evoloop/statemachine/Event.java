@@ -1,22 +1,38 @@
 package org.evoloop.statemachine;
 
 import java.time.Duration;
+import java.util.List;
 import java.util.Optional;
 
 /**
- * An event that may trigger transitions; its identity is its name, as drawn on the transition.
+ * An event that may trigger transitions; its identity is its name, as drawn on the transition, and its guards.
+ *
+ * <p>A guarded trigger is an event of its own, which exists only while its conditions hold: so T stays a function of
+ * states and events. What a monitor tells is the name alone; which of the guarded events it is, is decided when it comes.
  *
  * <p>Threading: immutable.
  *
  * @param name as drawn, not blank; a name such as {@code tm(2s)} is a time trigger
+ * @param guards the conditions that must all hold, as drawn; empty for an event that always counts
  */
-public record Event(String name) implements Comparable<Event> {
+public record Event(String name, List<String> guards) implements Comparable<Event> {
 
     /** @throws ModelException if {@code name} is blank */
     public Event {
         if (name.isBlank()) {
             throw new ModelException("an event has no name; give it one");
         }
+        guards = List.copyOf(guards);
+    }
+
+    /** An event without guards. */
+    public Event(String name) {
+        this(name, List.of());
+    }
+
+    /** The same event without its guards: what a monitor tells and what can be sent. */
+    public Event trigger() {
+        return guards.isEmpty() ? this : new Event(name);
     }
 
     /**
@@ -28,14 +44,16 @@ public record Event(String name) implements Comparable<Event> {
         return TimeTrigger.parse(name);
     }
 
-    /** Orders by name. */
+    /** Orders by name, then by guards. */
     @Override
     public int compareTo(Event other) {
-        return name.compareTo(other.name);
+        int byName = name.compareTo(other.name);
+        return byName != 0 ? byName : guards.toString().compareTo(other.guards.toString());
     }
 
+    /** As on a diagram: {@code press [hot] [full]}. */
     @Override
     public String toString() {
-        return name;
+        return guards.isEmpty() ? name : name + " [" + String.join("] [", guards) + "]";
     }
 }

@@ -66,8 +66,19 @@ public final class StateMachineBuilder {
      * @param place where, for messages, such as {@code line 12}; empty if it stands nowhere
      */
     public StateMachineBuilder transition(String source, String event, String target, String place) {
-        Placed added = new Placed(new Transition(new State(source), new Event(event), new State(target)), place);
-        Transition transition = added.transition();
+        return transition(new Transition(new State(source), new Event(event), new State(target)), place);
+    }
+
+    /**
+     * Adds a transition that stands in a file, with its guards and effects. Of those of one state with the same trigger
+     * the one that was added first and whose guards hold counts.
+     *
+     * @param place as above
+     */
+    public StateMachineBuilder transition(Transition transition, String place) {
+        Placed added = new Placed(transition, place);
+        String source = transition.source().name();
+        Event event = transition.event();
         states.add(transition.source());
         states.add(transition.target());
         addEvent(transition.event(), place);

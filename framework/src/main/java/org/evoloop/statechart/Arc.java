@@ -1,0 +1,39 @@
+package org.evoloop.statechart;
+
+import java.util.List;
+
+/**
+ * A transition as drawn.
+ *
+ * <p>Threading: immutable.
+ *
+ * @param source key of the vertex that it leaves
+ * @param target key of the vertex that it enters
+ * @param triggers names of the events that trigger it, any of them; none for a completion transition and for segments
+ *     between pseudostates
+ * @param guard text of the condition; empty for none, {@code else} for the branch that remains
+ * @param effects behaviors on taking it, in order
+ */
+public record Arc(
+        Place place,
+        String source,
+        String target,
+        List<String> triggers,
+        String guard,
+        List<String> effects,
+        Kind kind) {
+    public Arc {
+        triggers = List.copyOf(triggers);
+        effects = List.copyOf(effects);
+    }
+
+    /** What a transition does with its source. */
+    public enum Kind {
+        /** Leaves it. */
+        EXTERNAL,
+        /** Leaves only what is inside. */
+        LOCAL,
+        /** Leaves nothing. */
+        INTERNAL
+    }
+}

@@ -1,0 +1,18 @@
+package org.evoloop.statechart;
+
+import java.util.List;
+
+/**
+ * A region: vertices of which one is active at a time, and the transitions that the file keeps with them. A transition
+ * may lead from and to vertices of any region of its machine.
+ *
+ * <p>Threading: immutable.
+ *
+ * @param name may be empty
+ */
+public record Region(String name, Place place, List<Vertex> vertices, List<Arc> arcs) {
+    public Region {
+        vertices = List.copyOf(vertices);
+        arcs = List.copyOf(arcs);
+    }
+}

@@ -1,0 +1,20 @@
+package org.evoloop.statechart;
+
+import java.util.List;
+
+/**
+ * A UML state machine as it was drawn, not checked.
+ *
+ * <p>Threading: immutable.
+ *
+ * @param name what its author calls it
+ * @param place in its file
+ * @param regions its top regions, seldom more than one
+ * @param events that the model declares; those on transitions need not be among them
+ */
+public record Statechart(String name, Place place, List<Region> regions, List<String> events) {
+    public Statechart {
+        regions = List.copyOf(regions);
+        events = List.copyOf(events);
+    }
+}
