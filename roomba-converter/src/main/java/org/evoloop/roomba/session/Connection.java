@@ -1,22 +1,14 @@
 package org.evoloop.roomba.session;
 
 import java.time.Duration;
-import java.util.Arrays;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.CompletionException;
-import java.util.concurrent.Executor;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
-import java.util.concurrent.RejectedExecutionException;
-import java.util.concurrent.TimeUnit;
 import java.util.function.IntFunction;
 import org.evoloop.roomba.link.Link;
 import org.evoloop.roomba.link.LinkException;
 import org.evoloop.roomba.oi.Command;
 import org.evoloop.roomba.oi.InputCommand;
-import org.evoloop.roomba.oi.Opcode;
+import org.evoloop.roomba.session.ConnectionState.Phase;
 import org.evoloop.time.Clock;
-import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -24,15 +16,7 @@ import org.slf4j.LoggerFactory;
  * Gets the robot on the line and keeps it there: opens the link, wakes the robot, asks for its stream, and begins anew
  * when the cable was pulled or the robot falls silent.
  *
- * <pre>
- *   open() --&gt; ASKING --frame--&gt; UP --silence--&gt; ASKING
- *               |  ^  \             \
- *     no answer |  |   '--lost--------+--lost--&gt; DOWN --link opens--&gt; ASKING
- *               v  | at 115200
- *              CHANGING_RATE
- *
- *   close() --&gt; CLOSED, from wherever it is, for good
- * </pre>
+ * <p>Lifecycle: see {@link ConnectionState}.
  *
  * <p>Without an answer at either rate the first time, {@link #firstAnswer()} fails; the connection goes on asking.
  *
@@ -64,12 +48,6 @@ final class Connection {
     private static final Logger LOG = LoggerFactory.getLogger(RoombaSession.class);
     private static final int ATTEMPTS = 3;
 
-    /** A song that claims to have 255 notes. */
-    private static final int LONGEST_COMMAND = 3 + 2 * 255;
-
-    private static final int BITS_PER_BYTE = 10;
-    private static final long END_LIMIT_MILLIS = 2_000;
-
     /** What the owner of the connection is told, on the thread that receives or on the connection's own. */
     interface Owner {
         void received(byte[] buffer, int length);
@@ -81,69 +59,41 @@ final class Connection {
         boolean isDozing();
     }
 
-    private enum State {
-        NEW,
-        ASKING,
-        UP,
-        /** The robot is told, at the alternate rate, to come back to the usual one; frames do not count. */
-        CHANGING_RATE,
-        DOWN,
-        CLOSED
-    }
-
-    private final IntFunction<Link> cable;
+    private final Plug plug;
     private final Clock clock;
     private final Duration silenceLimit;
     private final Duration answerLimit;
     private final Owner owner;
-    private final @Nullable ExecutorService thread;
-    private final Executor own;
+    private final ConnectionThread thread;
     private final CompletableFuture<Void> firstAnswer = new CompletableFuture<>();
     private final FirstBytes firstBytes = new FirstBytes();
-    private volatile State state = State.NEW;
-    private volatile @Nullable Link link;
-    private volatile String trouble = "";
+    private final ConnectionState state = new ConnectionState();
     private volatile long lastFrameNanos;
     private boolean alternateTried;
     private int attempt;
     private long askedNanos;
     private long pulsedNanos;
-    private long generation;
 
     Connection(IntFunction<Link> cable, Clock clock, SessionOptions options, Owner owner) {
-        this.cable = cable;
+        this.plug = new Plug(cable);
         this.clock = clock;
         this.silenceLimit = options.silenceLimit();
         this.answerLimit = longer(ANSWER_LIMIT, silenceLimit.dividedBy(2));
         this.owner = owner;
-        this.thread = options.mayWait() ? Executors.newSingleThreadExecutor(Connection::thread) : null;
-        this.own = thread != null ? thread : Runnable::run;
+        this.thread = new ConnectionThread(clock, options.mayWait());
     }
 
     private static Duration longer(Duration one, Duration other) {
         return one.compareTo(other) >= 0 ? one : other;
     }
 
-    private static Thread thread(Runnable work) {
-        Thread made = new Thread(work, "roomba-connection");
-        made.setDaemon(true);
-        return made;
-    }
-
     /** Opens the link for the first time. @throws LinkException if that cannot be done */
     void open() {
-        try {
-            CompletableFuture.runAsync(
-                            () -> {
-                                pulsedNanos = clock.nanoTime();
-                                plugIn();
-                                scheduleLook();
-                            },
-                            own)
-                    .join();
-        } catch (CompletionException failure) {
-            throw failure.getCause() instanceof RuntimeException cause ? cause : failure;
-        }
+        thread.runAndWait(() -> {
+            pulsedNanos = clock.nanoTime();
+            plugIn();
+            scheduleLook();
+        });
     }
 
     /**
@@ -156,16 +106,14 @@ final class Connection {
 
     /** Opens a link and asks the robot for its stream. */
     private void plugIn() {
-        plugIn(BAUD, State.ASKING);
-        trouble = "no answer yet";
+        plugIn(BAUD, Phase.ASKING);
         attempt = 1;
         ask();
     }
 
-    private void plugIn(int baud, State next) {
-        long ofGeneration = ++generation;
-        Link fresh = cable.apply(baud);
-        fresh.open(new Link.Receiver() {
+    private void plugIn(int baud, Phase next) {
+        long plugging = plug.next();
+        plug.open(baud, new Link.Receiver() {
             @Override
             public void received(byte[] buffer, int length) {
                 firstBytes.take(buffer, length);
@@ -174,101 +122,54 @@ final class Connection {
 
             @Override
             public void lost(LinkException cause) {
-                run(() -> lose(ofGeneration, cause));
+                thread.run(() -> lose(plugging, cause));
             }
         });
-        link = fresh;
-        if (!enter(next)) {
+        if (!state.enter(next, "no answer yet")) {
             // Closed meanwhile, by somebody who may not have seen this link.
-            fresh.close();
+            plug.close();
         }
     }
 
-    /** Goes on to a state; false if the connection has been closed, which is for good. */
-    private synchronized boolean enter(State next) {
-        boolean open = state != State.CLOSED;
-        if (open) {
-            state = next;
-        }
-        return open;
-    }
-
-    private synchronized boolean enter(State next, State from) {
-        return state == from && enter(next);
-    }
-
-    private void lose(long ofGeneration, LinkException cause) {
-        if (ofGeneration == generation && enter(State.DOWN)) {
-            LOG.warn("{}", cause.getMessage());
-            trouble = String.valueOf(cause.getMessage());
+    private void lose(long plugging, LinkException cause) {
+        String trouble = String.valueOf(cause.getMessage());
+        if (plugging == plug.current() && state.enter(Phase.DOWN, trouble)) {
+            LOG.warn("{}", trouble);
             firstAnswer.completeExceptionally(cause);
             owner.outOfSight();
         }
     }
 
     private void ask() {
-        if (state != State.ASKING) {
+        if (state.phase() != Phase.ASKING) {
             // It has answered while it was woken; a Start would now end its control.
             return;
         }
         askedNanos = clock.nanoTime();
         Duration pause = MODE_CHANGE;
         if (attempt == 1) {
-            trySend(new Command.Start());
+            plug.trySend(new Command.Start());
         } else {
-            completeWhateverIsPending();
-            pause = pause.plus(completionTime(BAUD));
+            plug.completeWhateverIsPending();
+            pause = pause.plus(Plug.completionTime(BAUD));
         }
         later(pause, () -> {
-            if (state == State.ASKING) {
-                trySend(new InputCommand.Stream(RoombaSession.STREAM));
+            if (state.phase() == Phase.ASKING) {
+                plug.trySend(new InputCommand.Stream(RoombaSession.STREAM));
             }
         });
-    }
-
-    /** Sends a command if that can be done; nobody is told if not. */
-    void trySend(Command command) {
-        trySend(command.bytes());
-    }
-
-    /**
-     * A robot that has received only a part of a command waits for the rest, for ever (specification, "Roomba Open
-     * Interface Commands"). Repeated Start commands complete whatever it is: they are no valid data for a change of the
-     * baud rate, and as commands do no harm to a robot that is not under control.
-     */
-    void completeWhateverIsPending() {
-        byte[] starts = new byte[LONGEST_COMMAND];
-        Arrays.fill(starts, (byte) Opcode.START.code());
-        trySend(starts);
-    }
-
-    /** How long the bytes that {@link #completeWhateverIsPending()} sends are on the line. */
-    private static Duration completionTime(int baud) {
-        return Duration.ofNanos(LONGEST_COMMAND * BITS_PER_BYTE * 1_000_000_000L / baud);
-    }
-
-    private void trySend(byte[] bytes) {
-        Link current = link;
-        if (current != null) {
-            try {
-                current.send(bytes);
-            } catch (LinkException gone) {
-                LOG.debug("{}", gone.getMessage());
-            }
-        }
     }
 
     /** A frame has come. */
     void answered() {
         lastFrameNanos = clock.nanoTime();
-        if (enter(State.UP, State.ASKING)) {
-            trouble = "";
+        if (state.enterFrom(Phase.ASKING, Phase.UP, "")) {
             firstAnswer.complete(null);
         }
     }
 
     private void scheduleLook() {
-        schedule(LOOK, () -> {
+        thread.schedule(LOOK, () -> {
             try {
                 look();
             } finally {
@@ -279,7 +180,7 @@ final class Connection {
 
     private void look() {
         long now = clock.nanoTime();
-        switch (state) {
+        switch (state.phase()) {
             case UP -> {
                 if (now - lastFrameNanos >= silenceLimit.toNanos()) {
                     fallSilent();
@@ -298,9 +199,8 @@ final class Connection {
     }
 
     private void fallSilent() {
-        if (enter(State.ASKING, State.UP)) {
-            LOG.warn("{}: the robot has fallen silent", description());
-            trouble = "the robot has fallen silent";
+        if (state.enterFrom(Phase.UP, Phase.ASKING, "the robot has fallen silent")) {
+            LOG.warn("{}: {}", description(), state.trouble());
             attempt = 1;
             owner.outOfSight();
             ask();
@@ -311,8 +211,7 @@ final class Connection {
         try {
             plugIn();
         } catch (LinkException stillGone) {
-            trouble = String.valueOf(stillGone.getMessage());
-            enter(State.DOWN);
+            state.enter(Phase.DOWN, String.valueOf(stillGone.getMessage()));
             firstAnswer.completeExceptionally(stillGone);
         }
     }
@@ -330,137 +229,89 @@ final class Connection {
         } else {
             firstAnswer.completeExceptionally(new RobotException(firstBytes.diagnosis(description())));
             alternateTried = false;
-            closeLink();
+            plug.pull();
             replug();
         }
     }
 
     /** The robot may listen at the alternate rate; then it is told to come back to the usual one. */
     private void changeRate() {
-        closeLink();
+        plug.pull();
         try {
-            plugIn(ALTERNATE_BAUD, State.CHANGING_RATE);
+            plugIn(ALTERNATE_BAUD, Phase.CHANGING_RATE);
         } catch (LinkException refused) {
             LOG.debug("{}", refused.getMessage());
             replug();
             return;
         }
         // What it has heard at the wrong rate may have begun any command.
-        completeWhateverIsPending();
-        later(MODE_CHANGE.plus(completionTime(ALTERNATE_BAUD)), () -> {
-            trySend(new Command.Baud(BAUD));
+        plug.completeWhateverIsPending();
+        later(MODE_CHANGE.plus(Plug.completionTime(ALTERNATE_BAUD)), () -> {
+            plug.trySend(new Command.Baud(BAUD));
             later(BAUD_CHANGE, () -> {
-                closeLink();
+                plug.pull();
                 replug();
             });
         });
     }
 
     private void pulse(Runnable then) {
-        Link current = link;
         pulsedNanos = clock.nanoTime();
-        if (current != null) {
-            current.wakeLine().setLow(true);
-            later(WAKE_PULSE, () -> {
-                current.wakeLine().setLow(false);
-                then.run();
-            });
-        }
+        plug.setWakeLine(true);
+        later(WAKE_PULSE, () -> {
+            plug.setWakeLine(false);
+            then.run();
+        });
     }
 
     /** Does some work for the link of this moment; nothing if there is another one by then, or none. */
     private void later(Duration delay, Runnable work) {
-        long ofGeneration = generation;
-        schedule(delay, () -> {
-            if (ofGeneration == generation && state != State.DOWN) {
+        long plugging = plug.current();
+        thread.schedule(delay, () -> {
+            boolean usable = state.phase() != Phase.DOWN && state.phase() != Phase.CLOSED;
+            if (usable && plugging == plug.current()) {
                 work.run();
             }
         });
     }
 
-    private void schedule(Duration delay, Runnable work) {
-        if (state == State.CLOSED) {
-            return;
-        }
-        try {
-            clock.schedule(delay, () -> run(work));
-        } catch (RejectedExecutionException noMoreTime) {
-            LOG.debug("too late: the clock is closed");
-        }
-    }
-
-    private void run(Runnable work) {
-        try {
-            own.execute(() -> runUnlessClosed(work));
-        } catch (RejectedExecutionException closed) {
-            LOG.debug("too late: the connection is closed");
-        }
-    }
-
-    private void runUnlessClosed(Runnable work) {
-        if (state != State.CLOSED) {
-            try {
-                work.run();
-            } catch (RuntimeException failure) {
-                LOG.error("{}: the connection's own work failed", description(), failure);
-            }
-        }
-    }
-
     /** Sends bytes. @throws LinkException if the robot cannot be reached */
     void send(byte[] bytes) {
-        Link current = link;
-        if (current == null || state == State.DOWN) {
-            throw new LinkException(LinkException.Fault.HUNG_UP, description() + ": " + trouble);
+        if (state.phase() == Phase.DOWN) {
+            throw new LinkException(LinkException.Fault.HUNG_UP, description() + ": " + state.trouble());
         }
-        current.send(bytes);
+        plug.send(bytes);
+    }
+
+    /** Sends a command if that can be done; nobody is told if not. */
+    void trySend(Command command) {
+        plug.trySend(command);
+    }
+
+    /** As {@link Plug#completeWhateverIsPending}. */
+    void completeWhateverIsPending() {
+        plug.completeWhateverIsPending();
     }
 
     boolean isUp() {
-        return state == State.UP;
+        return state.phase() == Phase.UP;
     }
 
     /** What is wrong; empty if nothing is. */
     String trouble() {
-        return trouble;
+        return state.trouble();
     }
 
     String description() {
-        Link current = link;
-        return current == null ? "no link" : current.description();
+        return plug.description();
     }
 
     /** Closes the link; nothing is sent any more. Waits for the connection's thread. Idempotent. */
     void close() {
-        enter(State.CLOSED);
+        state.enter(Phase.CLOSED, "closed");
         firstAnswer.completeExceptionally(
                 new LinkException(LinkException.Fault.CLOSED, description() + " was closed before the robot answered"));
-        Link current = link;
-        if (current != null) {
-            current.close();
-        }
-        if (thread != null) {
-            thread.shutdown();
-            awaitEnd(thread);
-        }
-    }
-
-    private static void awaitEnd(ExecutorService ending) {
-        try {
-            if (!ending.awaitTermination(END_LIMIT_MILLIS, TimeUnit.MILLISECONDS)) {
-                LOG.warn("thread roomba-connection did not end within {} ms", END_LIMIT_MILLIS);
-            }
-        } catch (InterruptedException hurry) {
-            Thread.currentThread().interrupt();
-        }
-    }
-
-    /** Ends the link that is to be replaced. */
-    private void closeLink() {
-        generation++;
-        Link current = link;
-        if (current != null) {
-            current.close();
-        }
+        plug.close();
+        thread.close();
     }
 }
