@@ -19,8 +19,8 @@ final class Control {
     /** A command that ends control shows within a few frames. */
     private static final int CONFIRM_FRAMES = 10;
 
-    /** Two Safe commands, with whatever was pending completed between. */
-    private static final int TRIES_ON_DOCK = 3;
+    /** Three Safe commands, with whatever was pending completed between. */
+    private static final int TRIES_ON_DOCK = 5;
 
     private final Connection connection;
     private final RobotWatch watch;
