@@ -21,8 +21,8 @@ import org.junit.jupiter.api.Test;
  * that the robot truly is in.
  */
 class TruthTest {
-    /** The longest that anything takes: the link, a pause that shows, SpotWait, control that is taken. */
-    private static final Duration QUIET = Duration.ofSeconds(8);
+    /** The longest that anything takes: a robot that is asked twice, and then stays on its dock instead of obeying. */
+    private static final Duration QUIET = Duration.ofSeconds(10);
 
     private static final Duration SILENCE_SHOWS =
             SessionOptions.defaults().silenceLimit().plusMillis(300);
