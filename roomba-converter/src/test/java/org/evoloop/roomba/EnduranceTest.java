@@ -12,6 +12,7 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.evoloop.roomba.link.MemoryLink;
+import org.evoloop.roomba.oi.StreamFrame;
 import org.evoloop.roomba.session.RoombaSession;
 import org.evoloop.roomba.session.SessionListener;
 import org.evoloop.roomba.session.SessionOptions;
@@ -31,8 +32,7 @@ import org.junit.jupiter.api.io.TempDir;
 
 /** A long time on a bad line, and a cable that is pulled again and again. */
 class EnduranceTest {
-    /** Header, length, 17 ids with 24 bytes of data, checksum. */
-    private static final long FRAME_BYTES = 44;
+    private static final long FRAME_BYTES = StreamFrame.length(RoombaSession.STREAM);
 
     @Test
     void hearsNothingWrongInTenMinutesOnANoisyLine() {

@@ -180,8 +180,8 @@ class TruthTest {
             case HALF_A_COMMAND -> stepped.robot.receive(new byte[] {(byte) Opcode.DRIVE_DIRECT.code(), 0}, 2);
             case STOP -> stepped.roomba.converter().stop();
             case START -> stepped.roomba.converter().start();
-            // One frame in six is spoilt. At more than that a press that only switches the robot on may leave no trace.
-            case NOISE -> stepped.disturb(new MemoryLink.Noise(1, 0.002, 0.002));
+            // One frame in five is spoilt. At much more a press that only switches the robot on may leave no trace.
+            case NOISE -> stepped.disturb(new MemoryLink.Noise(1, 0.003, 0.003));
             case SILENCE -> stepped.disturb(null);
             case MOMENT -> stepped.advance(Duration.ofMillis(40));
             case WHILE -> stepped.advance(Duration.ofSeconds(6));
