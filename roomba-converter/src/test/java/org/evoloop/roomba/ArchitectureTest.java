@@ -51,6 +51,13 @@ class ArchitectureTest {
             room(SESSION, or(resideInAnyPackage(OI, LINK, TIME), type(DeviceLink.class)));
 
     @ArchTest
+    static final ArchRule aConnectionKnowsNothingOfItsSession =
+            room("org.evoloop.roomba.session.connection..", resideInAnyPackage(OI, LINK, TIME));
+
+    @ArchTest
+    static final ArchRule whatFramesTellIsPure = room("org.evoloop.roomba.session.inference..", resideInAPackage(OI));
+
+    @ArchTest
     static final ArchRule moveSeesTheRobotThroughItsSession = room(
             MOVE,
             or(

@@ -4,6 +4,8 @@ import org.evoloop.roomba.oi.ActuatorCommand;
 import org.evoloop.roomba.oi.Command;
 import org.evoloop.roomba.oi.Packet;
 import org.evoloop.roomba.oi.SensorValues;
+import org.evoloop.roomba.session.connection.Connection;
+import org.evoloop.roomba.session.inference.SpotWatch;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -3,6 +3,7 @@ package org.evoloop.roomba.session;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.evoloop.roomba.oi.Button;
+import org.evoloop.roomba.session.inference.SpotWatch;
 
 /**
  * Passes what it hears on to all who listen, in the order in which they came.

@@ -3,6 +3,10 @@ package org.evoloop.roomba.session;
 import org.evoloop.roomba.oi.Button;
 import org.evoloop.roomba.oi.Command;
 import org.evoloop.roomba.oi.SensorValues;
+import org.evoloop.roomba.session.inference.ActivityEstimate;
+import org.evoloop.roomba.session.inference.ActivityWatch;
+import org.evoloop.roomba.session.inference.ButtonPresses;
+import org.evoloop.roomba.session.inference.SpotWatch;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 

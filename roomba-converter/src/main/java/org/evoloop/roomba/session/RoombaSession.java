@@ -14,6 +14,9 @@ import org.evoloop.roomba.oi.Packet;
 import org.evoloop.roomba.oi.PacketId;
 import org.evoloop.roomba.oi.SensorValues;
 import org.evoloop.roomba.oi.StreamFramer;
+import org.evoloop.roomba.session.connection.Connection;
+import org.evoloop.roomba.session.connection.RobotException;
+import org.evoloop.roomba.session.inference.FrameFilter;
 import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -71,7 +74,8 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
         this.clock = clock;
         this.options = options;
         this.filter = new FrameFilter(options.modeOffset());
-        this.connection = new Connection(cable, clock, options, new Connection.Owner() {
+        Connection.Options wanted = new Connection.Options(STREAM, options.silenceLimit(), options.mayWait());
+        this.connection = new Connection(cable, clock, wanted, new Connection.Owner() {
             @Override
             public void received(byte[] buffer, int length) {
                 synchronized (receiving) {

@@ -20,6 +20,8 @@ import org.evoloop.roomba.oi.ActuatorCommand;
 import org.evoloop.roomba.oi.Command;
 import org.evoloop.roomba.oi.InputCommand;
 import org.evoloop.roomba.oi.StreamFrame;
+import org.evoloop.roomba.session.connection.Connection;
+import org.evoloop.roomba.session.connection.RobotException;
 import org.evoloop.time.Clock;
 import org.evoloop.time.ManualClock;
 import org.evoloop.time.SystemClock;

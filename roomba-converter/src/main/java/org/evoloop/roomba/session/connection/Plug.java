@@ -1,4 +1,4 @@
-package org.evoloop.roomba.session;
+package org.evoloop.roomba.session.connection;
 
 import java.time.Duration;
 import java.util.Arrays;
@@ -17,7 +17,7 @@ import org.slf4j.LoggerFactory;
  * <p>Threading: any thread may send and close; links are replaced and told apart by one thread at a time.
  */
 final class Plug {
-    private static final Logger LOG = LoggerFactory.getLogger(RoombaSession.class);
+    private static final Logger LOG = LoggerFactory.getLogger(Connection.class);
 
     /** A song that claims to have 255 notes. */
     private static final int LONGEST_COMMAND = 3 + 2 * 255;

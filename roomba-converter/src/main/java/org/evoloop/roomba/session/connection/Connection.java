@@ -1,13 +1,15 @@
-package org.evoloop.roomba.session;
+package org.evoloop.roomba.session.connection;
 
 import java.time.Duration;
+import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.IntFunction;
 import org.evoloop.roomba.link.Link;
 import org.evoloop.roomba.link.LinkException;
 import org.evoloop.roomba.oi.Command;
 import org.evoloop.roomba.oi.InputCommand;
-import org.evoloop.roomba.session.ConnectionState.Phase;
+import org.evoloop.roomba.oi.PacketId;
+import org.evoloop.roomba.session.connection.ConnectionState.Phase;
 import org.evoloop.time.Clock;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -23,21 +25,21 @@ import org.slf4j.LoggerFactory;
  * <p>Threading: everything that may take a moment runs on one thread of its own, or, without waiting, on the clock's.
  * Frames come on the link's thread, commands and {@link #close()} from any.
  */
-final class Connection {
+public final class Connection {
     static final int BAUD = 115_200;
     static final int ALTERNATE_BAUD = 19_200;
 
     /** Field code leaves this much after a command that changes the mode. */
-    static final Duration MODE_CHANGE = Duration.ofMillis(20);
+    public static final Duration MODE_CHANGE = Duration.ofMillis(20);
 
     /** How often the connection looks after itself. */
-    static final Duration LOOK = Duration.ofMillis(250);
+    public static final Duration LOOK = Duration.ofMillis(250);
 
     /** A robot that is awake answers within a few frames; more time has one whose silence is borne longer, too. */
-    static final Duration ANSWER_LIMIT = Duration.ofSeconds(1);
+    public static final Duration ANSWER_LIMIT = Duration.ofSeconds(1);
 
     /** Longer than 500 ms: three shorter pulses after power-on would switch the robot to 19200 baud. */
-    static final Duration WAKE_PULSE = Duration.ofMillis(700);
+    public static final Duration WAKE_PULSE = Duration.ofMillis(700);
 
     /** A robot in Passive mode falls asleep after five minutes; a pulse a minute keeps it awake. */
     static final Duration KEEP_AWAKE = Duration.ofMinutes(1);
@@ -45,11 +47,11 @@ final class Connection {
     /** After a change of the baud rate the robot needs 100 ms. */
     static final Duration BAUD_CHANGE = Duration.ofMillis(100);
 
-    private static final Logger LOG = LoggerFactory.getLogger(RoombaSession.class);
+    private static final Logger LOG = LoggerFactory.getLogger(Connection.class);
     private static final int ATTEMPTS = 3;
 
     /** What the owner of the connection is told, on the thread that receives or on the connection's own. */
-    interface Owner {
+    public interface Owner {
         void received(byte[] buffer, int length);
 
         /** The robot is out of sight. */
@@ -61,6 +63,7 @@ final class Connection {
 
     private final Plug plug;
     private final Clock clock;
+    private final List<PacketId> stream;
     private final Duration silenceLimit;
     private final Duration answerLimit;
     private final Owner owner;
@@ -74,9 +77,20 @@ final class Connection {
     private long askedNanos;
     private long pulsedNanos;
 
-    Connection(IntFunction<Link> cable, Clock clock, SessionOptions options, Owner owner) {
+    /**
+     * What can be chosen.
+     *
+     * @param stream the packets that the robot is to send
+     * @param silenceLimit after so long without a frame the robot is out of sight, in the clock's time
+     * @param mayWait false if time only passes when the caller lets it: then no thread is made
+     */
+    public record Options(List<PacketId> stream, Duration silenceLimit, boolean mayWait) {}
+
+    /** @param cable makes a new link to the robot at a baud rate; called again whenever the link was lost */
+    public Connection(IntFunction<Link> cable, Clock clock, Options options, Owner owner) {
         this.plug = new Plug(cable);
         this.clock = clock;
+        this.stream = options.stream();
         this.silenceLimit = options.silenceLimit();
         this.answerLimit = longer(ANSWER_LIMIT, silenceLimit.dividedBy(2));
         this.owner = owner;
@@ -88,7 +102,7 @@ final class Connection {
     }
 
     /** Opens the link for the first time. @throws LinkException if that cannot be done */
-    void open() {
+    public void open() {
         thread.runAndWait(() -> {
             pulsedNanos = clock.nanoTime();
             plugIn();
@@ -100,7 +114,7 @@ final class Connection {
      * Completes with the first frame; with a {@link RobotException} if none comes, or a {@link LinkException} if the
      * link is lost or closed before.
      */
-    CompletableFuture<Void> firstAnswer() {
+    public CompletableFuture<Void> firstAnswer() {
         return firstAnswer;
     }
 
@@ -155,13 +169,13 @@ final class Connection {
         }
         later(pause, () -> {
             if (state.phase() == Phase.ASKING) {
-                plug.trySend(new InputCommand.Stream(RoombaSession.STREAM));
+                plug.trySend(new InputCommand.Stream(stream));
             }
         });
     }
 
     /** A frame has come. */
-    void answered() {
+    public void answered() {
         lastFrameNanos = clock.nanoTime();
         if (state.enterFrom(Phase.ASKING, Phase.UP, "")) {
             firstAnswer.complete(null);
@@ -276,7 +290,7 @@ final class Connection {
     }
 
     /** Sends bytes. @throws LinkException if the robot cannot be reached */
-    void send(byte[] bytes) {
+    public void send(byte[] bytes) {
         if (state.phase() == Phase.DOWN) {
             throw new LinkException(LinkException.Fault.HUNG_UP, description() + ": " + state.trouble());
         }
@@ -284,30 +298,34 @@ final class Connection {
     }
 
     /** Sends a command if that can be done; nobody is told if not. */
-    void trySend(Command command) {
+    public void trySend(Command command) {
         plug.trySend(command);
     }
 
-    /** As {@link Plug#completeWhateverIsPending}. */
-    void completeWhateverIsPending() {
+    /**
+     * Completes what the robot may have received a part of; ends its control.
+     *
+     * @see Plug#completeWhateverIsPending
+     */
+    public void completeWhateverIsPending() {
         plug.completeWhateverIsPending();
     }
 
-    boolean isUp() {
+    public boolean isUp() {
         return state.phase() == Phase.UP;
     }
 
     /** What is wrong; empty if nothing is. */
-    String trouble() {
+    public String trouble() {
         return state.trouble();
     }
 
-    String description() {
+    public String description() {
         return plug.description();
     }
 
     /** Closes the link; nothing is sent any more. Waits for the connection's thread. Idempotent. */
-    void close() {
+    public void close() {
         state.enter(Phase.CLOSED, "closed");
         firstAnswer.completeExceptionally(
                 new LinkException(LinkException.Fault.CLOSED, description() + " was closed before the robot answered"));

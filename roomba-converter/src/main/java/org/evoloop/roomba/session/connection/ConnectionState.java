@@ -1,4 +1,4 @@
-package org.evoloop.roomba.session;
+package org.evoloop.roomba.session.connection;
 
 /**
  * Where a connection stands, and what is wrong with it.
