@@ -2,7 +2,7 @@ package org.evoloop.roomba;
 
 import java.io.IOException;
 import org.evoloop.roomba.link.LinkException;
-import org.evoloop.roomba.session.RobotException;
+import org.evoloop.roomba.session.connection.RobotException;
 import org.evoloop.statemachine.ModelException;
 import picocli.CommandLine;
 

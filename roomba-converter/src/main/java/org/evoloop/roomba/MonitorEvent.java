@@ -5,7 +5,7 @@ import org.evoloop.converter.PushMonitor;
 import org.evoloop.roomba.oi.Button;
 import org.evoloop.roomba.session.RoombaSession;
 import org.evoloop.roomba.session.SessionListener;
-import org.evoloop.roomba.session.SpotWatch;
+import org.evoloop.roomba.session.inference.SpotWatch;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 

@@ -55,6 +55,13 @@ class ArchitectureTest {
     static final ArchRule theCameraKnowsNoRobot = room(CAMERA, resideInAPackage(TIME));
 
     @ArchTest
+    static final ArchRule aConnectionKnowsNothingOfItsSession =
+            room("org.evoloop.roomba.session.connection..", resideInAnyPackage(OI, LINK, TIME));
+
+    @ArchTest
+    static final ArchRule whatFramesTellIsPure = room("org.evoloop.roomba.session.inference..", resideInAPackage(OI));
+
+    @ArchTest
     static final ArchRule moveSeesTheRobotThroughItsSession = room(
             MOVE,
             or(

@@ -9,7 +9,10 @@ import java.time.Duration;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.evoloop.roomba.link.MemoryLink;
+import org.evoloop.roomba.oi.StreamFrame;
 import org.evoloop.roomba.session.RoombaSession;
 import org.evoloop.roomba.session.SessionListener;
 import org.evoloop.roomba.session.SessionOptions;
@@ -17,6 +20,7 @@ import org.evoloop.roomba.session.Telemetry;
 import org.evoloop.roomba.simulator.SimulatorServer;
 import org.evoloop.roomba.simulator.robot.Activity;
 import org.evoloop.roomba.simulator.robot.RobotOptions;
+import org.evoloop.roomba.simulator.robot.SimulatedRoomba;
 import org.evoloop.time.Clock;
 import org.evoloop.time.SystemClock;
 import org.junit.jupiter.api.Tag;
@@ -28,6 +32,7 @@ import org.junit.jupiter.api.io.TempDir;
 
 /** A long time on a bad line, and a cable that is pulled again and again. */
 class EnduranceTest {
+    private static final long FRAME_BYTES = StreamFrame.length(RoombaSession.STREAM);
 
     @Test
     void hearsNothingWrongInTenMinutesOnANoisyLine() {
@@ -47,16 +52,59 @@ class EnduranceTest {
             stepped.press(RobotEvents.CLEAN);
             stepped.advance(Duration.ofSeconds(1));
             int events = stepped.roomba.converter().history().size();
+            Counts before = Counts.of(stepped);
+            LongestGap gap = new LongestGap(stepped.clock);
+            stepped.roomba.session().addListener(gap);
             stepped.disturb(new MemoryLink.Noise(7, 0.01, 0.01));
 
             stepped.advance(duration);
 
-            assertThat(stepped.roomba.converter().history()).hasSize(events);
+            assertThat(stepped.roomba.converter().history())
+                    .as("no wrong event")
+                    .hasSize(events);
             assertThat(stepped.states().original().name()).isEqualTo("Clean");
             assertThat(stepped.truth().activity()).isEqualTo(Activity.CLEAN);
             assertThat(stepped.roomba.session().isUp()).isTrue();
-            assertThat(stepped.roomba.converter().status().link().text())
-                    .containsPattern("[1-9][0-9]* bad, [1-9][0-9]* bytes skipped");
+            assertThat(gap.longestNanos).as("no stall").isPositive().isLessThan(1_000_000_000);
+            Counts after = Counts.of(stepped);
+            long spoilt = duration.toMillis() / SimulatedRoomba.TICK_MILLIS - (after.frames() - before.frames());
+            assertThat(spoilt).as("the line is that noisy").isPositive();
+            assertThat(after.bad()).isGreaterThan(before.bad());
+            // One byte in a hundred is lost and cannot be counted.
+            assertThat(after.skippedBytes() - before.skippedBytes())
+                    .as("the bytes of every spoilt frame are counted")
+                    .isBetween((long) (spoilt * FRAME_BYTES * 0.95), spoilt * FRAME_BYTES);
+        }
+    }
+
+    /** What the status tells of the frames that came. */
+    private record Counts(long frames, long bad, long skippedBytes) {
+        private static final Pattern TEXT = Pattern.compile("(\\d+) frames, (\\d+) bad, (\\d+) bytes skipped");
+
+        static Counts of(SteppedRoomba stepped) {
+            Matcher told =
+                    TEXT.matcher(stepped.roomba.converter().status().link().text());
+            assertThat(told.find()).isTrue();
+            return new Counts(
+                    Long.parseLong(told.group(1)), Long.parseLong(told.group(2)), Long.parseLong(told.group(3)));
+        }
+    }
+
+    /** The longest time without a frame. */
+    private static final class LongestGap implements SessionListener {
+        private final Clock clock;
+        private long lastNanos;
+        private long longestNanos;
+
+        LongestGap(Clock clock) {
+            this.clock = clock;
+            this.lastNanos = clock.nanoTime();
+        }
+
+        @Override
+        public void received(Telemetry telemetry) {
+            longestNanos = Math.max(longestNanos, clock.nanoTime() - lastNanos);
+            lastNanos = clock.nanoTime();
         }
     }
 

@@ -35,6 +35,7 @@ final class SteppedRoomba implements AutoCloseable {
     private MemoryLink.@Nullable Pair cable;
     private MemoryLink.@Nullable Noise noise;
     private boolean plugged = true;
+    private boolean muted;
 
     SteppedRoomba() {
         this(RobotOptions.defaults());
@@ -95,6 +96,30 @@ final class SteppedRoomba implements AutoCloseable {
         plugged = true;
     }
 
+    /** Pulls the cable in the middle of a frame. */
+    void unplugWithinAFrame() {
+        robot.tick();
+        byte[] bytes = robotSays.toByteArray();
+        robotSays.reset();
+        robotSays.write(bytes, 0, bytes.length / 2);
+        deliver();
+        unplug();
+    }
+
+    /** From now on what the robot says does not arrive, or it does again; the cable stays plugged in. */
+    SteppedRoomba mute(boolean nothingArrives) {
+        muted = nothingArrives;
+        return this;
+    }
+
+    /** The robot's end stops taking bytes; whoever sends notices, and opens a new link. */
+    void stall() {
+        MemoryLink.Pair current = cable;
+        if (current != null) {
+            current.robot().setReading(false);
+        }
+    }
+
     /**
      * Disturbs both directions from now on, null for not at all. Commands are lost but not changed: one bit makes a Spot
      * (134) a Clean (135), and the two look alike from outside.
@@ -125,7 +150,7 @@ final class SteppedRoomba implements AutoCloseable {
         byte[] bytes = robotSays.toByteArray();
         robotSays.reset();
         MemoryLink.Pair current = cable;
-        if (bytes.length > 0 && plugged && current != null) {
+        if (bytes.length > 0 && plugged && !muted && current != null) {
             try {
                 current.robot().send(bytes);
             } catch (LinkException pulled) {

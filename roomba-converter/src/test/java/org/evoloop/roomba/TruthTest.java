@@ -9,6 +9,8 @@ import java.util.Locale;
 import java.util.Random;
 import org.evoloop.roomba.link.MemoryLink;
 import org.evoloop.roomba.oi.Button;
+import org.evoloop.roomba.oi.Opcode;
+import org.evoloop.roomba.session.SessionOptions;
 import org.evoloop.roomba.simulator.robot.Activity;
 import org.evoloop.roomba.simulator.robot.RobotOptions;
 import org.junit.jupiter.api.Tag;
@@ -19,8 +21,11 @@ import org.junit.jupiter.api.Test;
  * that the robot truly is in.
  */
 class TruthTest {
-    /** The longest that anything takes: the link, a pause that shows, SpotWait, control that is taken. */
-    private static final Duration QUIET = Duration.ofSeconds(8);
+    /** The longest that anything takes: a robot that is asked twice, and then stays on its dock instead of obeying. */
+    private static final Duration QUIET = Duration.ofSeconds(10);
+
+    private static final Duration SILENCE_SHOWS =
+            SessionOptions.defaults().silenceLimit().plusMillis(300);
 
     /** Something that happens. */
     private enum Deed {
@@ -31,8 +36,19 @@ class TruthTest {
         CONTROLLER_SPOT,
         LIFT,
         SET_DOWN,
+        DOCK,
+        UNDOCK,
         UNPLUG,
+        UNPLUG_WITHIN_A_FRAME,
+        UNPLUG_WITHIN_A_PRESS,
         REPLUG,
+        BLINK,
+        STALL,
+        MUTE,
+        UNMUTE,
+        HALF_A_COMMAND,
+        STOP,
+        START,
         NOISE,
         SILENCE,
         MOMENT,
@@ -100,7 +116,9 @@ class TruthTest {
             }
             perform(stepped, Deed.SET_DOWN);
             perform(stepped, Deed.REPLUG);
+            perform(stepped, Deed.UNMUTE);
             perform(stepped, Deed.SILENCE);
+            perform(stepped, Deed.START);
             letThingsBecomeQuiet(stepped);
             String belief = stepped.states().original().name();
             String truth = stepped.truth().activity().name();
@@ -118,6 +136,12 @@ class TruthTest {
         do {
             before = stepped.truth().activity();
             stepped.advance(QUIET);
+            if (before == Activity.DOCK) {
+                // The original model has no such state. The robot's search ends when it is lifted.
+                stepped.robot.lift();
+                stepped.advance(QUIET);
+                stepped.robot.setDown();
+            }
         } while (stepped.truth().activity() != before);
     }
 
@@ -130,10 +154,34 @@ class TruthTest {
             case CONTROLLER_SPOT -> stepped.press(RobotEvents.SPOT);
             case LIFT -> stepped.robot.lift();
             case SET_DOWN -> stepped.robot.setDown();
+            case DOCK -> stepped.robot.dock();
+            case UNDOCK -> {
+                if (stepped.truth().surroundings().docked()) {
+                    stepped.robot.undock();
+                }
+            }
             case UNPLUG -> stepped.unplug();
+            case UNPLUG_WITHIN_A_FRAME -> stepped.unplugWithinAFrame();
+            case UNPLUG_WITHIN_A_PRESS -> {
+                stepped.robot.press(Button.CLEAN);
+                stepped.advance(Duration.ofMillis(45));
+                stepped.unplug();
+            }
             case REPLUG -> stepped.replug();
-            // One frame in six is spoilt. At more than that a press that only switches the robot on may leave no trace.
-            case NOISE -> stepped.disturb(new MemoryLink.Noise(1, 0.002, 0.002));
+            case BLINK -> {
+                stepped.unplug();
+                stepped.replug();
+            }
+            case STALL -> stepped.stall();
+            // Long enough to be noticed. A press in a shorter silence that only switches the robot on leaves no trace.
+            case MUTE -> stepped.mute(true).advance(SILENCE_SHOWS);
+            case UNMUTE -> stepped.mute(false);
+            // The rest of it never comes: the next command is taken for its data.
+            case HALF_A_COMMAND -> stepped.robot.receive(new byte[] {(byte) Opcode.DRIVE_DIRECT.code(), 0}, 2);
+            case STOP -> stepped.roomba.converter().stop();
+            case START -> stepped.roomba.converter().start();
+            // One frame in five is spoilt. At much more a press that only switches the robot on may leave no trace.
+            case NOISE -> stepped.disturb(new MemoryLink.Noise(1, 0.003, 0.003));
             case SILENCE -> stepped.disturb(null);
             case MOMENT -> stepped.advance(Duration.ofMillis(40));
             case WHILE -> stepped.advance(Duration.ofSeconds(6));

@@ -3,19 +3,20 @@ package org.evoloop.roomba.session;
 import java.time.Duration;
 import java.util.List;
 import java.util.Locale;
-import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.ExecutionException;
 import java.util.function.IntFunction;
 import org.evoloop.converter.DeviceLink;
 import org.evoloop.roomba.link.Link;
 import org.evoloop.roomba.link.LinkException;
 import org.evoloop.roomba.oi.ActuatorCommand;
-import org.evoloop.roomba.oi.Button;
 import org.evoloop.roomba.oi.Command;
 import org.evoloop.roomba.oi.Packet;
 import org.evoloop.roomba.oi.PacketId;
 import org.evoloop.roomba.oi.SensorValues;
 import org.evoloop.roomba.oi.StreamFramer;
+import org.evoloop.roomba.session.connection.Connection;
+import org.evoloop.roomba.session.connection.RobotException;
+import org.evoloop.roomba.session.inference.FrameFilter;
 import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -30,57 +31,40 @@ import org.slf4j.LoggerFactory;
  * <p>Threading: all methods may be called from any thread. Listeners are called on the link's thread.
  */
 public final class RoombaSession implements DeviceLink, AutoCloseable {
-    /** All that is looked at, 44 bytes a frame: fits 57600 baud and above. */
-    static final List<PacketId> STREAM = List.of(
+    /**
+     * All that is looked at and nothing else, 34 bytes a frame: the shorter, the more frames pass a noisy line. Fits 57600
+     * baud and above.
+     */
+    public static final List<PacketId> STREAM = List.of(
             Packet.BUMPS_AND_WHEEL_DROPS,
             Packet.CLIFF_LEFT,
             Packet.CLIFF_FRONT_LEFT,
             Packet.CLIFF_FRONT_RIGHT,
             Packet.CLIFF_RIGHT,
-            Packet.OVERCURRENTS,
             Packet.BUTTONS,
-            Packet.CHARGING_STATE,
             Packet.CURRENT,
             Packet.CHARGING_SOURCES,
             Packet.OI_MODE,
             Packet.LEFT_ENCODER,
             Packet.RIGHT_ENCODER,
-            Packet.LEFT_MOTOR_CURRENT,
-            Packet.RIGHT_MOTOR_CURRENT,
             Packet.MAIN_BRUSH_CURRENT,
             Packet.SIDE_BRUSH_CURRENT);
 
     private static final Logger LOG = LoggerFactory.getLogger(RoombaSession.class);
 
-    /** So many frames after it came back into sight it is plain what the robot does. */
-    private static final int SETTLING_FRAMES = 4;
-
-    /** A command that ends control shows within a few frames. */
-    private static final int CONFIRM_FRAMES = 10;
-
     private final Clock clock;
     private final SessionOptions options;
     private final Connection connection;
-    private final List<SessionListener> listeners = new CopyOnWriteArrayList<>();
+    private final Listeners listeners = new Listeners();
     private final Object receiving = new Object();
     private final Object sending = new Object();
     private final StreamFramer framer = new StreamFramer(STREAM, this::framed);
     private final FrameFilter filter;
-    private final ButtonPresses buttons = new ButtonPresses();
     private final Odometry odometry = new Odometry();
-    private final SpotWatch spotWatch = new SpotWatch();
-    private final ActivityWatch activityWatch = new ActivityWatch();
-    private final ActivityEstimate estimate = new ActivityEstimate();
+    private final RobotWatch watch = new RobotWatch(listeners);
+    private final Control control;
     private boolean modeChanged;
     private long modeChangedNanos;
-    private @Nullable Command unconfirmed;
-    private int framesOfControl;
-    private boolean outOfSight;
-    private int settlingFrames;
-    private int framesWithoutControl;
-    private volatile boolean regaining;
-    private volatile boolean engaged;
-    private volatile boolean wantsControl;
     private volatile @Nullable Telemetry latest;
 
     /**
@@ -90,7 +74,8 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
         this.clock = clock;
         this.options = options;
         this.filter = new FrameFilter(options.modeOffset());
-        this.connection = new Connection(cable, clock, options, new Connection.Owner() {
+        Connection.Options wanted = new Connection.Options(STREAM, options.silenceLimit(), options.mayWait());
+        this.connection = new Connection(cable, clock, wanted, new Connection.Owner() {
             @Override
             public void received(byte[] buffer, int length) {
                 synchronized (receiving) {
@@ -100,14 +85,20 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
 
             @Override
             public void outOfSight() {
-                loseSight();
+                synchronized (receiving) {
+                    control.loseSight();
+                    watch.forget();
+                }
             }
 
             @Override
             public boolean isDozing() {
-                return !isUnderControl() && isAtRest();
+                synchronized (receiving) {
+                    return !isUnderControl() && watch.isAtRest();
+                }
             }
         });
+        this.control = new Control(connection, watch);
     }
 
     /** Adds a listener; it hears all that comes from now on. */
@@ -155,127 +146,9 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
         latest = now;
         // Who waits for the robot finds its values.
         connection.answered();
-        listeners.forEach(listener -> listener.received(now));
-        comeBackIntoSight();
-        seeControl(now.isUnderControl(), earlier != null && earlier.isUnderControl());
-        tellPresses(now);
-        SpotWatch.Ending ending = spotWatch.update(values);
-        if (ending != null) {
-            estimate.seenAtRest();
-            listeners.forEach(listener -> listener.spotEnded(ending));
-        }
-        ActivityWatch.Seen seen = activityWatch.update(values, now.isUnderControl());
-        if (seen == ActivityWatch.Seen.AT_REST) {
-            estimate.seenAtRest();
-            tellActivity();
-        } else if (seen == ActivityWatch.Seen.AT_WORK && !wantsControl) {
-            estimate.seenAtWork();
-            tellActivity();
-        }
-        keepControl(now);
-    }
-
-    private void tellPresses(Telemetry now) {
-        for (Button button : buttons.update(now.values().buttons())) {
-            boolean robotActs = !now.isUnderControl();
-            listeners.forEach(listener -> listener.pressed(button, robotActs));
-            if (robotActs) {
-                estimate.pressed(button);
-                // What the motors did before says nothing about what comes of the press.
-                activityWatch.forget();
-                if (estimate.activity().isWork()) {
-                    activityWatch.expected();
-                }
-                if (estimate.activity() == ActivityEstimate.Activity.SPOT) {
-                    spotWatch.started();
-                } else {
-                    spotWatch.forget();
-                }
-                tellActivity();
-            }
-        }
-    }
-
-    /** Tells what the robot does, as far as it is one of the things that its model knows. */
-    private void tellActivity() {
-        switch (estimate.activity()) {
-            case ON -> tell(SessionListener.Activity.ON);
-            case CLEAN -> tell(SessionListener.Activity.CLEAN);
-            case SPOT -> tell(SessionListener.Activity.SPOT);
-            default -> LOG.debug("the robot is in {}", estimate.activity());
-        }
-    }
-
-    private void tell(SessionListener.Activity activity) {
-        listeners.forEach(listener -> listener.seen(activity));
-    }
-
-    private void loseSight() {
-        synchronized (receiving) {
-            outOfSight = true;
-            settlingFrames = SETTLING_FRAMES;
-            spotWatch.forget();
-            activityWatch.forget();
-        }
-    }
-
-    /**
-     * The robot is back. What its owner did to it meanwhile cannot be told from what it shows: cleaning and spot cleaning
-     * look alike. So if it is to be controlled at all, control is taken, which ends whatever it does; then it is on.
-     */
-    private void comeBackIntoSight() {
-        if (outOfSight && --settlingFrames <= 0) {
-            outOfSight = false;
-            regaining = engaged;
-            if (regaining) {
-                connection.trySend(new Command.Safe());
-                connection.trySend(new ActuatorCommand.DriveDirect(0, 0));
-            }
-        }
-    }
-
-    private void seeControl(boolean underControl, boolean before) {
-        if (underControl && !before) {
-            // Only when it begins: a command that ends control takes some frames to show.
-            estimate.controlled();
-        }
-        if (underControl && regaining) {
-            regaining = false;
-            tell(SessionListener.Activity.ON);
-        }
-        Command command = unconfirmed;
-        framesOfControl = underControl ? framesOfControl + 1 : 0;
-        if (!underControl) {
-            unconfirmed = null;
-        } else if (command != null && framesOfControl % CONFIRM_FRAMES == 0) {
-            // It would have ended control, had the robot received it.
-            connection.trySend(command);
-        } else if (command == null && engaged && !wantsControl && framesOfControl % SpotWatch.QUIET_FRAMES == 0) {
-            // Whatever it was left alone for, it does not do it.
-            tell(SessionListener.Activity.ON);
-        }
-    }
-
-    /**
-     * The robot leaves Safe mode by itself, for instance when it is lifted, and a command may be lost on a noisy line: it
-     * is taken back, tried again until it obeys.
-     */
-    private void keepControl(Telemetry now) {
-        SensorValues values = now.values();
-        boolean mayTake = (wantsControl || regaining)
-                && !outOfSight
-                && !now.isUnderControl()
-                && !values.anyWheelDrop()
-                && values.value(Packet.CHARGING_SOURCES) == 0;
-        framesWithoutControl = mayTake ? framesWithoutControl + 1 : 0;
-        int tries = framesWithoutControl / SpotWatch.QUIET_FRAMES;
-        if (tries > 0 && framesWithoutControl % SpotWatch.QUIET_FRAMES == 0) {
-            if (tries % 2 == 0) {
-                connection.completeWhateverIsPending();
-            } else {
-                connection.trySend(new Command.Safe());
-            }
-        }
+        listeners.received(now);
+        control.update(now);
+        watch.update(now, !control.isWanted());
     }
 
     /**
@@ -286,7 +159,7 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
      * @throws RobotException if the robot has just come back into sight and is not under control again yet
      */
     public void send(Command command) {
-        if (regaining) {
+        if (control.isRegaining()) {
             throw new RobotException(connection.description()
                     + ": the robot has just come back into sight; try again when it is under control");
         }
@@ -301,17 +174,8 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
             }
         }
         synchronized (receiving) {
-            estimate.commanded(command);
-            unconfirmed = null;
-            if (command instanceof Command.Spot || command instanceof Command.Clean) {
-                activityWatch.expected();
-                unconfirmed = isUnderControl() ? command : null;
-                // Counted anew: the frames that are on their way still show control.
-                framesOfControl = 0;
-            }
-            if (command instanceof Command.Spot && estimate.activity() == ActivityEstimate.Activity.SPOT) {
-                spotWatch.started();
-            }
+            control.commanded(command);
+            watch.commanded(command);
         }
     }
 
@@ -333,8 +197,9 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
      * @throws LinkException if the command could not be sent
      */
     public void takeControl() {
-        engaged = true;
-        wantsControl = true;
+        synchronized (receiving) {
+            control.want();
+        }
         if (!isUnderControl()) {
             send(new Command.Safe());
         }
@@ -342,17 +207,19 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
 
     /** Leaves the robot to itself for now; if it comes back from out of sight, control is taken. */
     public void leaveAlone() {
-        engaged = true;
-        wantsControl = false;
+        synchronized (receiving) {
+            control.leaveAlone();
+        }
     }
 
     /** Stops the wheels if the robot is under control or about to be, and gives it back to itself for good. */
     public void letGo() {
-        // Control that was just asked for may show only in the next frame.
-        boolean mayHaveControl = wantsControl || regaining || isUnderControl();
-        engaged = false;
-        wantsControl = false;
-        regaining = false;
+        boolean mayHaveControl;
+        synchronized (receiving) {
+            // Control that was just asked for may show only in the next frame.
+            mayHaveControl = control.isWanted() || control.isRegaining() || isUnderControl();
+            control.letGo();
+        }
         if (mayHaveControl) {
             send(new ActuatorCommand.DriveDirect(0, 0));
             send(new Command.Start());
@@ -373,12 +240,6 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
     /** Whether commands can be waited for; false if time only passes when the caller lets it. */
     public boolean mayWait() {
         return options.mayWait();
-    }
-
-    private boolean isAtRest() {
-        synchronized (receiving) {
-            return activityWatch.restFrames() >= SpotWatch.QUIET_FRAMES;
-        }
     }
 
     @Override

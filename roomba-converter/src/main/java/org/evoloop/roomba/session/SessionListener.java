@@ -1,6 +1,7 @@
 package org.evoloop.roomba.session;
 
 import org.evoloop.roomba.oi.Button;
+import org.evoloop.roomba.session.inference.SpotWatch;
 
 /**
  * Hears what goes on with the robot.

@@ -4,7 +4,7 @@
  *
  * <p>This room may use {@code org.evoloop.roomba.oi}, {@code org.evoloop.roomba.link}, {@code org.evoloop.time} and
  * {@code org.evoloop.converter.DeviceLink}.
- * What it infers is inferred by pure classes; only {@link org.evoloop.roomba.session.RoombaSession} does I/O.
+ * What can be made out from frames alone is made out in {@code inference}; the cable is the affair of {@code connection}.
  */
 @NullMarked
 package org.evoloop.roomba.session;

@@ -13,7 +13,8 @@ import org.jspecify.annotations.Nullable;
  * What people do to the robot, and see of it, as text. Each command is one line and has one line for an answer:
  *
  * <ul>
- *   <li>{@code press clean|spot|dock [MILLIS]}: {@code ok}, the button is down for 150 or so many ms of robot time
+ *   <li>{@code press clean|spot|dock [MILLIS]}: {@code ok}, the button is down for 150 or so many ms of robot time;
+ *       one that is down already is let go first, when its time is over
  *   <li>{@code lift}, {@code set-down}: {@code ok}, the robot hangs in the air, or stands where it was
  *   <li>{@code place X Y HEADING}: {@code ok}, the robot stands there, in mm and degrees counterclockwise from x
  *   <li>{@code dock}, {@code undock}: {@code ok}, the robot stands on its dock, or half a metre behind

@@ -5,11 +5,12 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.ByteArrayOutputStream;
 import java.time.Duration;
-import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.IntFunction;
 import org.evoloop.roomba.link.Link;
 import org.evoloop.roomba.link.LinkException;
@@ -19,6 +20,8 @@ import org.evoloop.roomba.oi.ActuatorCommand;
 import org.evoloop.roomba.oi.Command;
 import org.evoloop.roomba.oi.InputCommand;
 import org.evoloop.roomba.oi.StreamFrame;
+import org.evoloop.roomba.session.connection.Connection;
+import org.evoloop.roomba.session.connection.RobotException;
 import org.evoloop.time.Clock;
 import org.evoloop.time.ManualClock;
 import org.evoloop.time.SystemClock;
@@ -32,46 +35,22 @@ class ConnectionTest {
     private static final Duration LONG = Duration.ofSeconds(30);
 
     private final ManualClock clock = new ManualClock();
-    private final List<Integer> bauds = new ArrayList<>();
-    private final List<MemoryLink.Pair> cables = new ArrayList<>();
-    private final ByteArrayOutputStream heard = new ByteArrayOutputStream();
-
-    private Link plugIn(int baud) {
-        MemoryLink.Pair fresh = MemoryLink.pair();
-        fresh.robot().open(new Link.Receiver() {
-            @Override
-            public void received(byte[] buffer, int length) {
-                heard.write(buffer, 0, length);
-            }
-
-            @Override
-            public void lost(LinkException cause) {
-                // The robot's side does not mind.
-            }
-        });
-        bauds.add(baud);
-        cables.add(fresh);
-        return fresh.converter();
-    }
+    private final Cables cables = new Cables();
 
     private RoombaSession session(IntFunction<Link> cable) {
         return new RoombaSession(cable, clock, SessionOptions.defaults().withoutWaiting());
     }
 
-    private void say(byte[] bytes) {
-        cables.get(cables.size() - 1).robot().send(bytes);
-    }
-
     @Test
     void aRobotThatAnswersWhileItIsWokenIsNotDisturbedAnyMore() {
-        try (RoombaSession session = session(this::plugIn)) {
+        try (RoombaSession session = session(cables::plugIn)) {
             session.open();
             clock.advance(Connection.ANSWER_LIMIT.plusMillis(100));
-            heard.reset();
-            say(FRAME);
+            cables.heard();
+            cables.say(FRAME);
             clock.advance(Connection.WAKE_PULSE.plusMillis(300));
             assertThat(session.isUp()).isTrue();
-            assertThat(heard.toByteArray())
+            assertThat(cables.heard())
                     .as("a Start would end the control that was taken meanwhile")
                     .isEmpty();
         }
@@ -79,53 +58,53 @@ class ConnectionTest {
 
     @Test
     void aSilentRobotIsToldAtTheAlternateRateToComeBack() {
-        try (RoombaSession session = session(this::plugIn)) {
+        try (RoombaSession session = session(cables::plugIn)) {
             session.open();
-            while (bauds.size() < 2) {
-                heard.reset();
+            while (cables.bauds.size() < 2) {
+                cables.heard();
                 clock.advance(Duration.ofMillis(10));
             }
-            say(FRAME);
+            cables.say(FRAME);
             assertThat(session.isUp())
                     .as("a frame at the rate that is about to end does not count")
                     .isFalse();
-            while (bauds.size() < 3) {
+            while (cables.bauds.size() < 3) {
                 clock.advance(Duration.ofMillis(10));
             }
-            assertThat(bauds).containsExactly(115_200, 19_200, 115_200);
-            byte[] told = heard.toByteArray();
+            assertThat(cables.bauds).containsExactly(115_200, 19_200, 115_200);
+            byte[] told = cables.heard();
             byte[] rate = new Command.Baud(115_200).bytes();
             assertThat(told).containsSubsequence(rate[0], rate[1]);
             assertThat(told)
                     .as("what could be pending is completed first")
                     .startsWith(new byte[] {(byte) 128, (byte) 128});
-            say(FRAME);
+            cables.say(FRAME);
             assertThat(session.isUp()).isTrue();
         }
     }
 
     @Test
     void aRobotThatNeverAnswersIsDiagnosedAndStillWaitedFor() {
-        try (RoombaSession session = session(this::plugIn)) {
+        try (RoombaSession session = session(cables::plugIn)) {
             session.open();
             clock.advance(LONG);
             assertThatThrownBy(session::awaitRobot)
                     .isInstanceOf(RobotException.class)
                     .hasMessageContaining("no answer at 115200 nor 19200 baud")
                     .hasMessageContaining("Press CLEAN");
-            while (bauds.get(bauds.size() - 1) != 115_200) {
+            while (cables.bauds.get(cables.bauds.size() - 1) != 115_200) {
                 clock.advance(Connection.LOOK);
             }
-            say(FRAME);
+            cables.say(FRAME);
             assertThat(session.isUp()).isTrue();
         }
     }
 
     @Test
     void aCableThatIsPulledBeforeTheRobotAnswersEndsTheWait() {
-        try (RoombaSession session = session(this::plugIn)) {
+        try (RoombaSession session = session(cables::plugIn)) {
             session.open();
-            cables.get(0).converter().hangUp();
+            cables.hangUp();
             assertThatThrownBy(session::awaitRobot)
                     .isInstanceOfSatisfying(
                             LinkException.class,
@@ -135,11 +114,11 @@ class ConnectionTest {
 
     @Test
     void aRobotThatFallsSilentIsAskedAgain() {
-        try (RoombaSession session = session(this::plugIn)) {
+        try (RoombaSession session = session(cables::plugIn)) {
             session.open();
-            say(FRAME);
+            cables.say(FRAME);
             assertThat(session.isUp()).isTrue();
-            heard.reset();
+            cables.heard();
             clock.advance(SessionOptions.defaults()
                     .silenceLimit()
                     .plus(Connection.LOOK)
@@ -149,34 +128,91 @@ class ConnectionTest {
             ByteArrayOutputStream question = new ByteArrayOutputStream();
             question.writeBytes(new Command.Start().bytes());
             question.writeBytes(new InputCommand.Stream(RoombaSession.STREAM).bytes());
-            assertThat(heard.toByteArray()).isEqualTo(question.toByteArray());
-            say(FRAME);
+            assertThat(cables.heard()).isEqualTo(question.toByteArray());
+            cables.say(FRAME);
             assertThat(session.isUp()).isTrue();
         }
     }
 
     @Test
+    void twoReplugsInARowEndInOneLink() {
+        try (RoombaSession session = session(cables::plugIn)) {
+            session.open();
+            cables.say(FRAME);
+            cables.hangUp();
+            clock.advance(Connection.LOOK);
+            cables.hangUp();
+            assertThat(session.isUp()).isFalse();
+            clock.advance(Connection.LOOK);
+            cables.say(FRAME);
+            assertThat(session.isUp()).isTrue();
+            assertThat(cables.bauds).containsExactly(115_200, 115_200, 115_200);
+            clock.advance(Duration.ofSeconds(1));
+            assertThat(session.isUp())
+                    .as("what was to be asked over the second link is forgotten")
+                    .isTrue();
+            assertThat(cables.bauds).hasSize(3);
+        }
+    }
+
+    @Test
+    void aFrameThatTheCableWasPulledInCountsAsSkippedAndSpoilsNoOther() {
+        try (RoombaSession session = session(cables::plugIn)) {
+            session.open();
+            cables.say(FRAME);
+            cables.say(Arrays.copyOf(FRAME, 20));
+            cables.hangUp();
+            clock.advance(Connection.LOOK);
+            cables.say(FRAME);
+            cables.say(FRAME);
+            assertThat(session.isUp()).isTrue();
+            assertThat(session.describe()).contains("3 frames", "20 bytes skipped");
+        }
+    }
+
+    @Test
+    void aRobotThatStopsReadingIsPluggedInAnew() {
+        try (RoombaSession session = session(cables::plugIn)) {
+            session.open();
+            cables.say(FRAME);
+            cables.stopReading();
+            assertThatThrownBy(() -> session.send(new Command.Safe()))
+                    .isInstanceOfSatisfying(
+                            LinkException.class,
+                            stalled -> assertThat(stalled.fault()).isEqualTo(Fault.NOT_READING));
+            assertThat(session.isUp()).isFalse();
+            assertThat(session.describe()).contains("takes no bytes");
+            clock.advance(Connection.LOOK);
+            cables.say(FRAME);
+            assertThat(session.isUp()).isTrue();
+            cables.heard();
+            session.send(new Command.Safe());
+            assertThat(cables.heard()).containsExactly(131);
+        }
+    }
+
+    @Test
     void aFailureOfTheCableDoesNotEndTheConnectionsCare() {
+        AtomicInteger pluggings = new AtomicInteger();
         IntFunction<Link> cable = baud -> {
-            if (cables.size() == 1) {
-                cables.add(MemoryLink.pair());
+            if (pluggings.incrementAndGet() == 2) {
                 throw new IllegalStateException("a driver that fails once");
             }
-            return plugIn(baud);
+            return cables.plugIn(baud);
         };
         try (RoombaSession session = session(cable)) {
             session.open();
-            say(FRAME);
-            cables.get(0).converter().hangUp();
+            cables.say(FRAME);
+            cables.hangUp();
             clock.advance(Duration.ofSeconds(1));
-            say(FRAME);
+            cables.say(FRAME);
             assertThat(session.isUp()).isTrue();
         }
     }
 
     @Test
     void closingEndsTheWaitAndLeavesNoTimers() {
-        RoombaSession session = session(this::plugIn);
+        RoombaSession session = session(cables::plugIn);
         session.open();
         clock.advance(Connection.ANSWER_LIMIT);
         session.close();
@@ -185,7 +221,7 @@ class ConnectionTest {
                 .isInstanceOfSatisfying(
                         LinkException.class,
                         closed -> assertThat(closed.fault()).isEqualTo(Fault.CLOSED));
-        say(FRAME);
+        cables.say(FRAME);
         clock.advance(Connection.LOOK.plus(Connection.WAKE_PULSE));
         assertThat(clock.pendingTasks()).isZero();
         assertThat(session.isUp()).isFalse();
@@ -200,7 +236,7 @@ class ConnectionTest {
             } catch (InterruptedException stop) {
                 Thread.currentThread().interrupt();
             }
-            return plugIn(baud);
+            return cables.plugIn(baud);
         };
         RoombaSession session = new RoombaSession(slowCable, clock, SessionOptions.defaults());
         CompletableFuture<Void> opening = CompletableFuture.runAsync(session::open);
@@ -209,8 +245,8 @@ class ConnectionTest {
         mayOpen.countDown();
         closing.join();
         opening.handle((done, failure) -> done).join();
-        for (MemoryLink.Pair cable : cables) {
-            assertThatThrownBy(() -> cable.converter().send(new byte[1]))
+        for (MemoryLink end : cables.ends()) {
+            assertThatThrownBy(() -> end.send(new byte[1]))
                     .isInstanceOfSatisfying(
                             LinkException.class,
                             closed -> assertThat(closed.fault()).isEqualTo(Fault.CLOSED));
@@ -219,7 +255,7 @@ class ConnectionTest {
 
     @Test
     void aClockThatIsClosedFirstDoesNoHarm() {
-        RoombaSession session = session(this::plugIn);
+        RoombaSession session = session(cables::plugIn);
         session.open();
         clock.close();
         session.close();

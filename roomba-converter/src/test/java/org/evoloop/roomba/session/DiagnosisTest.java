@@ -19,6 +19,7 @@ import org.evoloop.roomba.link.SerialSettings;
 import org.evoloop.roomba.oi.ActuatorCommand.DriveDirect;
 import org.evoloop.roomba.oi.Command;
 import org.evoloop.roomba.oi.OiMode;
+import org.evoloop.roomba.session.connection.RobotException;
 import org.evoloop.roomba.simulator.Pty;
 import org.evoloop.roomba.simulator.SimulatorServer;
 import org.evoloop.roomba.simulator.robot.RobotOptions;

@@ -5,11 +5,11 @@ import org.evoloop.roomba.oi.Packet;
 import org.evoloop.roomba.oi.SensorValues;
 
 /** Frames of the stream as a robot might send them. */
-final class Frames {
+public final class Frames {
     private Frames() {}
 
     /** A robot at rest in this mode. */
-    static SensorValues resting(OiMode mode) {
+    public static SensorValues resting(OiMode mode) {
         return SensorValues.of(RoombaSession.STREAM, packet -> switch (packet) {
             case OI_MODE -> mode.code();
             case CURRENT -> -200;
@@ -18,11 +18,11 @@ final class Frames {
     }
 
     /** A robot that cleans by itself. */
-    static SensorValues cleaning() {
+    public static SensorValues cleaning() {
         return resting(OiMode.PASSIVE).with(Packet.CURRENT, -1_100).with(Packet.MAIN_BRUSH_CURRENT, 400);
     }
 
-    static SensorValues encoders(int left, int right) {
+    public static SensorValues encoders(int left, int right) {
         return resting(OiMode.PASSIVE).with(Packet.LEFT_ENCODER, (short) left).with(Packet.RIGHT_ENCODER, (short)
                 right);
     }

@@ -1,31 +1,87 @@
 package org.evoloop.roomba.simulator.robot;
 
+import java.util.ArrayDeque;
+import java.util.Deque;
 import java.util.EnumMap;
+import java.util.EnumSet;
 import java.util.Map;
 import java.util.Set;
 import org.evoloop.roomba.oi.Button;
 import org.evoloop.roomba.simulator.body.Body;
 
-/** Which buttons are held down, and for how long yet. */
+/** Which buttons are held down, for how long yet, and which presses wait until their button is up again. */
 final class ButtonPanel {
-    private final Map<Button, Integer> ticksLeft = new EnumMap<>(Button.class);
+    /** A finger is off a button for at least so long between two presses: 90 ms. */
+    static final int RELEASED_TICKS = 6;
+
+    private record Phase(boolean down, int ticks) {}
+
+    private final Map<Button, Deque<Phase>> plans = new EnumMap<>(Button.class);
 
     /**
-     * Holds a button down for the ticks to come, at least one.
+     * Somebody presses a button. If it is still down, or has just been released, this press comes after that one.
      *
-     * @return whether it went down; false if it was held already and is just held on
+     * @return whether it went down now; if not, {@link #tick()} tells when it does
      */
     boolean press(Button button, int durationMillis) {
-        int ticks = Math.max(1, (durationMillis + Body.TICK_MILLIS - 1) / Body.TICK_MILLIS);
-        return ticksLeft.put(button, ticks) == null;
+        Deque<Phase> plan = plan(button);
+        boolean now = plan.isEmpty();
+        plan.add(new Phase(true, ticks(durationMillis)));
+        plan.add(new Phase(false, RELEASED_TICKS));
+        return now;
     }
 
-    void tick() {
-        ticksLeft.replaceAll((button, ticks) -> ticks - 1);
-        ticksLeft.values().removeIf(ticks -> ticks == 0);
+    /**
+     * A client holds a button down.
+     *
+     * @return whether it went down; false if it was down already and is just held on
+     */
+    boolean hold(Button button, int durationMillis) {
+        Deque<Phase> plan = plan(button);
+        boolean wasDown = isDown(plan);
+        if (wasDown) {
+            plan.removeFirst();
+        }
+        plan.addFirst(new Phase(true, ticks(durationMillis)));
+        return !wasDown;
     }
 
+    private Deque<Phase> plan(Button button) {
+        return plans.computeIfAbsent(button, none -> new ArrayDeque<>());
+    }
+
+    private static int ticks(int durationMillis) {
+        return Math.max(1, (durationMillis + Body.TICK_MILLIS - 1) / Body.TICK_MILLIS);
+    }
+
+    private static boolean isDown(Deque<Phase> plan) {
+        return !plan.isEmpty() && plan.getFirst().down();
+    }
+
+    /** Lets a tick pass; returns the buttons that have gone down with it. */
+    Set<Button> tick() {
+        Set<Button> before = pressed();
+        plans.values().forEach(ButtonPanel::tick);
+        Set<Button> now = pressed();
+        now.removeAll(before);
+        return now;
+    }
+
+    private static void tick(Deque<Phase> plan) {
+        Phase current = plan.poll();
+        if (current != null && current.ticks() > 1) {
+            plan.addFirst(new Phase(current.down(), current.ticks() - 1));
+        }
+    }
+
+    /** The buttons that are down. */
     Set<Button> pressed() {
-        return ticksLeft.keySet();
+        Set<Button> down = EnumSet.noneOf(Button.class);
+        plans.forEach((button, plan) -> {
+            if (isDown(plan)) {
+                down.add(button);
+            }
+        });
+        return down;
     }
 }

@@ -97,7 +97,10 @@ final class Firmware {
     private void actuate(ActuatorCommand command) {
         if (command instanceof ActuatorCommand.Buttons press) {
             for (Button button : press.pressed()) {
-                press(button, COMMANDED_PRESS_MILLIS);
+                idleTicks = 0;
+                if (buttons.hold(button, COMMANDED_PRESS_MILLIS)) {
+                    wentDown(button);
+                }
             }
         } else if (command instanceof ActuatorCommand.Drive drive) {
             actuators.drive(drive);
@@ -116,10 +119,17 @@ final class Firmware {
         }
     }
 
-    /** Somebody presses a button; the robot obeys as it goes down, unless a client has control. */
+    /** Somebody presses a button, now or when it is up again. */
     void press(Button button, int durationMillis) {
         idleTicks = 0;
-        if (buttons.press(button, durationMillis) && !isControlled()) {
+        if (buttons.press(button, durationMillis)) {
+            wentDown(button);
+        }
+    }
+
+    /** The robot obeys its buttons as they go down, unless a client has control. */
+    private void wentDown(Button button) {
+        if (!isControlled()) {
             obey(button);
         }
     }
@@ -245,7 +255,7 @@ final class Firmware {
             sink.accept(RobotText.charging(body, chargingTicks / TICKS_PER_SECOND));
         }
         reporter.tick();
-        buttons.tick();
+        buttons.tick().forEach(this::wentDown);
     }
 
     /** Somebody used the wake line. */

@@ -155,7 +155,7 @@ public final class SimulatedRoomba {
 
     /**
      * Somebody presses one of the robot's own buttons. It shows for as many of the ticks to come as the time covers, and
-     * the robot obeys at once. A button that is still down is only held on. Asleep, CLEAN wakes the robot and turns it
+     * the robot obeys at once. A button that is still down is let go for a moment first, when its time is over. Asleep, CLEAN wakes the robot and turns it
      * on, and the others do nothing.
      *
      * @param durationMillis how long it is held; at least one tick

@@ -7,6 +7,8 @@ import static org.evoloop.roomba.simulator.robot.Activity.OFF;
 import static org.evoloop.roomba.simulator.robot.Activity.ON;
 import static org.evoloop.roomba.simulator.robot.Activity.SPOT;
 
+import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Set;
 import org.evoloop.roomba.oi.ActuatorCommand;
@@ -129,18 +131,44 @@ class ActivityTest {
     }
 
     @Test
+    void aButtonThatAClientHoldsDownActsOnce() {
+        Bench bench = doing(ON).stream(Packet.BUTTONS);
+        for (int commands = 0; commands < 10; commands++) {
+            bench.send(new ActuatorCommand.Buttons(Set.of(Button.CLEAN))).ticks(5);
+        }
+        assertThat(bench.state().activity()).isEqualTo(CLEAN);
+        assertThat(bench.frames()).hasSize(50).allMatch(frame -> frame.isPressed(Button.CLEAN));
+        assertThat(bench.ticks(7).state().pressed()).isEmpty();
+    }
+
+    @Test
     void aHeldButtonActsOnce() {
         Bench bench = doing(ON);
         bench.robot.press(Button.CLEAN, 3_000);
-        bench.seconds(1);
-        bench.robot.press(Button.CLEAN, 3_000);
-        assertThat(bench.state().activity()).isEqualTo(CLEAN);
-        bench.seconds(2.9);
+        assertThat(bench.seconds(2.9).state().activity()).isEqualTo(CLEAN);
         assertThat(bench.state().pressed()).containsExactly(Button.CLEAN);
-        bench.seconds(0.2);
+        assertThat(bench.seconds(0.2).state().activity()).isEqualTo(CLEAN);
         assertThat(bench.state().pressed()).isEmpty();
+    }
+
+    @Test
+    void aPressWhileTheButtonIsDownIsAnotherOneOnceItIsUpAgain() {
+        Bench bench = doing(ON).stream(Packet.BUTTONS);
+        bench.robot.press(Button.CLEAN, 150);
+        bench.robot.press(Button.CLEAN, 300);
+        assertThat(bench.ticks(10 + ButtonPanel.RELEASED_TICKS - 1).state().activity())
+                .isEqualTo(CLEAN);
+        assertThat(bench.ticks(1).state().activity()).as("paused by the second").isEqualTo(ON);
+        List<Boolean> seen = bench.ticks(30).frames().stream()
+                .map(frame -> frame.isPressed(Button.CLEAN))
+                .toList();
+        List<Boolean> expected = new ArrayList<>(Collections.nCopies(10, true));
+        expected.addAll(Collections.nCopies(ButtonPanel.RELEASED_TICKS, false));
+        expected.addAll(Collections.nCopies(20, true));
+        expected.addAll(Collections.nCopies(10, false));
+        assertThat(seen).isEqualTo(expected);
         bench.robot.press(Button.CLEAN);
-        assertThat(bench.state().activity()).isEqualTo(ON);
+        assertThat(bench.state().activity()).as("no wait any more").isEqualTo(CLEAN);
     }
 
     @Test

@@ -1,4 +1,4 @@
-package org.evoloop.roomba.session;
+package org.evoloop.roomba.session.inference;
 
 import org.evoloop.roomba.oi.Packet;
 import org.evoloop.roomba.oi.SensorValues;
@@ -9,7 +9,7 @@ import org.evoloop.roomba.oi.SensorValues;
  *
  * <p>Threading: not thread-safe.
  */
-final class FrameFilter {
+public final class FrameFilter {
     private final int modeOffset;
     private int seenButtons;
     private int seenMode;
@@ -17,13 +17,13 @@ final class FrameFilter {
     private int mode;
     private boolean begun;
 
-    /** @param modeOffset what the robot adds to its mode, see {@link SessionOptions} */
-    FrameFilter(int modeOffset) {
+    /** @param modeOffset what the robot adds to its mode, 0 or 1 */
+    public FrameFilter(int modeOffset) {
         this.modeOffset = modeOffset;
     }
 
     /** The frame with the buttons and the mode that are to be believed. */
-    SensorValues filter(SensorValues values) {
+    public SensorValues filter(SensorValues values) {
         int nowButtons = values.value(Packet.BUTTONS);
         int nowMode = Math.max(0, values.value(Packet.OI_MODE) - modeOffset);
         if (!begun || nowButtons == seenButtons) {

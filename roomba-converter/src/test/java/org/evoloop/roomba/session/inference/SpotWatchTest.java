@@ -1,4 +1,4 @@
-package org.evoloop.roomba.session;
+package org.evoloop.roomba.session.inference;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.evoloop.roomba.session.Frames.cleaning;
@@ -8,7 +8,7 @@ import static org.evoloop.roomba.session.Frames.resting;
 import org.evoloop.roomba.oi.OiMode;
 import org.evoloop.roomba.oi.Packet;
 import org.evoloop.roomba.oi.SensorValues;
-import org.evoloop.roomba.session.SpotWatch.Ending;
+import org.evoloop.roomba.session.inference.SpotWatch.Ending;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 

@@ -1,4 +1,4 @@
-package org.evoloop.roomba.session;
+package org.evoloop.roomba.session.connection;
 
 import java.nio.charset.StandardCharsets;
 

@@ -1,4 +1,4 @@
-package org.evoloop.roomba.session;
+package org.evoloop.roomba.session.inference;
 
 import org.evoloop.roomba.oi.SensorValues;
 import org.jspecify.annotations.Nullable;

@@ -1,4 +1,4 @@
-package org.evoloop.roomba.session;
+package org.evoloop.roomba.session.connection;
 
 /**
  * The cable is fine, but the robot at its other end does not do what it must. The message is written for its owner: it

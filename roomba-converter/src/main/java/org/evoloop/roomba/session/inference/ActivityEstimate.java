@@ -1,4 +1,4 @@
-package org.evoloop.roomba.session;
+package org.evoloop.roomba.session.inference;
 
 import org.evoloop.roomba.oi.Button;
 import org.evoloop.roomba.oi.Command;
@@ -10,10 +10,10 @@ import org.evoloop.roomba.oi.Command;
  *
  * <p>Threading: not thread-safe.
  */
-final class ActivityEstimate {
+public final class ActivityEstimate {
 
     /** What the robot is taken to do. */
-    enum Activity {
+    public enum Activity {
         STANDBY,
         ON,
         CLEAN,
@@ -21,19 +21,19 @@ final class ActivityEstimate {
         /** Looking for its dock. */
         DOCK;
 
-        boolean isWork() {
+        public boolean isWork() {
             return this == CLEAN || this == SPOT || this == DOCK;
         }
     }
 
     private Activity activity = Activity.STANDBY;
 
-    Activity activity() {
+    public Activity activity() {
         return activity;
     }
 
     /** One of its buttons was pressed while nobody controls it. */
-    void pressed(Button button) {
+    public void pressed(Button button) {
         if (activity.isWork()) {
             if (button == Button.CLEAN || button == Button.SPOT || button == Button.DOCK) {
                 activity = Activity.ON;
@@ -51,7 +51,7 @@ final class ActivityEstimate {
     }
 
     /** A command was sent; one that starts work pauses a robot that is at work. */
-    void commanded(Command command) {
+    public void commanded(Command command) {
         if (command instanceof Command.Safe || command instanceof Command.Full) {
             activity = Activity.ON;
         } else if (command instanceof Command.Clean || command instanceof Command.Spot) {
@@ -61,19 +61,19 @@ final class ActivityEstimate {
     }
 
     /** It is under control: whatever it did has ended. */
-    void controlled() {
+    public void controlled() {
         activity = Activity.ON;
     }
 
     /** It has come to rest, or never began. */
-    void seenAtRest() {
+    public void seenAtRest() {
         if (activity.isWork()) {
             activity = Activity.ON;
         }
     }
 
     /** Its motors run: if it was not known to be at work, it cleans, as by its schedule. */
-    void seenAtWork() {
+    public void seenAtWork() {
         if (!activity.isWork()) {
             activity = Activity.CLEAN;
         }

@@ -1,4 +1,4 @@
-package org.evoloop.roomba.session;
+package org.evoloop.roomba.session.inference;
 
 import org.evoloop.roomba.oi.SensorValues;
 import org.jspecify.annotations.Nullable;
@@ -11,7 +11,7 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>Threading: not thread-safe.
  */
-final class ActivityWatch {
+public final class ActivityWatch {
     /** Motors that run for so long mean that the robot is at work: 0.5 s. */
     static final int WORK_FRAMES = 33;
 
@@ -19,7 +19,7 @@ final class ActivityWatch {
     static final int START_FRAMES = 200;
 
     /** What the robot does now. */
-    enum Seen {
+    public enum Seen {
         AT_WORK,
         AT_REST
     }
@@ -29,20 +29,19 @@ final class ActivityWatch {
     private int startFramesLeft;
 
     /** The robot was told to work. */
-    void expected() {
+    public void expected() {
         startFramesLeft = START_FRAMES;
     }
 
     /** The robot was out of sight. */
-    void forget() {
+    public void forget() {
         motion.forget();
         atWork = false;
         startFramesLeft = 0;
     }
 
     /** Takes the next frame; returns what the robot does if that has become clear now, else null. */
-    @Nullable
-    Seen update(SensorValues values, boolean underControl) {
+    public @Nullable Seen update(SensorValues values, boolean underControl) {
         motion.update(values);
         if (underControl) {
             // A command that ends control takes some frames to show: what is expected of it is not forgotten.
@@ -62,7 +61,7 @@ final class ActivityWatch {
     }
 
     /** How many frames the robot has been at rest. */
-    int restFrames() {
+    public int restFrames() {
         return motion.restFrames();
     }
 }

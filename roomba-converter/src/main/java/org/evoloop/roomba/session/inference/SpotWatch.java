@@ -1,4 +1,4 @@
-package org.evoloop.roomba.session;
+package org.evoloop.roomba.session.inference;
 
 import org.evoloop.roomba.oi.OiMode;
 import org.evoloop.roomba.oi.SensorValues;
@@ -18,7 +18,7 @@ public final class SpotWatch {
     static final int START_FRAMES = 200;
 
     /** How long all must be quiet: 1 s. A spiral never stops the wheels that long, a turn after a bump may take less. */
-    static final int QUIET_FRAMES = 67;
+    public static final int QUIET_FRAMES = 67;
 
     /** No spot cleaning lasts longer: 180 s. */
     static final int LONGEST_FRAMES = 12_000;
@@ -60,7 +60,7 @@ public final class SpotWatch {
     }
 
     /** Forgets the spot cleaning: the robot was out of sight, or does something else. */
-    void forget() {
+    public void forget() {
         phase = Phase.NONE;
     }
 

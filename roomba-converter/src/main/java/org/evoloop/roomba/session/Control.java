@@ -1,0 +1,173 @@
+package org.evoloop.roomba.session;
+
+import org.evoloop.roomba.oi.ActuatorCommand;
+import org.evoloop.roomba.oi.Command;
+import org.evoloop.roomba.oi.Packet;
+import org.evoloop.roomba.oi.SensorValues;
+import org.evoloop.roomba.session.connection.Connection;
+import org.evoloop.roomba.session.inference.SpotWatch;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Sees to it that the robot is under control, or left alone, as its user wants it: control that the robot gives up is taken
+ * again, a command that got lost is sent again, and a robot that was out of sight is stopped.
+ *
+ * <p>Threading: not thread-safe, but the methods {@code is...} may be called from any thread.
+ */
+final class Control {
+    /** So many frames after it came back into sight it is plain what the robot does. */
+    private static final int SETTLING_FRAMES = 4;
+
+    /** A command that ends control shows within a few frames. */
+    private static final int CONFIRM_FRAMES = 10;
+
+    /** Three Safe commands, with whatever was pending completed between. */
+    private static final int TRIES_ON_DOCK = 5;
+
+    private final Connection connection;
+    private final RobotWatch watch;
+    private boolean engaged;
+    private volatile boolean wanted;
+    private volatile boolean regaining;
+    private @Nullable Command unconfirmed;
+    private boolean outOfSight;
+    private int settlingFrames;
+    private int engagedFrames;
+    private boolean underControl;
+    private int framesWith;
+    private int framesWithout;
+
+    Control(Connection connection, RobotWatch watch) {
+        this.connection = connection;
+        this.watch = watch;
+    }
+
+    /** Control is wanted now, and again whenever the robot has left Safe mode by itself. */
+    void want() {
+        wanted = true;
+        engaged = true;
+    }
+
+    /** The robot is to be left to itself for now; if it comes back from out of sight, control is taken. */
+    void leaveAlone() {
+        wanted = false;
+        engaged = true;
+    }
+
+    /** The robot is to be left to itself for good. */
+    void letGo() {
+        if (regaining) {
+            loseSight();
+        }
+        engaged = false;
+        wanted = false;
+        regaining = false;
+    }
+
+    /** Whether control is wanted now. */
+    boolean isWanted() {
+        return wanted;
+    }
+
+    /** Whether the robot has just come back into sight and is about to be stopped. */
+    boolean isRegaining() {
+        return regaining;
+    }
+
+    /** A command has been sent. */
+    void commanded(Command command) {
+        unconfirmed = null;
+        if (command instanceof Command.Spot || command instanceof Command.Clean) {
+            unconfirmed = underControl ? command : null;
+            // Counted anew: the frames that are on their way still show control.
+            framesWith = 0;
+        }
+    }
+
+    /** The robot is out of sight; what it does meanwhile nobody knows. */
+    void loseSight() {
+        outOfSight = true;
+        settlingFrames = SETTLING_FRAMES;
+    }
+
+    /** Takes the next frame. */
+    void update(Telemetry now) {
+        comeBackIntoSight();
+        seeControl(now.isUnderControl());
+        tellWhatWasMissed();
+        takeBack(now);
+    }
+
+    /**
+     * The robot is back. What its owner did to it meanwhile cannot be told from what it shows: cleaning and spot cleaning
+     * look alike. So as soon as it is to be controlled at all, control is taken, which ends whatever it does; then it is on.
+     */
+    private void comeBackIntoSight() {
+        if (outOfSight && engaged && --settlingFrames <= 0) {
+            outOfSight = false;
+            regaining = true;
+            connection.trySend(new Command.Safe());
+            connection.trySend(new ActuatorCommand.DriveDirect(0, 0));
+        }
+    }
+
+    private void seeControl(boolean now) {
+        if (now && !underControl) {
+            // Only when it begins: a command that ends control takes some frames to show.
+            watch.controlled();
+        }
+        underControl = now;
+        if (underControl && regaining) {
+            regaining = false;
+            watch.tellOn();
+        }
+        Command command = unconfirmed;
+        framesWith = underControl ? framesWith + 1 : 0;
+        if (!underControl) {
+            unconfirmed = null;
+        } else if (command != null && framesWith % CONFIRM_FRAMES == 0) {
+            // It would have ended control, had the robot received it.
+            connection.trySend(command);
+        } else if (command == null && engaged && !wanted && framesWith % SpotWatch.QUIET_FRAMES == 0) {
+            // Whatever it was left alone for, it does not do it.
+            watch.tellOn();
+        }
+    }
+
+    /** Who engages with the robot has not heard what it did before, though it was in sight. */
+    private void tellWhatWasMissed() {
+        engagedFrames = engaged ? Math.min(engagedFrames + 1, SpotWatch.QUIET_FRAMES + 1) : 0;
+        if (engagedFrames == SpotWatch.QUIET_FRAMES && !wanted && !regaining && !outOfSight) {
+            watch.tellActivity();
+        }
+    }
+
+    /**
+     * The robot leaves Safe mode by itself, for instance when it is lifted, and a command may be lost on a noisy line: it
+     * is taken back, tried again until it obeys. On its dock it never does; but so many tries have switched it on.
+     */
+    private void takeBack(Telemetry now) {
+        SensorValues values = now.values();
+        boolean docked = values.value(Packet.CHARGING_SOURCES) != 0;
+        boolean mayTake = (regaining || wanted) && !outOfSight && !now.isUnderControl() && !values.anyWheelDrop();
+        framesWithout = mayTake ? framesWithout + 1 : 0;
+        int tries = framesWithout / SpotWatch.QUIET_FRAMES;
+        if (tries == 0 || framesWithout % SpotWatch.QUIET_FRAMES != 0) {
+            return;
+        }
+        if (docked && tries > TRIES_ON_DOCK) {
+            if (regaining) {
+                regained();
+            }
+        } else if (tries % 2 == 0) {
+            connection.completeWhateverIsPending();
+        } else {
+            connection.trySend(new Command.Safe());
+        }
+    }
+
+    private void regained() {
+        regaining = false;
+        watch.tellOn();
+    }
+}

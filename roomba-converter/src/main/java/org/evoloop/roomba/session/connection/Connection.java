@@ -1,0 +1,335 @@
+package org.evoloop.roomba.session.connection;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import java.util.function.IntFunction;
+import org.evoloop.roomba.link.Link;
+import org.evoloop.roomba.link.LinkException;
+import org.evoloop.roomba.oi.Command;
+import org.evoloop.roomba.oi.InputCommand;
+import org.evoloop.roomba.oi.PacketId;
+import org.evoloop.roomba.session.connection.ConnectionState.Phase;
+import org.evoloop.time.Clock;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Gets the robot on the line and keeps it there: opens the link, wakes the robot, asks for its stream, and begins anew
+ * when the cable was pulled or the robot falls silent.
+ *
+ * <p>Lifecycle: see {@link ConnectionState}.
+ *
+ * <p>Without an answer at either rate the first time, {@link #firstAnswer()} fails; the connection goes on asking.
+ *
+ * <p>Threading: everything that may take a moment runs on one thread of its own, or, without waiting, on the clock's.
+ * Frames come on the link's thread, commands and {@link #close()} from any.
+ */
+public final class Connection {
+    static final int BAUD = 115_200;
+    static final int ALTERNATE_BAUD = 19_200;
+
+    /** Field code leaves this much after a command that changes the mode. */
+    public static final Duration MODE_CHANGE = Duration.ofMillis(20);
+
+    /** How often the connection looks after itself. */
+    public static final Duration LOOK = Duration.ofMillis(250);
+
+    /** A robot that is awake answers within a few frames; more time has one whose silence is borne longer, too. */
+    public static final Duration ANSWER_LIMIT = Duration.ofSeconds(1);
+
+    /** Longer than 500 ms: three shorter pulses after power-on would switch the robot to 19200 baud. */
+    public static final Duration WAKE_PULSE = Duration.ofMillis(700);
+
+    /** A robot in Passive mode falls asleep after five minutes; a pulse a minute keeps it awake. */
+    static final Duration KEEP_AWAKE = Duration.ofMinutes(1);
+
+    /** After a change of the baud rate the robot needs 100 ms. */
+    static final Duration BAUD_CHANGE = Duration.ofMillis(100);
+
+    private static final Logger LOG = LoggerFactory.getLogger(Connection.class);
+    private static final int ATTEMPTS = 3;
+
+    /** What the owner of the connection is told, on the thread that receives or on the connection's own. */
+    public interface Owner {
+        void received(byte[] buffer, int length);
+
+        /** The robot is out of sight. */
+        void outOfSight();
+
+        /** Whether the robot may be kept awake by a pulse now: it is on its own and does nothing. */
+        boolean isDozing();
+    }
+
+    private final Plug plug;
+    private final Clock clock;
+    private final List<PacketId> stream;
+    private final Duration silenceLimit;
+    private final Duration answerLimit;
+    private final Owner owner;
+    private final ConnectionThread thread;
+    private final CompletableFuture<Void> firstAnswer = new CompletableFuture<>();
+    private final FirstBytes firstBytes = new FirstBytes();
+    private final ConnectionState state = new ConnectionState();
+    private volatile long lastFrameNanos;
+    private boolean alternateTried;
+    private int attempt;
+    private long askedNanos;
+    private long pulsedNanos;
+
+    /**
+     * What can be chosen.
+     *
+     * @param stream the packets that the robot is to send
+     * @param silenceLimit after so long without a frame the robot is out of sight, in the clock's time
+     * @param mayWait false if time only passes when the caller lets it: then no thread is made
+     */
+    public record Options(List<PacketId> stream, Duration silenceLimit, boolean mayWait) {}
+
+    /** @param cable makes a new link to the robot at a baud rate; called again whenever the link was lost */
+    public Connection(IntFunction<Link> cable, Clock clock, Options options, Owner owner) {
+        this.plug = new Plug(cable);
+        this.clock = clock;
+        this.stream = options.stream();
+        this.silenceLimit = options.silenceLimit();
+        this.answerLimit = longer(ANSWER_LIMIT, silenceLimit.dividedBy(2));
+        this.owner = owner;
+        this.thread = new ConnectionThread(clock, options.mayWait());
+    }
+
+    private static Duration longer(Duration one, Duration other) {
+        return one.compareTo(other) >= 0 ? one : other;
+    }
+
+    /** Opens the link for the first time. @throws LinkException if that cannot be done */
+    public void open() {
+        thread.runAndWait(() -> {
+            pulsedNanos = clock.nanoTime();
+            plugIn();
+            scheduleLook();
+        });
+    }
+
+    /**
+     * Completes with the first frame; with a {@link RobotException} if none comes, or a {@link LinkException} if the
+     * link is lost or closed before.
+     */
+    public CompletableFuture<Void> firstAnswer() {
+        return firstAnswer;
+    }
+
+    /** Opens a link and asks the robot for its stream. */
+    private void plugIn() {
+        plugIn(BAUD, Phase.ASKING);
+        attempt = 1;
+        ask();
+    }
+
+    private void plugIn(int baud, Phase next) {
+        long plugging = plug.next();
+        plug.open(baud, new Link.Receiver() {
+            @Override
+            public void received(byte[] buffer, int length) {
+                firstBytes.take(buffer, length);
+                owner.received(buffer, length);
+            }
+
+            @Override
+            public void lost(LinkException cause) {
+                thread.run(() -> lose(plugging, cause));
+            }
+        });
+        if (!state.enter(next, "no answer yet")) {
+            // Closed meanwhile, by somebody who may not have seen this link.
+            plug.close();
+        }
+    }
+
+    private void lose(long plugging, LinkException cause) {
+        String trouble = String.valueOf(cause.getMessage());
+        if (plugging == plug.current() && state.enter(Phase.DOWN, trouble)) {
+            LOG.warn("{}", trouble);
+            firstAnswer.completeExceptionally(cause);
+            owner.outOfSight();
+        }
+    }
+
+    private void ask() {
+        if (state.phase() != Phase.ASKING) {
+            // It has answered while it was woken; a Start would now end its control.
+            return;
+        }
+        askedNanos = clock.nanoTime();
+        Duration pause = MODE_CHANGE;
+        if (attempt == 1) {
+            plug.trySend(new Command.Start());
+        } else {
+            plug.completeWhateverIsPending();
+            pause = pause.plus(Plug.completionTime(BAUD));
+        }
+        later(pause, () -> {
+            if (state.phase() == Phase.ASKING) {
+                plug.trySend(new InputCommand.Stream(stream));
+            }
+        });
+    }
+
+    /** A frame has come. */
+    public void answered() {
+        lastFrameNanos = clock.nanoTime();
+        if (state.enterFrom(Phase.ASKING, Phase.UP, "")) {
+            firstAnswer.complete(null);
+        }
+    }
+
+    private void scheduleLook() {
+        thread.schedule(LOOK, () -> {
+            try {
+                look();
+            } finally {
+                scheduleLook();
+            }
+        });
+    }
+
+    private void look() {
+        long now = clock.nanoTime();
+        switch (state.phase()) {
+            case UP -> {
+                if (now - lastFrameNanos >= silenceLimit.toNanos()) {
+                    fallSilent();
+                } else if (now - pulsedNanos >= KEEP_AWAKE.toNanos() && owner.isDozing()) {
+                    pulse(() -> {});
+                }
+            }
+            case ASKING -> {
+                if (now - askedNanos >= answerLimit.toNanos()) {
+                    goOnAsking();
+                }
+            }
+            case DOWN -> replug();
+            case NEW, CHANGING_RATE, CLOSED -> {}
+        }
+    }
+
+    private void fallSilent() {
+        if (state.enterFrom(Phase.UP, Phase.ASKING, "the robot has fallen silent")) {
+            LOG.warn("{}: {}", description(), state.trouble());
+            attempt = 1;
+            owner.outOfSight();
+            ask();
+        }
+    }
+
+    private void replug() {
+        try {
+            plugIn();
+        } catch (LinkException stillGone) {
+            state.enter(Phase.DOWN, String.valueOf(stillGone.getMessage()));
+            firstAnswer.completeExceptionally(stillGone);
+        }
+    }
+
+    /** Wakes the robot and asks again; after some attempts tries the other baud rate, at first only once. */
+    private void goOnAsking() {
+        // The next look must not come here before the question was asked.
+        askedNanos = clock.nanoTime() + WAKE_PULSE.toNanos();
+        attempt++;
+        if (attempt <= ATTEMPTS) {
+            pulse(this::ask);
+        } else if (!alternateTried) {
+            alternateTried = true;
+            changeRate();
+        } else {
+            firstAnswer.completeExceptionally(new RobotException(firstBytes.diagnosis(description())));
+            alternateTried = false;
+            plug.pull();
+            replug();
+        }
+    }
+
+    /** The robot may listen at the alternate rate; then it is told to come back to the usual one. */
+    private void changeRate() {
+        plug.pull();
+        try {
+            plugIn(ALTERNATE_BAUD, Phase.CHANGING_RATE);
+        } catch (LinkException refused) {
+            LOG.debug("{}", refused.getMessage());
+            replug();
+            return;
+        }
+        // What it has heard at the wrong rate may have begun any command.
+        plug.completeWhateverIsPending();
+        later(MODE_CHANGE.plus(Plug.completionTime(ALTERNATE_BAUD)), () -> {
+            plug.trySend(new Command.Baud(BAUD));
+            later(BAUD_CHANGE, () -> {
+                plug.pull();
+                replug();
+            });
+        });
+    }
+
+    private void pulse(Runnable then) {
+        pulsedNanos = clock.nanoTime();
+        plug.setWakeLine(true);
+        later(WAKE_PULSE, () -> {
+            plug.setWakeLine(false);
+            then.run();
+        });
+    }
+
+    /** Does some work for the link of this moment; nothing if there is another one by then, or none. */
+    private void later(Duration delay, Runnable work) {
+        long plugging = plug.current();
+        thread.schedule(delay, () -> {
+            boolean usable = state.phase() != Phase.DOWN && state.phase() != Phase.CLOSED;
+            if (usable && plugging == plug.current()) {
+                work.run();
+            }
+        });
+    }
+
+    /** Sends bytes. @throws LinkException if the robot cannot be reached */
+    public void send(byte[] bytes) {
+        if (state.phase() == Phase.DOWN) {
+            throw new LinkException(LinkException.Fault.HUNG_UP, description() + ": " + state.trouble());
+        }
+        plug.send(bytes);
+    }
+
+    /** Sends a command if that can be done; nobody is told if not. */
+    public void trySend(Command command) {
+        plug.trySend(command);
+    }
+
+    /**
+     * Completes what the robot may have received a part of; ends its control.
+     *
+     * @see Plug#completeWhateverIsPending
+     */
+    public void completeWhateverIsPending() {
+        plug.completeWhateverIsPending();
+    }
+
+    public boolean isUp() {
+        return state.phase() == Phase.UP;
+    }
+
+    /** What is wrong; empty if nothing is. */
+    public String trouble() {
+        return state.trouble();
+    }
+
+    public String description() {
+        return plug.description();
+    }
+
+    /** Closes the link; nothing is sent any more. Waits for the connection's thread. Idempotent. */
+    public void close() {
+        state.enter(Phase.CLOSED, "closed");
+        firstAnswer.completeExceptionally(
+                new LinkException(LinkException.Fault.CLOSED, description() + " was closed before the robot answered"));
+        plug.close();
+        thread.close();
+    }
+}

@@ -1,0 +1,117 @@
+package org.evoloop.roomba.session.connection;
+
+import java.time.Duration;
+import java.util.Arrays;
+import java.util.function.IntFunction;
+import org.evoloop.roomba.link.Link;
+import org.evoloop.roomba.link.LinkException;
+import org.evoloop.roomba.oi.Command;
+import org.evoloop.roomba.oi.Opcode;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * One end of the cable: the link of the moment, which is replaced by another whenever it is plugged in anew.
+ *
+ * <p>Threading: any thread may send and close; links are replaced and told apart by one thread at a time.
+ */
+final class Plug {
+    private static final Logger LOG = LoggerFactory.getLogger(Connection.class);
+
+    /** A song that claims to have 255 notes. */
+    private static final int LONGEST_COMMAND = 3 + 2 * 255;
+
+    private static final int BITS_PER_BYTE = 10;
+
+    private final IntFunction<Link> cable;
+    private volatile @Nullable Link link;
+    private long pluggings;
+
+    /** @param cable makes a new link at a baud rate */
+    Plug(IntFunction<Link> cable) {
+        this.cable = cable;
+    }
+
+    /** What the next link will be known by; from now on the last one is none of ours. */
+    long next() {
+        return ++pluggings;
+    }
+
+    /** What the link of this moment is known by. */
+    long current() {
+        return pluggings;
+    }
+
+    /** Opens another link. @throws LinkException if that cannot be done */
+    void open(int baud, Link.Receiver receiver) {
+        Link fresh = cable.apply(baud);
+        fresh.open(receiver);
+        link = fresh;
+    }
+
+    /** Closes the link of this moment, which is none of ours any more. */
+    void pull() {
+        next();
+        close();
+    }
+
+    /** Closes the link of this moment. */
+    void close() {
+        Link current = link;
+        if (current != null) {
+            current.close();
+        }
+    }
+
+    /** Sends bytes. @throws LinkException if the robot cannot be reached */
+    void send(byte[] bytes) {
+        Link current = link;
+        if (current == null) {
+            throw new LinkException(LinkException.Fault.CLOSED, description());
+        }
+        current.send(bytes);
+    }
+
+    /** Sends a command if that can be done; nobody is told if not. */
+    void trySend(Command command) {
+        trySend(command.bytes());
+    }
+
+    private void trySend(byte[] bytes) {
+        try {
+            send(bytes);
+        } catch (LinkException gone) {
+            LOG.debug("{}", gone.getMessage());
+        }
+    }
+
+    /**
+     * A robot that has received only a part of a command waits for the rest, for ever (specification, "Roomba Open
+     * Interface Commands"). Repeated Start commands complete whatever it is: they are no valid data for a change of the
+     * baud rate, and as commands do no harm to a robot that is not under control.
+     */
+    void completeWhateverIsPending() {
+        byte[] starts = new byte[LONGEST_COMMAND];
+        Arrays.fill(starts, (byte) Opcode.START.code());
+        trySend(starts);
+    }
+
+    /** How long the bytes that {@link #completeWhateverIsPending()} sends are on the line. */
+    static Duration completionTime(int baud) {
+        return Duration.ofNanos(LONGEST_COMMAND * BITS_PER_BYTE * 1_000_000_000L / baud);
+    }
+
+    /** Pulls the wake line low or lets it go high again, if the link has one. */
+    void setWakeLine(boolean low) {
+        Link current = link;
+        if (current != null) {
+            current.wakeLine().setLow(low);
+        }
+    }
+
+    String description() {
+        Link current = link;
+        return current == null ? "no link" : current.description();
+    }
+}
