@@ -30,13 +30,14 @@ import org.slf4j.LoggerFactory;
  * <p>Threading: all methods may be called from any thread. Listeners are called on the link's thread.
  */
 public final class RoombaSession implements DeviceLink, AutoCloseable {
-    /** All that is looked at, 44 bytes a frame: fits 57600 baud and above. */
+    /** All that is looked at, 48 bytes a frame: fits 57600 baud and above. */
     static final List<PacketId> STREAM = List.of(
             Packet.BUMPS_AND_WHEEL_DROPS,
             Packet.CLIFF_LEFT,
             Packet.CLIFF_FRONT_LEFT,
             Packet.CLIFF_FRONT_RIGHT,
             Packet.CLIFF_RIGHT,
+            Packet.VIRTUAL_WALL,
             Packet.OVERCURRENTS,
             Packet.BUTTONS,
             Packet.CHARGING_STATE,
@@ -45,6 +46,7 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
             Packet.OI_MODE,
             Packet.LEFT_ENCODER,
             Packet.RIGHT_ENCODER,
+            Packet.LIGHT_BUMPER,
             Packet.LEFT_MOTOR_CURRENT,
             Packet.RIGHT_MOTOR_CURRENT,
             Packet.MAIN_BRUSH_CURRENT,
