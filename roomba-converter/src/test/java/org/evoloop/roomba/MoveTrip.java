@@ -3,6 +3,7 @@ package org.evoloop.roomba;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicReference;
 import org.evoloop.PaperPair;
 import org.evoloop.converter.HistoryEntry;
 import org.evoloop.evolution.ModelPair;
@@ -23,21 +24,23 @@ final class MoveTrip implements AutoCloseable {
     private static final Duration TICK = Duration.ofMillis(15);
 
     final SteppedRoomba stepped;
-    GeometricCamera camera;
+    final GeometricCamera camera;
     private final @Nullable Pose marker;
     private boolean touching;
     private double fastestTouchMmPerS;
 
     MoveTrip(Room room, @Nullable Pose marker, ModelPair models, MoveOptions options, long seed) {
         this.marker = marker;
+        AtomicReference<GeometricCamera> made = new AtomicReference<>();
         this.stepped = new SteppedRoomba(
                 RobotOptions.builder().room(room).spotDurationMillis(8_000).build(),
                 models,
                 options,
                 (robot, clock) -> {
-                    camera = new GeometricCamera(robot, room, clock, marker, seed);
-                    return StartPointSensor.byCamera(camera);
+                    made.set(new GeometricCamera(robot, room, clock, marker, seed));
+                    return StartPointSensor.byCamera(made.get());
                 });
+        this.camera = made.get();
         stepped.robotPress(Button.CLEAN).robotPress(Button.SPOT);
     }
 
@@ -85,6 +88,11 @@ final class MoveTrip implements AutoCloseable {
 
     RobotState truth() {
         return stepped.truth();
+    }
+
+    /** Until it drives on, as it does once it has seen the marker. */
+    void untilItDrives() {
+        stepped.until(() -> Math.min(truth().leftMmPerS(), truth().rightMmPerS()) > 80, Duration.ofSeconds(10));
     }
 
     boolean stands() {

@@ -8,7 +8,7 @@ record Approach(Memory memory) implements Phase {
     /** Seen further to the side than this, the robot turns on the spot first. */
     private static final double TURN_RAD = Math.toRadians(20);
 
-    /** A goal that was not seen for so long is lost: that is some looks, and 140 mm at most. */
+    /** A goal that was not seen for so long is lost: that is some looks, and 60 mm. */
     private static final long LOST_NANOS = 700_000_000L;
 
     @Override
@@ -36,6 +36,6 @@ record Approach(Memory memory) implements Phase {
         if (Math.abs(bearingRad) > TURN_RAD) {
             return Phase.standing(Turn.exactly(memory, now.pose().headingRad() + bearingRad, this));
         }
-        return new Step(this, Maneuver.towards(remainingMm, bearingRad, now.near()));
+        return new Step(this, Maneuver.towards(remainingMm, bearingRad));
     }
 }

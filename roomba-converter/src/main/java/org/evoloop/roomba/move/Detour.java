@@ -1,6 +1,8 @@
 package org.evoloop.roomba.move;
 
+import java.util.Optional;
 import org.evoloop.roomba.move.Situation.Obstacle;
+import org.evoloop.roomba.session.Pose;
 
 /** Goes round an obstacle: back off, turn away from it, go on a little, and look around from there. */
 final class Detour {
@@ -28,17 +30,30 @@ final class Detour {
 
     static Phase around(Phase phase, Situation now) {
         Memory memory = phase.memory();
+        Pose place = now.pose().beyond(AHEAD_MM, Math.toRadians(45) * bearing(now.obstacle()));
         boolean again = phase instanceof Leg && memory.side() != 0;
         int side = again ? memory.side() : side(memory, now.obstacle());
+        Memory wiser = memory.withDetour(place, side);
+        return Leg.of(wiser, -BACK_MM, onwards(wiser, now, again)).begun(now);
+    }
+
+    private static Phase onwards(Memory wiser, Situation now, boolean again) {
+        if (now.sight().goal().isEmpty() && !now.edge()) {
+            return Wandering.on(wiser, now.pose().beyond(-BACK_MM, 0), Optional.empty());
+        }
         double away = again || now.obstacle() == Obstacle.AHEAD ? FAR_AWAY_RAD : AWAY_RAD;
-        Memory wiser = memory.withDetour(side).avoiding(now.pose().beyond(AHEAD_MM, 0));
-        Leg on = Leg.of(wiser, SHORTEST_MM + LONGER_MM * Math.min(LONGEST, memory.detours()), new Look.Around(wiser));
-        return Leg.of(wiser, -BACK_MM, Turn.roughly(wiser, now.pose().headingRad() + side * away, on))
-                .begun(now);
+        return Turn.roughly(
+                wiser,
+                now.pose().headingRad() + wiser.side() * away,
+                Leg.of(wiser, SHORTEST_MM + LONGER_MM * Math.min(LONGEST, wiser.inARow()), new Look.Around(wiser)));
+    }
+
+    private static int bearing(Obstacle obstacle) {
+        return obstacle == Obstacle.LEFT ? 1 : obstacle == Obstacle.RIGHT ? -1 : 0;
     }
 
     private static int side(Memory memory, Obstacle obstacle) {
-        int other = memory.detours() / PATIENCE % 2 == 0 ? 1 : -1;
+        int other = memory.obstacles().size() / PATIENCE % 2 == 0 ? 1 : -1;
         return switch (obstacle) {
             case LEFT -> -other;
             case RIGHT -> other;

@@ -13,9 +13,6 @@ record Look(Memory memory, double aheadRad, int direction, Calm calm) implements
 
     static final int DIRECTIONS = 9;
 
-    /** To the next place to look around at. */
-    static final double LEG_MM = 1_200;
-
     /** About so far from the robot's centre is what the light bumper sees. */
     private static final double NEAR_MM = 400;
 
@@ -75,7 +72,7 @@ record Look(Memory memory, double aheadRad, int direction, Calm calm) implements
             return Phase.standing(new Look(memory, aheadRad, direction, calmer));
         }
         if (now.near()) {
-            Memory wiser = memory.avoiding(now.pose().beyond(NEAR_MM, 0));
+            Memory wiser = memory.withObstacle(now.pose().beyond(NEAR_MM, 0));
             return new Look(wiser, aheadRad, direction, calmer).onwards(now);
         }
         return onwards(now);
@@ -83,21 +80,11 @@ record Look(Memory memory, double aheadRad, int direction, Calm calm) implements
 
     private Step onwards(Situation now) {
         return Phase.standing(
-                direction + 1 < DIRECTIONS ? new Look(memory, aheadRad, direction + 1, calm).turned() : elsewhere(now));
-    }
-
-    /** Of the directions in which it has looked, the one that leads farthest from where there is nothing to be found. */
-    private Phase elsewhere(Situation now) {
-        Memory wiser = memory.avoiding(now.pose());
-        double best = aheadRad;
-        double farthestMm = -1;
-        for (int which = 0; which < DIRECTIONS; which++) {
-            double clearMm = wiser.clearanceMm(now.pose(), heading(which), LEG_MM);
-            if (clearMm > farthestMm) {
-                farthestMm = clearMm;
-                best = heading(which);
-            }
-        }
-        return Turn.roughly(wiser, best, Leg.of(wiser, LEG_MM, new Around(wiser)));
+                direction + 1 < DIRECTIONS
+                        ? new Look(memory, aheadRad, direction + 1, calm).turned()
+                        : Wandering.on(
+                                memory.withStation(now.pose()),
+                                now.pose(),
+                                now.sight().goal()));
     }
 }

@@ -15,18 +15,16 @@ sealed interface Maneuver {
     double SLOWEST_MM_PER_S = 40;
 
     /**
-     * What may be touched is touched no faster: three steps of the speed controller, which knows only multiples of 28.5 mm/s
-     * (specification, "Drive"), and less than 100 mm/s.
+     * What may be touched is touched no faster than 100 mm/s, and nothing tells for sure what is in the way: a free line of
+     * sight is thinner than the robot, and a chair's leg fits between two of its light sensors. So the robot never drives
+     * faster than three steps of its speed controller, which knows only multiples of 28.5 mm/s (specification, "Drive").
      */
-    double TOUCHING_MM_PER_S = 85;
-
-    /** With a free line of sight to the goal, and nothing that the light bumper sees. */
-    double FASTEST_MM_PER_S = 200;
+    double FASTEST_MM_PER_S = 85;
 
     /** About 75 degrees a second. */
     double FASTEST_TURN_MM_PER_S = 150;
 
-    /** So many mm/s for each mm that is left: from 0.4 m on the robot slows down. */
+    /** So many mm/s for each mm that is left: for the last 0.17 m the robot slows down. */
     double SPEED_PER_MM = 0.5;
 
     /** So many radians a second for each radian that the goal lies aside. */
@@ -46,14 +44,9 @@ sealed interface Maneuver {
     /** Stop for good. */
     record GiveUp(String reason) implements Maneuver {}
 
-    /**
-     * Towards a goal that lies ahead: slower the nearer, and turning on the way.
-     *
-     * @param near whether something may be touched
-     */
-    static Maneuver towards(double remainingMm, double bearingRad, boolean near) {
-        double fastest = near ? TOUCHING_MM_PER_S : FASTEST_MM_PER_S;
-        double forward = between(SLOWEST_MM_PER_S, SPEED_PER_MM * remainingMm, fastest);
+    /** Towards a goal that lies ahead: slower the nearer, and turning on the way. */
+    static Maneuver towards(double remainingMm, double bearingRad) {
+        double forward = between(SLOWEST_MM_PER_S, SPEED_PER_MM * remainingMm, FASTEST_MM_PER_S);
         double turning = TURN_PER_RAD * bearingRad * HALF_WHEEL_BASE_MM;
         return drive(forward + turning, forward - turning);
     }
@@ -65,9 +58,10 @@ sealed interface Maneuver {
         return drive(right, -right);
     }
 
-    /** Straight on, where something may be touched; negative is backwards. */
+    /** Straight on; negative is backwards. */
     static Maneuver straight(double remainingMm) {
-        double speed = Math.copySign(between(SLOWEST_MM_PER_S, Math.abs(remainingMm), TOUCHING_MM_PER_S), remainingMm);
+        double speed = Math.copySign(
+                between(SLOWEST_MM_PER_S, SPEED_PER_MM * Math.abs(remainingMm), FASTEST_MM_PER_S), remainingMm);
         return drive(speed, speed);
     }
 

@@ -6,41 +6,44 @@ import java.util.stream.Stream;
 import org.evoloop.roomba.session.Pose;
 
 /**
- * What Move remembers from phase to phase.
+ * What Move remembers from phase to phase; places are in the coordinates of the robot's wheels.
  *
  * <p>Threading: immutable.
  *
  * @param target where the robot has arrived
  * @param settle so long after it was told to stop, the robot stands
- * @param avoided places that are not worth going to: something is there, or the robot looked around there in vain
- * @param detours how many obstacles were in the way
- * @param side to which the last one was gone round: 1 left, -1 right, 0 if there was none
+ * @param stations where the robot looked around in vain, the first one first
+ * @param obstacles where something was in the way
+ * @param side to which the last obstacle was gone round: 1 left, -1 right, 0 if there was none
+ * @param inARow how many obstacles were in the way since the robot has last seen the goal or looked around for it
  */
-record Memory(StartPointSensor.Target target, Duration settle, List<Pose> avoided, int detours, int side) {
-    private static final int PARTS = 4;
+record Memory(
+        StartPointSensor.Target target,
+        Duration settle,
+        List<Pose> stations,
+        List<Pose> obstacles,
+        int side,
+        int inARow) {
 
     Memory(StartPointSensor.Target target, Duration settle) {
-        this(target, settle, List.of(), 0, 0);
+        this(target, settle, List.of(), List.of(), 0, 0);
     }
 
-    Memory avoiding(Pose place) {
-        List<Pose> more = Stream.concat(avoided.stream(), Stream.of(place)).toList();
-        return new Memory(target, settle, more, detours, side);
+    Memory withStation(Pose place) {
+        return new Memory(target, settle, and(stations, place), obstacles, side, 0);
     }
 
-    Memory withDetour(int newSide) {
-        return new Memory(target, settle, avoided, detours + 1, newSide);
+    /** Something stands there that is not in the way now. */
+    Memory withObstacle(Pose place) {
+        return new Memory(target, settle, stations, and(obstacles, place), side, inARow);
     }
 
-    /** How far the farther half of a leg stays from all that is avoided. */
-    double clearanceMm(Pose from, double headingRad, double lengthMm) {
-        double least = Double.POSITIVE_INFINITY;
-        for (int part = PARTS / 2; part <= PARTS; part++) {
-            Pose there = from.beyond(lengthMm * part / PARTS, headingRad - from.headingRad());
-            for (Pose place : avoided) {
-                least = Math.min(least, there.distanceTo(place.xMm(), place.yMm()));
-            }
-        }
-        return least;
+    /** Something is in the way there, and the robot goes round it to this side. */
+    Memory withDetour(Pose place, int newSide) {
+        return new Memory(target, settle, stations, and(obstacles, place), newSide, inARow + 1);
+    }
+
+    private static List<Pose> and(List<Pose> places, Pose more) {
+        return Stream.concat(places.stream(), Stream.of(more)).toList();
     }
 }

@@ -14,12 +14,15 @@ import org.evoloop.roomba.session.Pose;
  * @param obeys whether the robot does; if it does not, it may again within moments
  * @param obstacle what ends a way forward
  * @param edge whether that is a cliff: near one the robot may not even turn
- * @param near whether the light bumper sees something: the robot must slow down before it touches it
+ * @param near whether the light bumper sees something straight ahead
  * @param sight what is known of the starting point
  * @param end why Move must end now; empty while it may go on
  */
 record Situation(
         long nanos, Pose pose, boolean obeys, Obstacle obstacle, boolean edge, boolean near, Sight sight, String end) {
+
+    /** Of the light bumper's sensors those to the left and right of the middle. */
+    private static final int AHEAD_BITS = 0b1100;
 
     /** Where the robot feels an obstacle. */
     enum Obstacle {
@@ -53,7 +56,7 @@ record Situation(
                 percept.telemetry().isUnderControl(),
                 Obstacle.in(values),
                 values.anyCliff(),
-                values.value(Packet.LIGHT_BUMPER) != 0,
+                (values.value(Packet.LIGHT_BUMPER) & AHEAD_BITS) != 0,
                 sight,
                 end);
     }
