@@ -101,7 +101,8 @@ class SimulatorCommandTest {
                 .isEqualTo(2);
         assertThat(errors.toString().lines().findFirst())
                 .contains("cannot start the simulator: " + room
-                        + ", line 2: 'sofa' is unknown; a line begins with wall," + " obstacle, cliff, dock or start");
+                        + ", line 2: 'sofa' is unknown; a line begins with wall,"
+                        + " obstacle, cliff, dock, start or marker");
     }
 
     @Test

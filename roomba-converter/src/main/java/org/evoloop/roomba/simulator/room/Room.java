@@ -13,7 +13,7 @@ import org.jspecify.annotations.Nullable;
  */
 public final class Room {
     /** A plain without end and without a dock; the robot begins at the origin. */
-    public static final Room OPEN = new Room(List.of(), null, Pose.ORIGIN);
+    public static final Room OPEN = new Room(List.of(), null, Pose.ORIGIN, null);
 
     /** Of the robot's body. */
     public static final double ROBOT_RADIUS_MM = 170;
@@ -38,13 +38,15 @@ public final class Room {
     private final List<Shape> shapes;
     private final @Nullable Pose dock;
     private final Pose start;
+    private final @Nullable Marker marker;
     private final List<Shape> cliffs;
     private final List<Segment> walls;
 
-    private Room(List<Shape> shapes, @Nullable Pose dock, Pose start) {
+    private Room(List<Shape> shapes, @Nullable Pose dock, Pose start, @Nullable Marker marker) {
         this.shapes = List.copyOf(shapes);
         this.dock = dock;
         this.start = start;
+        this.marker = marker;
         this.cliffs = shapes.stream()
                 .filter(shape -> shape.kind() == Shape.Kind.CLIFF)
                 .toList();
@@ -64,7 +66,7 @@ public final class Room {
      * @throws IllegalArgumentException if the robot cannot stand at its start
      */
     public static Room of(List<Shape> shapes, @Nullable Pose dock, Pose start) {
-        Room room = new Room(shapes, dock, start);
+        Room room = new Room(shapes, dock, start, null);
         if (!room.isFree(start)) {
             throw new IllegalArgumentException("the robot cannot start at " + start.describe()
                     + ": something solid or a cliff is within " + (int) ROBOT_RADIUS_MM + " mm");
@@ -79,7 +81,17 @@ public final class Room {
 
     /** The same room with its dock, the only one, elsewhere. */
     public Room withDock(Pose place) {
-        return new Room(shapes, place, start);
+        return new Room(shapes, place, start, marker);
+    }
+
+    /** The same room with this marker, the only one; null for none. */
+    public Room withMarker(@Nullable Marker other) {
+        return new Room(shapes, dock, start, other);
+    }
+
+    /** The tag that tells robots with a camera where the starting point is; it is in nobody's way. */
+    public Optional<Marker> marker() {
+        return Optional.ofNullable(marker);
     }
 
     public List<Shape> shapes() {

@@ -8,6 +8,9 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.OptionalDouble;
+import java.util.OptionalInt;
+import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -21,14 +24,23 @@ import org.jspecify.annotations.Nullable;
  *   cliff    X Y  X Y  ...       # where there is no floor, likewise
  *   dock     X Y HEADING         # where a docked robot stands and looks; the dock itself is 176 mm ahead
  *   start    X Y HEADING         # where it begins; if not told, on the dock, or without one at 0 0 0
+ *   marker   X Y HEADING         # an upright tag of 4x4_50 with id 0 and 150 mm wide, its middle 150 mm above X Y
+ *   marker   X Y HEADING ID SIDE HEIGHT   # one of any kind; the last of these may be left out
  * </pre>
+ *
+ * <p>After its corners a wall or an obstacle may tell how it looks: {@code color RRGGBB}, in hexadecimal, and {@code
+ * height MM}.
  */
 public final class RoomFile {
     private static final double FARTHEST_MM = 100_000;
 
+    /** What may follow the corners of a wall or an obstacle. */
+    private static final Set<String> LOOKS = Set.of("color", "height");
+
     private final List<Shape> shapes = new ArrayList<>();
     private @Nullable Pose dock;
     private @Nullable Pose start;
+    private @Nullable Marker marker;
 
     private RoomFile() {}
 
@@ -74,7 +86,7 @@ public final class RoomFile {
 
     private Room room() {
         Pose begin = start != null ? start : dock != null ? dock : Pose.ORIGIN;
-        return Room.of(shapes, dock, begin);
+        return Room.of(shapes, dock, begin).withMarker(marker);
     }
 
     private void parse(String line) {
@@ -84,15 +96,16 @@ public final class RoomFile {
         if (words.isEmpty()) {
             return;
         }
-        List<Double> numbers =
-                words.subList(1, words.size()).stream().map(RoomFile::number).toList();
-        switch (words.get(0)) {
-            case "wall", "obstacle", "cliff" -> shapes.add(shape(words.get(0), numbers));
-            case "dock" -> dock = pose("dock", dock, numbers);
-            case "start" -> start = pose("start", start, numbers);
+        String kind = words.get(0);
+        List<String> values = words.subList(1, words.size());
+        switch (kind) {
+            case "wall", "obstacle", "cliff" -> shapes.add(shape(kind, values));
+            case "dock" -> dock = pose("dock", dock, values);
+            case "start" -> start = pose("start", start, values);
+            case "marker" -> marker = marker(marker, values);
             default ->
                 throw new IllegalArgumentException(
-                        "'" + words.get(0) + "' is unknown; a line begins with wall, obstacle, cliff, dock or start");
+                        "'" + kind + "' is unknown; a line begins with wall, obstacle, cliff, dock, start or marker");
         }
     }
 
@@ -110,27 +123,88 @@ public final class RoomFile {
         return number;
     }
 
-    private static Shape shape(String kindName, List<Double> numbers) {
-        if (numbers.size() < 4 || numbers.size() % 2 != 0) {
-            throw new IllegalArgumentException(kindName + " has " + numbers.size()
-                    + " numbers; it needs two corners (a rectangle) or more (a polygon), each as X Y");
-        }
-        Shape.Kind kind = Shape.Kind.valueOf(kindName.toUpperCase(Locale.ROOT));
-        List<Point> corners = new ArrayList<>();
-        for (int i = 0; i < numbers.size(); i += 2) {
-            corners.add(new Point(numbers.get(i), numbers.get(i + 1)));
-        }
-        return corners.size() == 2 ? Shape.rectangle(kind, corners.get(0), corners.get(1)) : new Shape(kind, corners);
+    private static List<Double> numbers(List<String> words) {
+        return words.stream().map(RoomFile::number).toList();
     }
 
-    private static Pose pose(String name, @Nullable Pose earlier, List<Double> numbers) {
+    private static Shape shape(String kindName, List<String> values) {
+        Shape.Kind kind = Shape.Kind.valueOf(kindName.toUpperCase(Locale.ROOT));
+        int count = values.size();
+        if (kind != Shape.Kind.CLIFF) {
+            count = (int)
+                    values.stream().takeWhile(word -> !LOOKS.contains(word)).count();
+        }
+        List<Double> numbers = numbers(values.subList(0, count));
+        if (count < 4 || count % 2 != 0) {
+            throw new IllegalArgumentException(kindName + " has " + count
+                    + " numbers; it needs two corners (a rectangle) or more (a polygon), each as X Y");
+        }
+        List<Point> corners = new ArrayList<>();
+        for (int i = 0; i < count; i += 2) {
+            corners.add(new Point(numbers.get(i), numbers.get(i + 1)));
+        }
+        if (corners.size() == 2) {
+            corners = Shape.rectangle(corners.get(0), corners.get(1));
+        }
+        return new Shape(kind, corners, finish(values.subList(count, values.size())));
+    }
+
+    private static Finish finish(List<String> words) {
+        OptionalInt rgb = OptionalInt.empty();
+        OptionalDouble heightMm = OptionalDouble.empty();
+        for (int i = 0; i < words.size(); i += 2) {
+            String look = words.get(i);
+            String value = i + 1 < words.size() ? words.get(i + 1) : "";
+            if (!LOOKS.contains(look)) {
+                throw new IllegalArgumentException(
+                        "'" + look + "' is unknown here; after the corners come 'color RRGGBB' and 'height MM'");
+            } else if (look.equals("height")) {
+                heightMm = OptionalDouble.of(number(value));
+            } else if (value.matches("[0-9a-fA-F]{6}")) {
+                rgb = OptionalInt.of(Integer.parseInt(value, 16));
+            } else {
+                throw new IllegalArgumentException(
+                        "color is '" + value + "'; it takes six hexadecimal digits, for example 1971c2");
+            }
+        }
+        return new Finish(rgb, heightMm);
+    }
+
+    private static Pose pose(String name, @Nullable Object earlier, List<String> values) {
+        requireFirst(name, earlier);
+        if (values.size() != 3) {
+            throw new IllegalArgumentException(
+                    name + " has " + values.size() + " numbers; it needs three: X Y HEADING");
+        }
+        return pose(numbers(values));
+    }
+
+    private static Marker marker(@Nullable Marker earlier, List<String> values) {
+        requireFirst("marker", earlier);
+        if (values.size() < 3 || values.size() > 6) {
+            throw new IllegalArgumentException("marker has " + values.size()
+                    + " numbers; it needs three: X Y HEADING, and takes up to three more: ID SIDE HEIGHT");
+        }
+        List<Double> numbers = numbers(values);
+        double id = values.size() > 3 ? numbers.get(3) : 0;
+        if (id != Math.rint(id)) {
+            throw new IllegalArgumentException("the marker's id is " + id + "; it is a whole number");
+        }
+        return new Marker(
+                pose(numbers),
+                (int) id,
+                values.size() > 4 ? numbers.get(4) : Marker.USUAL_SIDE_MM,
+                values.size() > 5 ? numbers.get(5) : Marker.USUAL_HEIGHT_MM,
+                false);
+    }
+
+    private static void requireFirst(String name, @Nullable Object earlier) {
         if (earlier != null) {
             throw new IllegalArgumentException("there is a " + name + " already; remove one of the two");
         }
-        if (numbers.size() != 3) {
-            throw new IllegalArgumentException(
-                    name + " has " + numbers.size() + " numbers; it needs three: X Y HEADING");
-        }
+    }
+
+    private static Pose pose(List<Double> numbers) {
         return new Pose(numbers.get(0), numbers.get(1), Math.toRadians(numbers.get(2)));
     }
 }

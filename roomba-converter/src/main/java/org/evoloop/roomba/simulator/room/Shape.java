@@ -7,8 +7,9 @@ import java.util.List;
  * A polygon on the floor; its last corner is joined with its first.
  *
  * @param corners at least three
+ * @param finish how its sides look
  */
-public record Shape(Kind kind, List<Point> corners) {
+public record Shape(Kind kind, List<Point> corners, Finish finish) {
 
     /** What the polygon stands for. */
     public enum Kind {
@@ -27,10 +28,14 @@ public record Shape(Kind kind, List<Point> corners) {
         }
     }
 
-    /** A rectangle along the axes, by two of its opposite corners. */
-    static Shape rectangle(Kind kind, Point one, Point other) {
-        return new Shape(
-                kind, List.of(one, new Point(other.xMm(), one.yMm()), other, new Point(one.xMm(), other.yMm())));
+    /** A shape of any look. */
+    public Shape(Kind kind, List<Point> corners) {
+        this(kind, corners, Finish.ANY);
+    }
+
+    /** The corners of a rectangle along the axes, by two of them that are opposite. */
+    static List<Point> rectangle(Point one, Point other) {
+        return List.of(one, new Point(other.xMm(), one.yMm()), other, new Point(one.xMm(), other.yMm()));
     }
 
     List<Segment> sides() {

@@ -7,6 +7,8 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.OptionalDouble;
+import java.util.OptionalInt;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -39,6 +41,34 @@ class RoomFileTest {
     }
 
     @Test
+    void looksAndMarkersAreUnderstood() {
+        Room room = RoomFile.parse(
+                "a",
+                List.of(
+                        "wall -2000 -2000 2000 2000 height 2400",
+                        "obstacle 500 500 900 900 900 600 color C92a2a height 800",
+                        "marker 1400 500 180 7 200 160.5 # the starting point"));
+        assertThat(room.shapes())
+                .extracting(Shape::finish)
+                .containsExactly(
+                        new Finish(OptionalInt.empty(), OptionalDouble.of(2_400)),
+                        new Finish(OptionalInt.of(0xC92A2A), OptionalDouble.of(800)));
+        assertThat(room.marker()).contains(new Marker(new Pose(1_400, 500, Math.PI), 7, 200, 160.5, false));
+        assertThat(room.withDock(Pose.ORIGIN).marker())
+                .as("in a room that changes")
+                .isPresent();
+        assertThat(RoomFile.parse("a", List.of("marker 1 2 90")).marker())
+                .contains(Marker.at(new Pose(1, 2, Math.PI / 2)));
+    }
+
+    @Test
+    void theMarkerIsInNobodysWay() {
+        Room room = RoomFile.parse("a", List.of("marker 0 0 180"));
+        assertThat(room.isFree(Pose.ORIGIN)).isTrue();
+        assertThat(room.touched(Pose.ORIGIN, 100)).isEmpty();
+    }
+
+    @Test
     void withoutAStartItBeginsOnTheDockOrAtTheOrigin() {
         assertThat(RoomFile.parse("a", List.of()).start()).isEqualTo(Pose.ORIGIN);
         assertThat(RoomFile.parse("a", List.of("dock 100 200 90")).start()).isEqualTo(new Pose(100, 200, Math.PI / 2));
@@ -48,7 +78,7 @@ class RoomFileTest {
     @CsvSource(
             delimiter = '|',
             value = {
-                "sofa 1 2 3 4    | 'sofa' is unknown; a line begins with wall, obstacle, cliff, dock or start",
+                "sofa 1 2 3 4    | 'sofa' is unknown; a line begins with wall, obstacle, cliff, dock, start or marker",
                 "wall 1 2 3      | wall has 3 numbers; it needs two corners (a rectangle) or more (a polygon), each as X Y",
                 "cliff           | cliff has 0 numbers; it needs two corners (a rectangle) or more (a polygon), each as X Y",
                 "wall 1 2 3 four | 'four' is not a number",
@@ -56,6 +86,17 @@ class RoomFileTest {
                 "wall 1 2 3 NaN  | 'NaN' is too far away; allowed is -100000 to 100000",
                 "dock 1 2        | dock has 2 numbers; it needs three: X Y HEADING",
                 "start 1 2 3     | there is a start already; remove one of the two",
+                "marker 1 2      | marker has 2 numbers; it needs three: X Y HEADING, and takes up to three more: ID SIDE HEIGHT",
+                "marker 1 2 3 50 | the marker's id is 50; allowed is 0 to 49",
+                "marker 1 2 3 .5 | the marker's id is 0.5; it is a whole number",
+                "marker 1 2 3 0 5 | the marker's side is 5.0 mm; allowed is 20 to 1000",
+                "marker 1 2 3 0 150 90 | the marker's middle is 90.0 mm high; allowed is 100 to 2000",
+                "wall 1 2 3 4 color red | color is 'red'; it takes six hexadecimal digits, for example 1971c2",
+                "wall 1 2 3 4 color | color is ''; it takes six hexadecimal digits, for example 1971c2",
+                "wall 1 2 3 4 height 100 | the height is 100.0 mm; allowed is 200 to 5000",
+                "wall 1 2 3 4 height | '' is not a number",
+                "wall 1 2 3 4 height 300 red | 'red' is unknown here; after the corners come 'color RRGGBB' and 'height MM'",
+                "cliff 1 2 3 4 color 112233 | 'color' is not a number",
             })
     void aMistakeNamesFileLineAndMend(String line, String message) {
         assertThatThrownBy(() -> RoomFile.parse("my.room", List.of("# first", "start 0 0 0", line)))

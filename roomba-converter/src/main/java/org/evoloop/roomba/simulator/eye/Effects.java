@@ -1,0 +1,75 @@
+package org.evoloop.roomba.simulator.eye;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * What lens, sensor and light do to a picture.
+ *
+ * @param blurPx the standard deviation of the lens' blur, 0 to 5
+ * @param noiseLevels the standard deviation of each value's noise, in levels of 255, 0 to 64
+ * @param motionPx how far everything is smeared sideways whatever the robot does, 0 to {@value #LONGEST_SMEAR_PX}
+ * @param exposureMillis how long the sensor looks; as far as the robot turns meanwhile, everything is smeared as well,
+ *     up to {@value #LONGEST_SMEAR_PX} pixels; 0 to 100
+ * @param lightLeft how bright the picture's left edge is, 0 to 2; 1 is as it should be
+ * @param lightRight how bright its right edge is, likewise
+ */
+public record Effects(
+        double blurPx,
+        double noiseLevels,
+        double motionPx,
+        double exposureMillis,
+        double lightLeft,
+        double lightRight) {
+    /** Nothing but what the room looks like. */
+    public static final Effects CLEAN = new Effects(0, 0, 0, 0, 1, 1);
+
+    /** A cheap camera in a room with one window. */
+    public static final Effects TYPICAL = new Effects(1.1, 8, 0, 0, 0.4, 1.1);
+
+    /** The same camera at dusk, on a robot that never stands still. */
+    public static final Effects HARD = new Effects(1.5, 14, 7, 0, 0.2, 1.1);
+
+    static final int LONGEST_SMEAR_PX = 60;
+
+    /** Refuses with all that is wrong in one message. */
+    public Effects {
+        List<String> problems = new ArrayList<>();
+        require("lens blur in pixels", blurPx, 5, problems);
+        require("noise in gray levels", noiseLevels, 64, problems);
+        require("motion blur in pixels", motionPx, LONGEST_SMEAR_PX, problems);
+        require("exposure in ms", exposureMillis, 100, problems);
+        require("light at the left", lightLeft, 2, problems);
+        require("light at the right", lightRight, 2, problems);
+        if (!problems.isEmpty()) {
+            throw new IllegalArgumentException(String.join("\n", problems));
+        }
+    }
+
+    private static void require(String name, double value, int most, List<String> problems) {
+        if (!(value >= 0 && value <= most)) {
+            problems.add(name + " is " + value + "; allowed is 0 to " + most);
+        }
+    }
+
+    /**
+     * The effects of one of the names clean, typical and hard.
+     *
+     * @throws IllegalArgumentException for any other
+     */
+    public static Effects named(String name) {
+        return switch (name) {
+            case "clean" -> CLEAN;
+            case "typical" -> TYPICAL;
+            case "hard" -> HARD;
+            default ->
+                throw new IllegalArgumentException(
+                        "camera quality is '" + name + "'; there are clean, typical and hard");
+        };
+    }
+
+    /** The same effects of a camera that looks for so long. */
+    public Effects withExposureMillis(double millis) {
+        return new Effects(blurPx, noiseLevels, motionPx, millis, lightLeft, lightRight);
+    }
+}
