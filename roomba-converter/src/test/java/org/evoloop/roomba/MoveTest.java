@@ -101,12 +101,12 @@ class MoveTest {
     void standsWhileNoFrameComesAndGoesOnWhenTheyComeAgain() {
         try (MoveTrip trip = MoveTrip.in(room(pose(1_000, 1_500, 0)), MARKER)) {
             trip.untilItDrives();
-            trip.camera.setStalled(true);
+            trip.camera().setStalled(true);
             trip.advance(Duration.ofMillis(500));
             assertThat(trip.stands()).isTrue();
             trip.advance(Duration.ofSeconds(10));
             assertThat(trip.stands()).isTrue();
-            trip.camera.setStalled(false);
+            trip.camera().setStalled(false);
             assertArrives(trip);
         }
     }
@@ -115,10 +115,10 @@ class MoveTest {
     void looksAgainForAMarkerThatIsTakenAwayWhileItApproaches() {
         try (MoveTrip trip = MoveTrip.in(room(pose(1_000, 1_500, 0)), MARKER)) {
             trip.untilItDrives();
-            trip.camera.moveMarker(null);
+            trip.camera().moveMarker(null);
             trip.advance(Duration.ofMillis(1_500));
             assertThat(trip.truth().rightMmPerS() + trip.truth().leftMmPerS()).isLessThan(60);
-            trip.camera.moveMarker(MARKER);
+            trip.camera().moveMarker(MARKER);
             assertArrives(trip);
         }
     }
@@ -143,7 +143,7 @@ class MoveTest {
         try (MoveTrip trip =
                 new MoveTrip(room(pose(1_000, 1_500, 0)), MARKER, MoveTrip.withTimeout(), MoveOptions.defaults(), 1)) {
             trip.untilItDrives();
-            trip.camera.breakDown(new IllegalStateException("torn off"));
+            trip.camera().breakDown(new IllegalStateException("torn off"));
             trip.advance(Duration.ofMillis(500));
             assertThat(trip.stands()).isTrue();
             assertThat(trip.stepped.states()).isEqualTo(at("On", "On"));

@@ -4,19 +4,23 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.BiFunction;
 import org.evoloop.PaperPair;
 import org.evoloop.converter.HistoryEntry;
 import org.evoloop.evolution.ModelPair;
+import org.evoloop.roomba.camera.MarkerCamera;
 import org.evoloop.roomba.move.MoveOptions;
 import org.evoloop.roomba.move.StartPointSensor;
 import org.evoloop.roomba.oi.Button;
 import org.evoloop.roomba.simulator.robot.RobotOptions;
 import org.evoloop.roomba.simulator.robot.RobotState;
+import org.evoloop.roomba.simulator.robot.SimulatedRoomba;
 import org.evoloop.roomba.simulator.room.Point;
 import org.evoloop.roomba.simulator.room.Pose;
 import org.evoloop.roomba.simulator.room.Room;
 import org.evoloop.roomba.simulator.room.Shape;
 import org.evoloop.statemachine.StateMachine;
+import org.evoloop.time.ManualClock;
 import org.jspecify.annotations.Nullable;
 
 /** A robot with a camera in a room, on its way to the marker; notes how fast it was whenever it touched something. */
@@ -24,20 +28,29 @@ final class MoveTrip implements AutoCloseable {
     private static final Duration TICK = Duration.ofMillis(15);
 
     final SteppedRoomba stepped;
-    final GeometricCamera camera;
+    private final MarkerCamera camera;
     private final @Nullable Pose marker;
     private boolean touching;
     private double fastestTouchMmPerS;
 
     MoveTrip(Room room, @Nullable Pose marker, ModelPair models, MoveOptions options, long seed) {
+        this(room, marker, models, options, (robot, clock) -> new GeometricCamera(robot, room, clock, marker, seed));
+    }
+
+    MoveTrip(
+            Room room,
+            @Nullable Pose marker,
+            ModelPair models,
+            MoveOptions options,
+            BiFunction<SimulatedRoomba, ManualClock, MarkerCamera> camera) {
         this.marker = marker;
-        AtomicReference<GeometricCamera> made = new AtomicReference<>();
+        AtomicReference<MarkerCamera> made = new AtomicReference<>();
         this.stepped = new SteppedRoomba(
                 RobotOptions.builder().room(room).spotDurationMillis(8_000).build(),
                 models,
                 options,
                 (robot, clock) -> {
-                    made.set(new GeometricCamera(robot, room, clock, marker, seed));
+                    made.set(camera.apply(robot, clock));
                     return StartPointSensor.byCamera(made.get());
                 });
         this.camera = made.get();
@@ -80,6 +93,11 @@ final class MoveTrip implements AutoCloseable {
         List<Shape> shapes = new ArrayList<>(List.of(furniture));
         shapes.add(box(Shape.Kind.WALL, 0, 0, 4_000, 3_000));
         return Room.of(shapes, null, start);
+    }
+
+    /** The camera, if it is one by geometry. */
+    GeometricCamera camera() {
+        return (GeometricCamera) camera;
     }
 
     boolean isMoving() {
