@@ -1,6 +1,7 @@
 package org.evoloop.roomba;
 
 import java.io.IOException;
+import org.evoloop.roomba.camera.CameraException;
 import org.evoloop.roomba.link.LinkException;
 import org.evoloop.roomba.session.RobotException;
 import org.evoloop.statemachine.ModelException;
@@ -40,6 +41,7 @@ public final class Main {
         return failure instanceof ModelException
                 || failure instanceof LinkException
                 || failure instanceof RobotException
+                || failure instanceof CameraException
                 || failure instanceof IllegalArgumentException
                 || failure instanceof IOException;
     }

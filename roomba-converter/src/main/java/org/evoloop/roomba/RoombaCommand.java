@@ -9,6 +9,9 @@ import java.util.function.IntFunction;
 import org.evoloop.console.Console;
 import org.evoloop.console.ConsoleCommand;
 import org.evoloop.loop.LoopConfig;
+import org.evoloop.roomba.camera.tool.CalibrateCommand;
+import org.evoloop.roomba.camera.tool.CameraCommand;
+import org.evoloop.roomba.camera.tool.MarkerCommand;
 import org.evoloop.roomba.link.Link;
 import org.evoloop.roomba.link.SerialLink;
 import org.evoloop.roomba.link.SerialSettings;
@@ -26,7 +29,13 @@ import picocli.CommandLine.Option;
 @Command(
         name = "roomba",
         description = "Gives a Roomba new functions: converts its events between the original and the new model.",
-        subcommands = {SimulatorCommand.class, DemoCommand.class},
+        subcommands = {
+            SimulatorCommand.class,
+            DemoCommand.class,
+            CameraCommand.class,
+            MarkerCommand.class,
+            CalibrateCommand.class
+        },
         mixinStandardHelpOptions = true)
 final class RoombaCommand implements Callable<Integer> {
     @Mixin

@@ -1,9 +1,9 @@
 /**
- * The robot's eye: where frames come from, what state the camera is in, and where the starting point's marker is seen.
- * Nothing here needs OpenCV to be loaded; the classes that do are in {@code opencv}, behind {@link
- * org.evoloop.roomba.camera.MarkerCamera}.
+ * The robot's eye, as the rest of the house knows it: what a camera is, what marker it looks for, what it has seen. {@code
+ * vision} says what is asked of OpenCV and finds it, {@code opencv} does it, {@code live} is a camera at work, {@code
+ * tool} has the commands.
  *
- * <p>This room may use nothing of the other rooms but {@code org.evoloop.time}.
+ * <p>These rooms may use nothing of the others but {@code org.evoloop.time}; this one uses nothing.
  */
 @NullMarked
 package org.evoloop.roomba.camera;

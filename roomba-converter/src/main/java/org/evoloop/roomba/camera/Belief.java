@@ -1,0 +1,44 @@
+package org.evoloop.roomba.camera;
+
+import java.util.Optional;
+
+/**
+ * Believes in a marker once some frames in a row have shown it in about the same place; a frame without it, or with it
+ * elsewhere, starts the count again.
+ *
+ * <p>Threading: for one thread.
+ */
+public final class Belief {
+    /** More than the fastest robot turns from frame to frame of a slow camera. */
+    private static final double SAME_BEARING_RAD = Math.toRadians(25);
+
+    private static final double SAME_DISTANCE = 0.35;
+
+    private final int framesInARow;
+    private int agreeing;
+    private Optional<Sighting> previous = Optional.empty();
+
+    /** @param framesInARow how many frames it takes, from 1 */
+    public Belief(int framesInARow) {
+        this.framesInARow = framesInARow;
+    }
+
+    /** What to believe after a frame that shows {@code seen}. */
+    public Optional<Sighting> after(Optional<Sighting> seen) {
+        if (seen.isEmpty()) {
+            agreeing = 0;
+        } else if (agreeing > 0 && previous.isPresent() && agree(previous.get(), seen.get())) {
+            agreeing++;
+        } else {
+            agreeing = 1;
+        }
+        previous = seen;
+        return agreeing >= framesInARow ? seen : Optional.empty();
+    }
+
+    private static boolean agree(Sighting one, Sighting other) {
+        double farther = Math.max(one.distanceMm(), other.distanceMm());
+        return Math.abs(one.bearingRad() - other.bearingRad()) <= SAME_BEARING_RAD
+                && Math.abs(one.distanceMm() - other.distanceMm()) <= SAME_DISTANCE * farther;
+    }
+}

@@ -1,0 +1,130 @@
+package org.evoloop.roomba.camera.live;
+
+import java.time.Duration;
+import java.util.concurrent.atomic.AtomicLong;
+import org.evoloop.roomba.camera.CameraException;
+import org.evoloop.roomba.camera.CameraSource;
+import org.evoloop.roomba.camera.vision.Frame;
+import org.evoloop.roomba.camera.vision.FrameReader;
+import org.evoloop.roomba.camera.vision.FrameSize;
+import org.evoloop.roomba.camera.vision.Vision;
+import org.evoloop.time.Clock;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** Owns the source: opens it, reads it as fast as frames come, and opens it again after a pause when they do not. */
+final class Grabber implements Runnable {
+    private static final Logger LOG = LoggerFactory.getLogger(Grabber.class);
+
+    private static final Duration FIRST_PAUSE = Duration.ofMillis(250);
+    private static final Duration LONGEST_PAUSE = Duration.ofSeconds(8);
+
+    /** A driver or server that can show no frame in so long is opened again. */
+    private static final Duration PATIENCE = Duration.ofSeconds(5);
+
+    /** A read that fails at once may have met a damaged frame; after so many in a row the source has ended. */
+    private static final int FAILED_READS = 5;
+
+    private static final Duration AT_ONCE = Duration.ofSeconds(1);
+
+    private final Vision vision;
+    private final CameraSource source;
+    private final FrameSize size;
+    private final Clock clock;
+    private final HealthTracker health;
+    private final NewestFrame frames;
+    private final AtomicLong damaged = new AtomicLong();
+    private volatile boolean stopped;
+
+    Grabber(Vision vision, CameraSettings settings, Clock clock, HealthTracker health, NewestFrame frames) {
+        this.vision = vision;
+        source = settings.source();
+        size = settings.size();
+        this.clock = clock;
+        this.health = health;
+        this.frames = frames;
+    }
+
+    long damagedFrames() {
+        return damaged.get();
+    }
+
+    /** Ends it as soon as the driver gives it back; interrupt its thread as well. */
+    void stop() {
+        stopped = true;
+    }
+
+    @Override
+    public void run() {
+        Duration pause = FIRST_PAUSE;
+        try {
+            while (!stopped) {
+                health.opening();
+                String reason;
+                try (FrameReader reader = vision.open(source, size)) {
+                    if (readAll(reader)) {
+                        pause = FIRST_PAUSE;
+                    }
+                    reason = source.isLive()
+                            ? "camera " + source + " sends no frames any more; see to its cable and power"
+                            : "recording " + source + " is at its end";
+                } catch (CameraException notThere) {
+                    reason = notThere.getMessage();
+                }
+                health.gone(reason);
+                if (!source.isLive()) {
+                    return;
+                }
+                LOG.warn("{}; trying again in {} ms", reason, pause.toMillis());
+                clock.sleep(pause);
+                pause = pause.multipliedBy(2).compareTo(LONGEST_PAUSE) < 0 ? pause.multipliedBy(2) : LONGEST_PAUSE;
+            }
+        } catch (InterruptedException stop) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    /** Reads until nothing comes any more; tells whether anything did. */
+    private boolean readAll(FrameReader reader) throws InterruptedException {
+        boolean any = false;
+        int failedReads = 0;
+        long lastGoodNanos = clock.nanoTime();
+        while (!stopped) {
+            Frame frame = frames.room();
+            long askedNanos = clock.nanoTime();
+            FrameReader.Outcome outcome = FrameReader.Outcome.NOTHING;
+            try {
+                outcome = reader.read(frame);
+            } finally {
+                if (outcome != FrameReader.Outcome.FRAME) {
+                    frames.giveBack(frame);
+                }
+            }
+            long nowNanos = clock.nanoTime();
+            if (outcome == FrameReader.Outcome.NOTHING) {
+                failedReads++;
+            } else {
+                // A read that failed before the source went on has met a frame that could not be decoded.
+                damaged.addAndGet(failedReads);
+                failedReads = 0;
+            }
+            if (outcome == FrameReader.Outcome.FRAME) {
+                frames.publish(frame, nowNanos);
+                any = true;
+                lastGoodNanos = nowNanos;
+                continue;
+            }
+            if (outcome == FrameReader.Outcome.DAMAGED) {
+                damaged.incrementAndGet();
+                health.damaged();
+            }
+            boolean waitedInVain = failedReads > 0 && nowNanos - askedNanos > AT_ONCE.toNanos();
+            boolean showsNothing = source.isLive() && nowNanos - lastGoodNanos > PATIENCE.toNanos();
+            if (failedReads >= FAILED_READS || waitedInVain || showsNothing) {
+                break;
+            }
+        }
+        frames.awaitLookedAt();
+        return any;
+    }
+}

@@ -1,0 +1,78 @@
+package org.evoloop.roomba.camera.live;
+
+import java.time.Duration;
+import java.util.Locale;
+import org.evoloop.roomba.camera.CameraHealth;
+import org.evoloop.roomba.camera.CameraHealth.State;
+
+/**
+ * What state a camera is in, by what has happened to it and by how long ago that was.
+ *
+ * <p>Threading: thread-safe.
+ */
+final class HealthTracker {
+    private final String camera;
+    private final long staleNanos;
+
+    private CameraHealth now;
+    private long lastFrameNanos;
+    private int damagedSince;
+
+    HealthTracker(String camera, Duration staleAfter) {
+        this.camera = camera;
+        staleNanos = staleAfter.toNanos();
+        now = new CameraHealth(State.OPENING, camera + " is being opened");
+    }
+
+    /** It is tried to open it. */
+    synchronized void opening() {
+        damagedSince = 0;
+        if (now.state() == State.GONE) {
+            now = new CameraHealth(State.OPENING, "trying again: " + now.reason());
+        }
+    }
+
+    /** A frame was looked at that came {@code takenNanos}. */
+    synchronized void seeing(long takenNanos) {
+        if (now.state() != State.CLOSED) {
+            now = CameraHealth.SEEING;
+            lastFrameNanos = takenNanos;
+            damagedSince = 0;
+        }
+    }
+
+    synchronized void damaged() {
+        damagedSince++;
+    }
+
+    /** Frames come, and looking at them fails. */
+    synchronized void blind(String reason) {
+        if (now.state() != State.CLOSED) {
+            now = new CameraHealth(State.STALLED, reason);
+        }
+    }
+
+    synchronized void gone(String reason) {
+        if (now.state() != State.CLOSED) {
+            now = new CameraHealth(State.GONE, reason);
+        }
+    }
+
+    synchronized void closed() {
+        now = new CameraHealth(State.CLOSED, camera + " is closed");
+    }
+
+    synchronized CameraHealth at(long nanos) {
+        long ageNanos = nanos - lastFrameNanos;
+        if (now.state() != State.SEEING || ageNanos <= staleNanos) {
+            return now;
+        }
+        String age = String.format(Locale.ROOT, "%.1f s", ageNanos / 1e9);
+        return new CameraHealth(
+                State.STALLED,
+                damagedSince == 0
+                        ? camera + " has sent no frame for " + age + "; see to its cable and power"
+                        : camera + " has sent " + damagedSince + " damaged frames and no good one for " + age
+                                + "; see to its cable, or ask it for smaller frames");
+    }
+}

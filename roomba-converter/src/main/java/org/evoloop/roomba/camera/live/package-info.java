@@ -1,0 +1,9 @@
+/**
+ * A camera at work: the thread that reads it, the thread that looks, what they pass on, and what state the camera is in.
+ *
+ * <p>This room may use {@code camera}, {@code camera.vision} and {@code org.evoloop.time}.
+ */
+@NullMarked
+package org.evoloop.roomba.camera.live;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,133 @@
+package org.evoloop.roomba.camera.opencv;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import org.evoloop.roomba.camera.CameraException;
+import org.evoloop.roomba.camera.vision.Detection;
+import org.evoloop.roomba.camera.vision.Detection.Corner;
+import org.evoloop.roomba.camera.vision.Frame;
+import org.evoloop.roomba.camera.vision.FrameRecorder;
+import org.jspecify.annotations.Nullable;
+import org.opencv.core.Mat;
+import org.opencv.core.Point;
+import org.opencv.core.Scalar;
+import org.opencv.core.Size;
+import org.opencv.imgproc.Imgproc;
+import org.opencv.videoio.VideoWriter;
+import org.opencv.videoio.Videoio;
+
+/** Writes AVI with Motion JPEG, by the encoder that OpenCV always has. */
+final class AviRecorder implements FrameRecorder {
+    private static final Scalar OUTLINE = new Scalar(0, 255, 0);
+    private static final Scalar TEXT = new Scalar(255, 255, 255);
+    private static final Scalar SHADOW = new Scalar(0, 0, 0);
+    private static final int LINE_HEIGHT_PX = 18;
+
+    /** A pause in what came is shown as a still for so long at most, in seconds. */
+    private static final long LONGEST_STILL_SECONDS = 10;
+
+    private final Path file;
+    private final int framesPerSecond;
+    private final Mat drawn = new Mat();
+    private final Mat fitted = new Mat();
+    private @Nullable VideoWriter writer;
+    private Size size = new Size();
+    private long nextNanos;
+
+    AviRecorder(Path file, int framesPerSecond) {
+        Path folder = file.toAbsolutePath().getParent();
+        if (!file.toString().endsWith(".avi")
+                || folder == null
+                || !Files.isWritable(folder)
+                || Files.isDirectory(file)) {
+            throw unwritable(file);
+        }
+        this.file = file;
+        this.framesPerSecond = framesPerSecond;
+    }
+
+    @Override
+    public void write(Frame frame, long takenNanos, Optional<Detection> detection, List<String> captions) {
+        Mat seen = MatFrame.of(frame);
+        VideoWriter open = writer == null ? open(seen, takenNanos) : writer;
+        if (takenNanos < nextNanos) {
+            return;
+        }
+        if (seen.channels() == 1) {
+            Imgproc.cvtColor(seen, drawn, Imgproc.COLOR_GRAY2BGR);
+        } else {
+            seen.copyTo(drawn);
+        }
+        detection.ifPresent(this::outline);
+        for (int line = 0; line < captions.size(); line++) {
+            caption(captions.get(line), (line + 1) * LINE_HEIGHT_PX);
+        }
+        Mat whole = drawn;
+        if (drawn.cols() != (int) size.width || drawn.rows() != (int) size.height) {
+            Imgproc.resize(drawn, fitted, size);
+            whole = fitted;
+        }
+        long betweenNanos = 1_000_000_000L / framesPerSecond;
+        long due = Math.min((takenNanos - nextNanos) / betweenNanos + 1, LONGEST_STILL_SECONDS * framesPerSecond);
+        for (long i = 0; i < due; i++) {
+            open.write(whole);
+        }
+        nextNanos += ((takenNanos - nextNanos) / betweenNanos + 1) * betweenNanos;
+    }
+
+    private VideoWriter open(Mat first, long takenNanos) {
+        size = first.size();
+        nextNanos = takenNanos;
+        VideoWriter opened = new VideoWriter(
+                file.toString(),
+                Videoio.CAP_OPENCV_MJPEG,
+                VideoWriter.fourcc('M', 'J', 'P', 'G'),
+                framesPerSecond,
+                size,
+                true);
+        if (!opened.isOpened()) {
+            opened.release();
+            throw new CameraException(file
+                    + ": cannot be written as a recording; its name must end with .avi, in a folder that is there");
+        }
+        writer = opened;
+        return opened;
+    }
+
+    private static CameraException unwritable(Path file) {
+        return new CameraException(
+                file
+                        + ": cannot be written as a recording; its name must end with .avi, in a folder that may be written to");
+    }
+
+    private void outline(Detection detection) {
+        List<Corner> corners = detection.corners();
+        for (int i = 0; i < corners.size(); i++) {
+            Corner next = corners.get((i + 1) % corners.size());
+            Imgproc.line(drawn, point(corners.get(i)), point(next), OUTLINE, 2);
+        }
+        Imgproc.circle(drawn, point(corners.get(0)), 4, OUTLINE, -1);
+    }
+
+    private static Point point(Corner corner) {
+        return new Point(corner.x(), corner.y());
+    }
+
+    private void caption(String text, int yPx) {
+        Point at = new Point(6, yPx);
+        Imgproc.putText(drawn, text, at, Imgproc.FONT_HERSHEY_SIMPLEX, 0.5, SHADOW, 3);
+        Imgproc.putText(drawn, text, at, Imgproc.FONT_HERSHEY_SIMPLEX, 0.5, TEXT, 1);
+    }
+
+    @Override
+    public void close() {
+        if (writer != null) {
+            writer.release();
+            writer = null;
+        }
+        drawn.release();
+        fitted.release();
+    }
+}

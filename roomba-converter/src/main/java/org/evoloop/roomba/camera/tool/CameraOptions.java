@@ -1,0 +1,78 @@
+package org.evoloop.roomba.camera.tool;
+
+import java.nio.file.Path;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.evoloop.roomba.camera.CalibrationFile;
+import org.evoloop.roomba.camera.CameraException;
+import org.evoloop.roomba.camera.CameraModel;
+import org.evoloop.roomba.camera.CameraSource;
+import org.evoloop.roomba.camera.live.CameraSettings;
+import org.evoloop.roomba.camera.vision.FrameSize;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+
+/** The options of the command line that say how the camera sees and what it looks for; all but which camera it is. */
+public final class CameraOptions {
+    private static final Pattern SIZE = Pattern.compile("(\\d{2,5})x(\\d{2,5})");
+
+    @Option(
+            names = "--field-of-view",
+            paramLabel = "DEGREES",
+            description = "The camera's horizontal field of view (default: 60); a calibration is better.")
+    private @Nullable Double fieldOfViewDegrees;
+
+    @Option(
+            names = "--calibration",
+            paramLabel = "FILE",
+            description = "What 'calibrate' has measured; instead of --field-of-view.")
+    private @Nullable Path calibration;
+
+    @Option(
+            names = "--camera-size",
+            paramLabel = "WxH",
+            defaultValue = "640x480",
+            description = "The frames to ask a device for (default: ${DEFAULT-VALUE}).")
+    private String size = "";
+
+    @Option(names = "--record", paramLabel = "FILE.avi", description = "Records what the camera sees and finds.")
+    private @Nullable Path record;
+
+    @Mixin
+    private final MarkerOptions marker = new MarkerOptions();
+
+    /**
+     * How to look through that camera.
+     *
+     * @throws CameraException if options contradict each other or make no sense, or the calibration cannot be used
+     */
+    public CameraSettings read(CameraSource source) {
+        CameraSettings settings = CameraSettings.of(source)
+                .withMarker(marker.read())
+                .withModel(model())
+                .withSize(size());
+        Path file = record;
+        return file == null ? settings : settings.withRecord(file);
+    }
+
+    private CameraModel model() {
+        Path measured = calibration;
+        Double degrees = fieldOfViewDegrees;
+        if (measured != null && degrees != null) {
+            throw new CameraException("--calibration and --field-of-view say the same thing; give one of them");
+        }
+        if (measured != null) {
+            return CalibrationFile.read(measured);
+        }
+        return degrees == null ? CameraModel.DEFAULT : new CameraModel.FieldOfView(degrees);
+    }
+
+    private FrameSize size() {
+        Matcher parts = SIZE.matcher(size);
+        if (!parts.matches()) {
+            throw new CameraException("--camera-size is " + size + "; write width x height, such as 640x480");
+        }
+        return new FrameSize(Integer.parseInt(parts.group(1)), Integer.parseInt(parts.group(2)));
+    }
+}

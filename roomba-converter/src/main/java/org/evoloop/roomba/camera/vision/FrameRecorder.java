@@ -1,0 +1,24 @@
+package org.evoloop.roomba.camera.vision;
+
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * Writes what a camera saw, with what was found in it drawn in.
+ *
+ * <p>Threading: for one thread at a time.
+ */
+public interface FrameRecorder extends AutoCloseable {
+
+    /**
+     * Appends a frame, so often that the recording keeps time.
+     *
+     * @param takenNanos when it came; must not go back
+     * @param captions lines of text to write into it, in ASCII
+     */
+    void write(Frame frame, long takenNanos, Optional<Detection> detection, List<String> captions);
+
+    /** Completes the file. Idempotent. */
+    @Override
+    void close();
+}

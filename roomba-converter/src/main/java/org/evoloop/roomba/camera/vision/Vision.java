@@ -1,0 +1,55 @@
+package org.evoloop.roomba.camera.vision;
+
+import java.nio.file.Path;
+import java.util.List;
+import org.evoloop.roomba.camera.CameraException;
+import org.evoloop.roomba.camera.CameraModel;
+import org.evoloop.roomba.camera.CameraSource;
+import org.evoloop.roomba.camera.MarkerDictionary;
+import org.evoloop.roomba.camera.MarkerSpec;
+
+/**
+ * OpenCV, as far as it is used here. What it hands out holds native memory and must be closed.
+ *
+ * <p>Threading: thread-safe; what it hands out belongs to one thread at a time.
+ */
+public interface Vision {
+
+    /** Its version, such as 4.6.0. */
+    String version();
+
+    /** Room for a frame, empty. */
+    Frame newFrame();
+
+    /**
+     * Opens a source; this may take some seconds.
+     *
+     * @param wanted of a device's frames; other sources have the size they have
+     * @throws CameraException if it cannot be opened
+     */
+    FrameReader open(CameraSource source, FrameSize wanted);
+
+    MarkerFinder finder(MarkerSpec marker, CameraModel model);
+
+    /**
+     * Starts a recording as AVI with Motion JPEG.
+     *
+     * @param framesPerSecond of the recording, which keeps time whatever the camera's rate is
+     * @throws CameraException if the file cannot be written
+     */
+    FrameRecorder recorder(Path file, int framesPerSecond);
+
+    /**
+     * The cells of a marker, border included, from above and from the left; true is white.
+     *
+     * @throws CameraException if the dictionary has no such id
+     */
+    boolean[][] markerCells(MarkerDictionary dictionary, int id);
+
+    /**
+     * Measures a camera from pictures of a chessboard.
+     *
+     * @throws CameraException if too few pictures show the whole board
+     */
+    Calibration calibrate(List<Path> pictures, Chessboard board);
+}
