@@ -13,6 +13,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import org.evoloop.roomba.simulator.drawing.RoomDrawing;
 import org.evoloop.roomba.simulator.drawing.Trail;
+import org.evoloop.roomba.simulator.robot.RobotState;
 import org.evoloop.time.Clock;
 import org.evoloop.time.SystemClock;
 import org.jspecify.annotations.Nullable;
@@ -41,6 +42,11 @@ import picocli.CommandLine.Spec;
             "  place X Y HEADING                carries it elsewhere",
             "  dock, undock                     puts it onto its dock, and off it",
             "  unplug, replug                   pulls its cable, and plugs it in again",
+            "  move-marker X Y HEADING          hangs the marker elsewhere",
+            "  cover-marker, uncover-marker     hangs a cloth over it, and takes it off",
+            "  camera stall, camera resume      holds its pictures back, and sends them again",
+            "  camera unplug, camera replug     pulls the camera's cable, and plugs it in again",
+            "  camera damage P                  damages this part of its pictures, 0 to 1",
             "  state                            tells its true state in JSON",
             "  help, quit",
             "",
@@ -52,7 +58,11 @@ import picocli.CommandLine.Spec;
             "  cliff X Y X Y ...          where there is no floor, likewise",
             "  dock X Y HEADING           where a docked robot stands and looks;",
             "                             the dock itself is 176 mm ahead",
-            "  start X Y HEADING          where it begins (default: the dock, else 0 0 0)"
+            "  start X Y HEADING          where it begins (default: the dock, else 0 0 0)",
+            "  marker X Y HEADING [ID [SIDE [HEIGHT]]]",
+            "                             an upright tag of 4x4_50 (default: 0, 150, 150),",
+            "                             its middle HEIGHT above X Y; it looks to HEADING",
+            "A wall or an obstacle may end with its looks: color RRGGBB height MM"
         },
         mixinStandardHelpOptions = true)
 public final class SimulatorCommand implements Callable<Integer> {
@@ -83,6 +93,9 @@ public final class SimulatorCommand implements Callable<Integer> {
     private @Nullable Path svg;
 
     @Mixin
+    private final CameraArguments camera = new CameraArguments();
+
+    @Mixin
     private final RobotArguments robot = new RobotArguments();
 
     @Spec
@@ -109,6 +122,7 @@ public final class SimulatorCommand implements Callable<Integer> {
             Runtime.getRuntime().addShutdownHook(onSignal);
             PrintWriter output = spec.commandLine().getOut();
             output.println("ready " + server.path());
+            server.camera().ifPresent(webcam -> output.println("camera " + webcam.url()));
             output.flush();
             answerInBackground(new WorldCommands(server), output, quit);
             quit.await();
@@ -121,7 +135,7 @@ public final class SimulatorCommand implements Callable<Integer> {
 
     private SimulatorServer start(Clock clock, Trail trail) {
         try {
-            return SimulatorServer.start(link, robot.toOptions(), clock, speed, trail);
+            return SimulatorServer.start(link, robot.toOptions(), clock, speed, trail, camera.toOptions());
         } catch (IllegalArgumentException | IOException mistake) {
             throw mistake("cannot start the simulator: " + mistake.getMessage());
         }
@@ -132,10 +146,18 @@ public final class SimulatorCommand implements Callable<Integer> {
             return;
         }
         try {
-            Files.writeString(svg, RoomDrawing.svg(server.robot().state(), trail));
+            Files.writeString(svg, drawing(server, trail));
         } catch (IOException failure) {
             throw mistake("cannot write " + svg + " (--svg); its folder must exist and be writable");
         }
+    }
+
+    private static String drawing(SimulatorServer server, Trail trail) {
+        RobotState state = server.robot().state();
+        return server.camera()
+                .map(webcam ->
+                        RoomDrawing.svg(state, trail, webcam.options().eye().fieldOfViewDeg()))
+                .orElseGet(() -> RoomDrawing.svg(state, trail));
     }
 
     private CommandLine.ParameterException mistake(String message) {

@@ -2,13 +2,17 @@ package org.evoloop.roomba.simulator;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
 import org.evoloop.roomba.simulator.robot.RobotOptions;
 import org.evoloop.roomba.simulator.robot.RobotState;
 import org.evoloop.roomba.simulator.robot.SimulatedRoomba;
+import org.evoloop.roomba.simulator.webcam.Webcam;
+import org.evoloop.roomba.simulator.webcam.WebcamOptions;
 import org.evoloop.time.Clock;
+import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -44,6 +48,7 @@ public final class SimulatorServer implements Cable, AutoCloseable {
     private volatile Pty pty;
     private final SimulatedRoomba robot;
     private final Consumer<RobotState> observer;
+    private final @Nullable Webcam camera;
     private final Clock clock;
     private final long nanosPerTick;
     private final long startNanos;
@@ -52,11 +57,18 @@ public final class SimulatorServer implements Cable, AutoCloseable {
     private volatile boolean closing;
 
     private SimulatorServer(
-            Path link, Pty pty, RobotOptions options, Clock clock, double speed, Consumer<RobotState> observer) {
+            Path link,
+            Pty pty,
+            RobotOptions options,
+            Clock clock,
+            double speed,
+            Consumer<RobotState> observer,
+            @Nullable Webcam camera) {
         this.link = link;
         this.pty = pty;
         this.robot = new SimulatedRoomba(options, bytes -> this.pty.write(bytes, bytes.length));
         this.observer = observer;
+        this.camera = camera;
         this.clock = clock;
         this.startNanos = clock.nanoTime();
         this.nanosPerTick = Math.round(SimulatedRoomba.TICK_MILLIS * NANOS_PER_MILLI / speed);
@@ -83,13 +95,39 @@ public final class SimulatorServer implements Cable, AutoCloseable {
     public static SimulatorServer start(
             Path link, RobotOptions options, Clock clock, double speed, Consumer<RobotState> observer)
             throws IOException {
+        return start(link, options, clock, speed, observer, Optional.empty());
+    }
+
+    /**
+     * Starts a robot, as {@link #start(Path, RobotOptions, Clock, double, Consumer)}, that carries a camera.
+     *
+     * @param camera empty for none; when this returns, its clients can connect
+     * @throws IOException also if the camera's port cannot be had
+     */
+    public static SimulatorServer start(
+            Path link,
+            RobotOptions options,
+            Clock clock,
+            double speed,
+            Consumer<RobotState> observer,
+            Optional<WebcamOptions> camera)
+            throws IOException {
         if (!(speed >= SLOWEST && speed <= FASTEST)) {
             throw new IllegalArgumentException(
                     "speed is " + speed + "; allowed is " + SLOWEST + " to " + FASTEST + " times real time");
         }
-        SimulatorServer server = new SimulatorServer(link, Pty.open(link), options, clock, speed, observer);
-        server.thread.start();
-        return server;
+        Webcam webcam = camera.isPresent() ? Webcam.start(camera.get()) : null;
+        boolean started = false;
+        try {
+            SimulatorServer server = new SimulatorServer(link, Pty.open(link), options, clock, speed, observer, webcam);
+            server.thread.start();
+            started = true;
+            return server;
+        } finally {
+            if (!started && webcam != null) {
+                webcam.close();
+            }
+        }
     }
 
     private void run() {
@@ -113,7 +151,11 @@ public final class SimulatorServer implements Cable, AutoCloseable {
             }
             if (waitNanos <= 0) {
                 robot.tick();
-                observer.accept(robot.state());
+                RobotState state = robot.state();
+                observer.accept(state);
+                if (camera != null) {
+                    camera.accept(state);
+                }
                 dueNanos += nanosPerTick;
             }
             listen(buffer, waitNanos);
@@ -152,6 +194,11 @@ public final class SimulatorServer implements Cable, AutoCloseable {
         return robot;
     }
 
+    /** What the robot sees, for its address and its faults; empty if it carries no camera. */
+    public Optional<Webcam> camera() {
+        return Optional.ofNullable(camera);
+    }
+
     /** The file that clients open. */
     public Path path() {
         return link;
@@ -176,12 +223,15 @@ public final class SimulatorServer implements Cable, AutoCloseable {
         pty = Pty.open(link);
     }
 
-    /** Pulls the cable, removes the link and ends the robot. A second call does nothing. */
+    /** Pulls the cables, removes the link and ends the robot. A second call does nothing. */
     @Override
     public void close() {
         synchronized (this) {
             closing = true;
             pty.hangUp();
+        }
+        if (camera != null) {
+            camera.close();
         }
         try {
             thread.join(END_LIMIT_MILLIS);

@@ -7,6 +7,7 @@ import java.util.Locale;
 import org.evoloop.roomba.oi.Button;
 import org.evoloop.roomba.simulator.robot.SimulatedRoomba;
 import org.evoloop.roomba.simulator.room.Pose;
+import org.evoloop.roomba.simulator.webcam.Webcam;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -18,6 +19,11 @@ import org.jspecify.annotations.Nullable;
  *   <li>{@code place X Y HEADING}: {@code ok}, the robot stands there, in mm and degrees counterclockwise from x
  *   <li>{@code dock}, {@code undock}: {@code ok}, the robot stands on its dock, or half a metre behind
  *   <li>{@code unplug}, {@code replug}: {@code ok}, the client's cable is pulled, or in again
+ *   <li>{@code move-marker X Y HEADING}: {@code ok}, the room's marker hangs there
+ *   <li>{@code cover-marker}, {@code uncover-marker}: {@code ok}, a cloth hangs over it, or no more
+ *   <li>{@code camera stall|resume}: {@code ok}, no pictures are sent, or whole ones again
+ *   <li>{@code camera unplug|replug}: {@code ok}, the camera's cable is pulled, or in again
+ *   <li>{@code camera damage P}: {@code ok}, this part of its pictures is sent damaged, 0 to 1
  *   <li>{@code state}: the robot's true state in JSON, see {@code RobotState}
  *   <li>{@code help}: these commands
  *   <li>{@code quit}: {@code ok}, and from now on {@link #hasQuit()}
@@ -31,29 +37,48 @@ public final class WorldCommands {
     private static final String OK = "ok";
     private static final String PRESS = "press clean|spot|dock [MILLIS]";
     private static final String PLACE = "place X Y HEADING";
+    private static final String MOVE_MARKER = "move-marker X Y HEADING";
+    private static final String CAMERA = "camera stall|resume|unplug|replug|damage P";
     private static final String HELP = String.join(
-            "; ", PRESS, "lift", "set-down", PLACE, "dock", "undock", "unplug", "replug", "state", "help", "quit");
+            "; ",
+            PRESS,
+            "lift",
+            "set-down",
+            PLACE,
+            "dock",
+            "undock",
+            "unplug",
+            "replug",
+            MOVE_MARKER,
+            "cover-marker",
+            "uncover-marker",
+            CAMERA,
+            "state",
+            "help",
+            "quit");
     private static final List<Button> BUTTONS = List.of(Button.CLEAN, Button.SPOT, Button.DOCK);
     private static final int LONGEST_PRESS_MILLIS = 60_000;
-    private static final double FARTHEST_MM = 100_000;
+    private static final int FARTHEST_MM = 100_000;
 
     private final SimulatedRoomba robot;
     private final @Nullable Cable cable;
+    private final @Nullable Webcam camera;
     private volatile boolean quit;
 
-    /** Commands for this robot, which has no cable to unplug. */
+    /** Commands for this robot, which has no cable to unplug and no camera. */
     public WorldCommands(SimulatedRoomba robot) {
-        this(robot, null);
+        this(robot, null, null);
     }
 
-    /** Commands for this server's robot and its cable. */
+    /** Commands for this server's robot, its cable and its camera. */
     public WorldCommands(SimulatorServer server) {
-        this(server.robot(), server);
+        this(server.robot(), server, server.camera().orElse(null));
     }
 
-    private WorldCommands(SimulatedRoomba robot, @Nullable Cable cable) {
+    private WorldCommands(SimulatedRoomba robot, @Nullable Cable cable, @Nullable Webcam camera) {
         this.robot = robot;
         this.cable = cable;
+        this.camera = camera;
     }
 
     /** Carries out one line and returns its answer, without a line's end. */
@@ -74,8 +99,20 @@ public final class WorldCommands {
     private String execute(String command, List<String> arguments) throws IOException {
         switch (command) {
             case "press" -> press(arguments);
-            case "place" -> place(arguments);
-            case "lift", "set-down", "dock", "undock", "unplug", "replug", "state", "help", "quit" -> {
+            case "place" -> robot.place(pose(PLACE, arguments));
+            case "move-marker" -> robot.moveMarker(pose(MOVE_MARKER, arguments));
+            case "camera" -> camera(arguments);
+            case "lift",
+                    "set-down",
+                    "dock",
+                    "undock",
+                    "unplug",
+                    "replug",
+                    "cover-marker",
+                    "uncover-marker",
+                    "state",
+                    "help",
+                    "quit" -> {
                 requireCount(command, arguments, 0, 0);
                 return act(command);
             }
@@ -92,6 +129,8 @@ public final class WorldCommands {
             case "undock" -> robot.undock();
             case "unplug" -> cable().unplug();
             case "replug" -> cable().replug();
+            case "cover-marker" -> robot.coverMarker(true);
+            case "uncover-marker" -> robot.coverMarker(false);
             case "quit" -> quit = true;
             case "help" -> {
                 return HELP;
@@ -133,20 +172,37 @@ public final class WorldCommands {
         return Integer.parseInt(text);
     }
 
-    private void place(List<String> arguments) {
-        requireCount(PLACE, arguments, 3, 3);
-        robot.place(new Pose(
-                number("X", arguments.get(0)),
-                number("Y", arguments.get(1)),
-                Math.toRadians(number("HEADING", arguments.get(2)))));
+    private void camera(List<String> arguments) throws IOException {
+        if (camera == null) {
+            throw new IllegalArgumentException("this robot has no camera");
+        }
+        requireCount(CAMERA, arguments, 1, 2);
+        String action = arguments.get(0);
+        requireCount(CAMERA, arguments, action.equals("damage") ? 2 : 1, action.equals("damage") ? 2 : 1);
+        switch (action) {
+            case "stall" -> camera.stall();
+            case "resume" -> camera.resume();
+            case "unplug" -> camera.unplug();
+            case "replug" -> camera.replug();
+            case "damage" -> camera.damage(number("P", arguments.get(1), 0, 1));
+            default -> throw new IllegalArgumentException("the command is '" + CAMERA + "'");
+        }
     }
 
-    private static double number(String name, String text) {
-        if (!text.matches("-?\\d{1,7}(\\.\\d{1,7})?") || Math.abs(Double.parseDouble(text)) > FARTHEST_MM) {
-            throw new IllegalArgumentException(
-                    name + " is '" + text + "'; allowed is -" + (int) FARTHEST_MM + " to " + (int) FARTHEST_MM);
+    private static Pose pose(String usage, List<String> arguments) {
+        requireCount(usage, arguments, 3, 3);
+        return new Pose(
+                number("X", arguments.get(0), -FARTHEST_MM, FARTHEST_MM),
+                number("Y", arguments.get(1), -FARTHEST_MM, FARTHEST_MM),
+                Math.toRadians(number("HEADING", arguments.get(2), -FARTHEST_MM, FARTHEST_MM)));
+    }
+
+    private static double number(String name, String text, int least, int most) {
+        double number = text.matches("-?\\d{1,7}(\\.\\d{1,7})?") ? Double.parseDouble(text) : Double.NaN;
+        if (!(number >= least && number <= most)) {
+            throw new IllegalArgumentException(name + " is '" + text + "'; allowed is " + least + " to " + most);
         }
-        return Double.parseDouble(text);
+        return number;
     }
 
     private static void requireCount(String usage, List<String> arguments, int least, int most) {

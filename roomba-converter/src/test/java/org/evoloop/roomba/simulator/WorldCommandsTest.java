@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import org.evoloop.roomba.simulator.robot.RobotOptions;
 import org.evoloop.roomba.simulator.robot.SimulatedRoomba;
+import org.evoloop.roomba.simulator.room.Marker;
+import org.evoloop.roomba.simulator.room.Pose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -63,7 +65,23 @@ class WorldCommandsTest {
     void helpNamesEveryCommand() {
         assertThat(world.execute("help"))
                 .isEqualTo("press clean|spot|dock [MILLIS]; lift; set-down; place X Y HEADING; dock; undock; unplug;"
-                        + " replug; state; help; quit");
+                        + " replug; move-marker X Y HEADING; cover-marker; uncover-marker;"
+                        + " camera stall|resume|unplug|replug|damage P; state; help; quit");
+    }
+
+    @Test
+    void peopleCarryTheMarkerAboutAndCoverIt() {
+        assertThat(world.execute("move-marker 1400 500 180")).isEqualTo("ok");
+        assertThat(marker()).isEqualTo(Marker.at(new Pose(1_400, 500, Math.PI)));
+        assertThat(world.execute("cover-marker")).isEqualTo("ok");
+        assertThat(world.execute("move-marker 0 0 0")).isEqualTo("ok");
+        assertThat(marker()).isEqualTo(Marker.at(Pose.ORIGIN).covered(true));
+        assertThat(world.execute("uncover-marker")).isEqualTo("ok");
+        assertThat(marker().covered()).isFalse();
+    }
+
+    private Marker marker() {
+        return robot.state().surroundings().room().marker().orElseThrow();
     }
 
     @Test
@@ -78,7 +96,8 @@ class WorldCommandsTest {
             delimiter = '#',
             value = {
                 "''              # error: '' is no command; there are press clean|spot|dock [MILLIS]; lift; set-down;"
-                        + " place X Y HEADING; dock; undock; unplug; replug; state; help; quit",
+                        + " place X Y HEADING; dock; undock; unplug; replug; move-marker X Y HEADING; cover-marker;"
+                        + " uncover-marker; camera stall|resume|unplug|replug|damage P; state; help; quit",
                 "lift it         # error: the command is 'lift'",
                 "place 1 2       # error: the command is 'place X Y HEADING'",
                 "place 1 two 3   # error: Y is 'two'; allowed is -100000 to 100000",
@@ -90,6 +109,9 @@ class WorldCommandsTest {
                 "press clock     # error: 'clock' is no button, there are clean, spot and dock",
                 "press clean 0   # error: MILLIS is '0'; allowed is 1 to 60000 ms",
                 "press clean 1e9 # error: MILLIS is '1e9'; allowed is 1 to 60000 ms",
+                "camera stall    # error: this robot has no camera",
+                "cover-marker    # error: there is no marker in the room; hang one up with 'move-marker X Y HEADING'",
+                "move-marker 1 2 # error: the command is 'move-marker X Y HEADING'",
                 "state now       # error: the command is 'state'",
                 "quit now        # error: the command is 'quit'",
             })

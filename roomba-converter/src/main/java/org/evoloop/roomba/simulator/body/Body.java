@@ -1,5 +1,6 @@
 package org.evoloop.roomba.simulator.body;
 
+import org.evoloop.roomba.simulator.room.Marker;
 import org.evoloop.roomba.simulator.room.Pose;
 import org.evoloop.roomba.simulator.room.Room;
 
@@ -91,6 +92,11 @@ public final class Body {
     /** Somebody puts the dock elsewhere. */
     public void moveDock(Pose where) {
         room = room.withDock(where);
+    }
+
+    /** Somebody hangs the marker elsewhere, covers it or shows it again. */
+    public void setMarker(Marker marker) {
+        room = room.withMarker(marker);
     }
 
     /** Whether the electronics are at work or sleep. */

@@ -6,14 +6,15 @@ import java.util.Locale;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.evoloop.roomba.simulator.robot.RobotState;
+import org.evoloop.roomba.simulator.room.Marker;
 import org.evoloop.roomba.simulator.room.Point;
 import org.evoloop.roomba.simulator.room.Pose;
 import org.evoloop.roomba.simulator.room.Room;
 import org.evoloop.roomba.simulator.room.Shape;
 
 /**
- * Draws a room as seen from above, x to the right and y upwards: walls, obstacles, cliffs, the dock, the robot's way in
- * the colours of its causes, where it began and where it is.
+ * Draws a room as seen from above, x to the right and y upwards: walls, obstacles, cliffs, the dock, the marker, the
+ * robot's way in the colours of its causes, where it began, where it is and what its camera sees.
  *
  * <p>Threading: used by one thread.
  */
@@ -24,14 +25,23 @@ public final class RoomDrawing {
     private static final double DOCK_DEPTH_MM = 90;
     private static final double SCALE_BAR_MM = 1_000;
 
+    private static final double MARKER_DEPTH_MM = 60;
+
+    /** A camera in an open place sees farther, but nobody wants to see that. */
+    private static final double SIGHT_MM = 4_000;
+
+    private static final int SIGHT_RAYS = 120;
+
     private final RobotState state;
     private final Trail trail;
+    private final double fieldOfViewDeg;
     private final Room room;
     private final StringBuilder text = new StringBuilder();
 
-    private RoomDrawing(RobotState state, Trail trail) {
+    private RoomDrawing(RobotState state, Trail trail, double fieldOfViewDeg) {
         this.state = state;
         this.trail = trail;
+        this.fieldOfViewDeg = fieldOfViewDeg;
         this.room = state.surroundings().room();
     }
 
@@ -42,7 +52,16 @@ public final class RoomDrawing {
      * @param trail how it came there
      */
     public static String svg(RobotState state, Trail trail) {
-        return new RoomDrawing(state, trail).draw();
+        return svg(state, trail, 0);
+    }
+
+    /**
+     * The drawing of a robot with a camera.
+     *
+     * @param fieldOfViewDeg how wide the camera sees; 0 for no camera
+     */
+    public static String svg(RobotState state, Trail trail, double fieldOfViewDeg) {
+        return new RoomDrawing(state, trail, fieldOfViewDeg).draw();
     }
 
     private String draw() {
@@ -54,6 +73,7 @@ public final class RoomDrawing {
                 .forEach(extent::add);
         extent.add(state.pose().center());
         room.dock().ifPresent(dock -> extent.add(dock.ahead(Room.DOCK_DISTANCE_MM, 0)));
+        room.marker().ifPresent(marker -> extent.add(marker.pose().center()));
         double left = extent.stream().mapToDouble(Point::xMm).min().orElse(0) - MARGIN_MM;
         double right =
                 Math.max(extent.stream().mapToDouble(Point::xMm).max().orElse(0) + MARGIN_MM, left + SMALLEST_SIDE_MM);
@@ -76,8 +96,10 @@ public final class RoomDrawing {
         add("<rect x='%.0f' y='%.0f' width='100%%' height='100%%' fill='white'/>", left, -top);
         // SVG's y goes down, the room's goes up.
         add("<g transform='scale(1,-1)'>");
+        drawSight();
         room.shapes().forEach(this::draw);
         room.dock().ifPresent(this::drawDock);
+        room.marker().ifPresent(this::drawMarker);
         double lineMm = letterMm / 5;
         pieces.forEach(piece -> draw(piece, lineMm));
         drawStart(lineMm);
@@ -108,6 +130,36 @@ public final class RoomDrawing {
                         dock.ahead(nearMm, -widthMm),
                         dock.ahead(nearMm + DOCK_DEPTH_MM, -widthMm),
                         dock.ahead(nearMm + DOCK_DEPTH_MM, widthMm))));
+    }
+
+    /** A board with an arrow to where it looks. */
+    private void drawMarker(Marker marker) {
+        Pose pose = marker.pose();
+        double halfMm = marker.boardMm() / 2;
+        add(
+                "<polygon points='%s' fill='%s' stroke='#212529' stroke-width='10'/>",
+                points(List.of(
+                        pose.ahead(0, halfMm),
+                        pose.ahead(0, -halfMm),
+                        pose.ahead(MARKER_DEPTH_MM / 2, -halfMm),
+                        pose.ahead(MARKER_DEPTH_MM * 2, 0),
+                        pose.ahead(MARKER_DEPTH_MM / 2, halfMm))),
+                marker.covered() ? "#868e96" : "#d6336c");
+    }
+
+    /** What the camera sees of the floor, up to the walls. */
+    private void drawSight() {
+        if (fieldOfViewDeg == 0) {
+            return;
+        }
+        Pose pose = state.pose();
+        List<Point> outline = new ArrayList<>(List.of(pose.center()));
+        for (int ray = 0; ray <= SIGHT_RAYS; ray++) {
+            double bearingRad = Math.toRadians(fieldOfViewDeg) * ((double) ray / SIGHT_RAYS - 0.5);
+            double lengthMm = Math.min(SIGHT_MM, room.freeMm(pose, bearingRad));
+            outline.add(pose.ahead(lengthMm * Math.cos(bearingRad), lengthMm * Math.sin(bearingRad)));
+        }
+        add("<polygon class='sight' points='%s' fill='#74c0fc' fill-opacity='0.3'/>", points(outline));
     }
 
     private void draw(Trail.Piece piece, double lineMm) {

@@ -7,6 +7,7 @@ import org.evoloop.roomba.oi.CommandParser;
 import org.evoloop.roomba.oi.CommandParser.Parsed;
 import org.evoloop.roomba.simulator.body.Body;
 import org.evoloop.roomba.simulator.body.Wheel;
+import org.evoloop.roomba.simulator.room.Marker;
 import org.evoloop.roomba.simulator.room.Pose;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -246,6 +247,24 @@ public final class SimulatedRoomba {
             throw new IllegalArgumentException("the robot is not on a dock");
         }
         place(body.pose().at(body.pose().ahead(-UNDOCK_MM, 0)));
+    }
+
+    /** Somebody hangs the room's marker elsewhere; if there is none, a usual one. */
+    public synchronized void moveMarker(Pose pose) {
+        body.setMarker(body.room().marker().map(marker -> marker.movedTo(pose)).orElseGet(() -> Marker.at(pose)));
+    }
+
+    /**
+     * Somebody hangs a cloth over the marker, or takes it off.
+     *
+     * @throws IllegalArgumentException if there is no marker
+     */
+    public synchronized void coverMarker(boolean cloth) {
+        Marker marker = body.room()
+                .marker()
+                .orElseThrow(() -> new IllegalArgumentException(
+                        "there is no marker in the room; hang one up with 'move-marker X Y HEADING'"));
+        body.setMarker(marker.covered(cloth));
     }
 
     /** The truth at this moment. */

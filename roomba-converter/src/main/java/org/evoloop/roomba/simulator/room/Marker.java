@@ -56,6 +56,12 @@ public record Marker(Pose pose, int id, double sideMm, double heightMm, boolean 
         return sideMm / CELLS_PER_SIDE;
     }
 
+    /** The pose this far before it, looking at it. */
+    public Pose before(double distanceMm) {
+        Point place = pose.ahead(distanceMm, 0);
+        return new Pose(place.xMm(), place.yMm(), pose.headingRad() + Math.PI);
+    }
+
     /** The same marker elsewhere. */
     public Marker movedTo(Pose place) {
         return new Marker(place, id, sideMm, heightMm, covered);

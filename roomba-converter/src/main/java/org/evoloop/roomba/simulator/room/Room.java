@@ -79,6 +79,11 @@ public final class Room {
                 dock.ahead(DOCK_DISTANCE_MM, DOCK_HALF_WIDTH_MM), dock.ahead(DOCK_DISTANCE_MM, -DOCK_HALF_WIDTH_MM));
     }
 
+    /** The same room with other things in it, wherever the robot begins. */
+    Room withShapes(List<Shape> others) {
+        return new Room(others, dock, start, marker);
+    }
+
     /** The same room with its dock, the only one, elsewhere. */
     public Room withDock(Pose place) {
         return new Room(shapes, place, start, marker);

@@ -11,6 +11,12 @@ record Segment(Point from, Point to) {
         return from.plus(along, Math.max(0, Math.min(1, share)));
     }
 
+    /** Whether the two have a point in common. */
+    boolean crosses(Segment other) {
+        double distance = other.hitBy(from, to.minus(from));
+        return distance <= 1;
+    }
+
     /** How far a ray goes until it meets the segment, in lengths of {@code direction}; infinite if it never does. */
     double hitBy(Point origin, Point direction) {
         Point along = to.minus(from);

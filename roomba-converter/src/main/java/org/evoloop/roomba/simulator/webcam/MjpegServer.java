@@ -1,0 +1,167 @@
+package org.evoloop.roomba.simulator.webcam;
+
+import com.sun.net.httpserver.HttpExchange;
+import com.sun.net.httpserver.HttpHandler;
+import com.sun.net.httpserver.HttpServer;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.net.BindException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.nio.charset.StandardCharsets;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.atomic.AtomicInteger;
+import org.evoloop.roomba.simulator.webcam.Newest.Numbered;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Serves JPEGs over HTTP on this machine alone: {@value #STREAM} is an endless stream, {@value #FRAME} the next picture,
+ * {@code /} a page with the stream. Each client has a thread that sends it the newest picture when it has taken the one
+ * before; one that takes none holds up nobody else.
+ */
+final class MjpegServer implements AutoCloseable {
+    static final String STREAM = "/stream";
+    static final String FRAME = "/frame.jpg";
+
+    private static final int MOST_CLIENTS = 16;
+    private static final int ONLY_GET = 405;
+    private static final int NOT_FOUND = 404;
+    private static final int BUSY = 503;
+    private static final int OK = 200;
+    private static final String NO_DELAY = "sun.net.httpserver.nodelay";
+    private static final String BOUNDARY = "evoloop-frame";
+    private static final String PAGE = """
+            <!DOCTYPE html>
+            <title>Simulated Roomba</title>
+            <body style="margin:0;background:#212529;display:grid;place-items:center;height:100vh">
+            <img src="/stream" alt="What the simulated robot sees" style="max-width:100%;image-rendering:pixelated">
+            """;
+
+    private final Newest<byte[]> pictures;
+    private final HttpServer server;
+    private final AtomicInteger clients = new AtomicInteger();
+    private final ExecutorService threads = Executors.newCachedThreadPool(task -> {
+        Thread thread = new Thread(task, "roomba-webcam-client");
+        thread.setDaemon(true);
+        return thread;
+    });
+
+    /**
+     * Begins to serve.
+     *
+     * @param port 0 for any that is free
+     * @throws IOException if the port cannot be had; the message tells what to do
+     */
+    MjpegServer(Newest<byte[]> pictures, int port) throws IOException {
+        this.pictures = pictures;
+        if (System.getProperty(NO_DELAY) == null) {
+            // Else the end of a picture waits up to 40 ms for the client's confirmation of what came before it.
+            System.setProperty(NO_DELAY, "true");
+        }
+        try {
+            server = HttpServer.create(new InetSocketAddress(InetAddress.getLoopbackAddress(), port), 0);
+        } catch (BindException taken) {
+            throw new IOException(
+                    "the camera's port " + port + " cannot be had (" + taken.getMessage()
+                            + "); choose another, or 0 for any that is free",
+                    taken);
+        }
+        server.setExecutor(threads);
+        server.createContext("/", exchange -> answer(exchange, "/", this::sendPage));
+        server.createContext(STREAM, exchange -> answer(exchange, STREAM, this::sendStream));
+        server.createContext(FRAME, exchange -> answer(exchange, FRAME, this::sendPicture));
+        server.start();
+    }
+
+    int port() {
+        return server.getAddress().getPort();
+    }
+
+    /** How many wait for pictures. */
+    int clients() {
+        return clients.get();
+    }
+
+    private static void answer(HttpExchange exchange, String path, HttpHandler handler) throws IOException {
+        try (exchange) {
+            if (!exchange.getRequestURI().getPath().equals(path)) {
+                sendText(exchange, NOT_FOUND, "text/plain", "there are /, " + STREAM + " and " + FRAME + "\n");
+            } else if (!exchange.getRequestMethod().equals("GET")) {
+                sendText(exchange, ONLY_GET, "text/plain", "only GET is understood\n");
+            } else {
+                handler.handle(exchange);
+            }
+        }
+    }
+
+    private void sendPage(HttpExchange exchange) throws IOException {
+        sendText(exchange, OK, "text/html", PAGE);
+    }
+
+    private static void sendText(HttpExchange exchange, int status, String type, String text) throws IOException {
+        send(exchange, status, type + "; charset=utf-8", text.getBytes(StandardCharsets.UTF_8));
+    }
+
+    private static void send(HttpExchange exchange, int status, String type, byte[] body) throws IOException {
+        exchange.getResponseHeaders().set("Content-Type", type);
+        exchange.getResponseHeaders().set("Cache-Control", "no-store");
+        exchange.sendResponseHeaders(status, body.length);
+        exchange.getResponseBody().write(body);
+    }
+
+    private void sendPicture(HttpExchange exchange) throws IOException {
+        watch(exchange, () -> {
+            Numbered<byte[]> next = pictures.after(pictures.number());
+            if (next != null) {
+                send(exchange, OK, "image/jpeg", next.thing());
+            }
+        });
+    }
+
+    private void sendStream(HttpExchange exchange) throws IOException {
+        watch(exchange, () -> {
+            exchange.getResponseHeaders().set("Content-Type", "multipart/x-mixed-replace; boundary=" + BOUNDARY);
+            exchange.getResponseHeaders().set("Cache-Control", "no-store");
+            exchange.sendResponseHeaders(OK, 0);
+            OutputStream body = exchange.getResponseBody();
+            body.flush();
+            @Nullable Numbered<byte[]> next = pictures.after(pictures.number());
+            while (next != null) {
+                String head = "--" + BOUNDARY + "\r\nContent-Type: image/jpeg\r\nContent-Length: " + next.thing().length
+                        + "\r\n\r\n";
+                body.write(head.getBytes(StandardCharsets.US_ASCII));
+                body.write(next.thing());
+                body.write('\r');
+                body.write('\n');
+                body.flush();
+                next = pictures.after(next.number());
+            }
+        });
+    }
+
+    private interface Show {
+        void run() throws IOException, InterruptedException;
+    }
+
+    private void watch(HttpExchange exchange, Show show) throws IOException {
+        try {
+            if (clients.incrementAndGet() > MOST_CLIENTS) {
+                sendText(exchange, BUSY, "text/plain", MOST_CLIENTS + " clients are all that this camera serves\n");
+            } else {
+                show.run();
+            }
+        } catch (InterruptedException ending) {
+            Thread.currentThread().interrupt();
+        } finally {
+            clients.decrementAndGet();
+        }
+    }
+
+    /** Hangs up on all clients and frees the port. */
+    @Override
+    public void close() {
+        server.stop(0);
+        threads.shutdownNow();
+    }
+}
