@@ -309,6 +309,11 @@ final class ConverterCore implements VisitHost, LoopListener<Occurrence> {
     }
 
     @Override
+    public boolean accepts(Visit asking, Event event) {
+        return knowledge.models().evolved().hasTransition(asking.state(), event);
+    }
+
+    @Override
     public void raise(Visit raising, Event event) throws InterruptedException {
         loop.put(raisedBy(raising, event));
     }

@@ -26,6 +26,13 @@ public abstract class ControlLoopFunction<O, A, P> implements NewFunction {
     /** Adds the components for {@code visit} to {@code loop}, and with {@link Visit#onEnd} what must be cleaned up. */
     protected abstract void assemble(MapeLoop<O, A, P> loop, Visit visit) throws Exception;
 
+    /**
+     * A component of the loop has failed; the loop goes on. Called on the component's thread, after it was logged.
+     *
+     * @param cause what it threw
+     */
+    protected void failed(Visit visit, Throwable cause) {}
+
     /** The loop's options; without threads if the converter has none. */
     protected LoopConfig config(Visit visit) {
         LoopConfig config = LoopConfig.defaults(visit.state().name(), visit.clock());
@@ -34,7 +41,7 @@ public abstract class ControlLoopFunction<O, A, P> implements NewFunction {
 
     @Override
     public final void run(Visit visit) throws Exception {
-        MapeLoop<O, A, P> loop = new MapeLoop<>(config(visit), new LoggingListener<>(visit));
+        MapeLoop<O, A, P> loop = new MapeLoop<>(config(visit), new Listener(visit));
         assemble(loop, visit);
         loop.build();
         visit.onEnd(loop::close);
@@ -48,10 +55,17 @@ public abstract class ControlLoopFunction<O, A, P> implements NewFunction {
         }
     }
 
-    private record LoggingListener<O>(Visit visit) implements LoopListener<O> {
+    private final class Listener implements LoopListener<O> {
+        private final Visit visit;
+
+        Listener(Visit visit) {
+            this.visit = visit;
+        }
+
         @Override
         public void failed(Failure<O> failure) {
             LOG.warn("{}: {}", visit.state(), failure, failure.cause());
+            ControlLoopFunction.this.failed(visit, failure.cause());
         }
 
         @Override

@@ -72,6 +72,14 @@ public final class Visit {
     }
 
     /**
+     * Whether the new model has a transition for {@code event} in this state: a function that can end in several ways asks
+     * which of them its owner has drawn.
+     */
+    public boolean accepts(String event) {
+        return host.accepts(this, new Event(event));
+    }
+
+    /**
      * Raises {@code event} and goes on; nothing happens if the state has been left.
      *
      * @throws InterruptedException if the state is left while this waits for room in the queue

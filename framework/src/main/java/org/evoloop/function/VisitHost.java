@@ -16,6 +16,9 @@ public interface VisitHost {
     /** Whether functions have threads of their own. */
     boolean threads();
 
+    /** Whether the new model has a transition for the event in the state that is visited. */
+    boolean accepts(Visit visit, Event event);
+
     /**
      * Queues an event that the visit raises; waits while the queue is full.
      *

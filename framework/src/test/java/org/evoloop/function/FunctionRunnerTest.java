@@ -27,6 +27,11 @@ class FunctionRunnerTest {
         }
 
         @Override
+        public boolean accepts(Visit visit, Event event) {
+            return false;
+        }
+
+        @Override
         public void raise(Visit visit, Event event) {}
 
         @Override

@@ -1,6 +1,8 @@
 package org.evoloop.function;
 
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.LinkedBlockingQueue;
@@ -17,6 +19,7 @@ final class VisitLog implements VisitHost {
     final BlockingQueue<String> events = new LinkedBlockingQueue<>();
     final List<String> notices = new CopyOnWriteArrayList<>();
     final BlockingQueue<Throwable> failures = new LinkedBlockingQueue<>();
+    final Set<String> accepted = new HashSet<>();
     private final boolean threads;
     private long visits;
 
@@ -36,6 +39,11 @@ final class VisitLog implements VisitHost {
     @Override
     public boolean threads() {
         return threads;
+    }
+
+    @Override
+    public boolean accepts(Visit visit, Event event) {
+        return accepted.contains(event.name());
     }
 
     @Override

@@ -15,6 +15,13 @@ class VisitTest {
     private final List<String> endings = new ArrayList<>();
 
     @Test
+    void aFunctionMayAskWhichEventsItsStateAccepts() {
+        log.accepted.add("timeout");
+        assertThat(visit.accepts("timeout")).isTrue();
+        assertThat(visit.accepts("arriveSpot")).isFalse();
+    }
+
+    @Test
     void onlyTheFirstFinishCounts() {
         visit.finish("arriveSpot");
         visit.finish("timeout");

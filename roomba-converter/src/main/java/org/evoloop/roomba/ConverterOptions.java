@@ -3,6 +3,7 @@ package org.evoloop.roomba;
 import java.nio.file.Path;
 import java.time.Duration;
 import org.evoloop.evolution.ModelPair;
+import org.evoloop.roomba.move.MoveOptions;
 import org.evoloop.roomba.move.StartPointSensor;
 import org.evoloop.statemachine.ModelException;
 import org.evoloop.statemachine.StateMachine;
@@ -66,6 +67,7 @@ final class ConverterOptions {
         return new RoombaConverter.Options(
                 pair(),
                 StartPointSensor.byWheels(startPoint[0], startPoint[1]),
+                MoveOptions.defaults(),
                 Duration.ofMillis(Math.round(spotWaitSeconds * 1000)));
     }
 

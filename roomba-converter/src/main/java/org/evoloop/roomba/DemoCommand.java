@@ -6,6 +6,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.Callable;
 import org.evoloop.evolution.ModelPair;
+import org.evoloop.roomba.move.MoveOptions;
 import org.evoloop.roomba.move.StartPointSensor;
 import org.evoloop.time.Clock;
 import org.evoloop.time.SystemClock;
@@ -74,6 +75,7 @@ final class DemoCommand implements Callable<Integer> {
         RoombaConverter.Options options = new RoombaConverter.Options(
                 new ModelPair(file.pick("original"), file.pick("new")),
                 StartPointSensor.byWheels(Scenario.START_X_MM, Scenario.START_Y_MM),
+                MoveOptions.defaults().atPace(speed),
                 Duration.ofSeconds(5));
         try (Clock clock = new SystemClock(speed);
                 SimulatedWorld world =

@@ -9,6 +9,7 @@ import org.evoloop.evolution.ModelPair;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.roomba.link.Link;
 import org.evoloop.roomba.move.Move;
+import org.evoloop.roomba.move.MoveOptions;
 import org.evoloop.roomba.move.StartPointSensor;
 import org.evoloop.roomba.session.RoombaSession;
 import org.evoloop.roomba.session.SessionOptions;
@@ -32,9 +33,10 @@ record RoombaConverter(
      * What can be chosen.
      *
      * @param startPoint senses where Move has to go
+     * @param move how patient Move is
      * @param spotWait how long SpotWait waits for a second press
      */
-    record Options(ModelPair models, StartPointSensor startPoint, Duration spotWait) {}
+    record Options(ModelPair models, StartPointSensor startPoint, MoveOptions move, Duration spotWait) {}
 
     /**
      * Builds a converter; the session may be opened before or after.
@@ -50,7 +52,9 @@ record RoombaConverter(
         converter.addMonitor(controller);
         converter.addExecute(new ExecuteCommand(session, clock));
         converter.addKnowledge(new KnowledgeState(
-                options.models(), new Move(session, options.startPoint()), new SpotWait(options.spotWait())));
+                options.models(),
+                new Move(session, options.startPoint(), options.move()),
+                new SpotWait(options.spotWait())));
         converter.addLink(session);
         converter.addSpare("ExecuteCommand2", () -> new ExecuteCommand(session, clock));
         converter.build();

@@ -2,14 +2,17 @@ package org.evoloop.roomba;
 
 import java.io.ByteArrayOutputStream;
 import java.time.Duration;
+import java.util.function.BiFunction;
 import java.util.function.BooleanSupplier;
 import org.evoloop.PaperPair;
 import org.evoloop.converter.HistoryEntry;
 import org.evoloop.evolution.Configuration;
+import org.evoloop.evolution.ModelPair;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.roomba.link.Link;
 import org.evoloop.roomba.link.LinkException;
 import org.evoloop.roomba.link.MemoryLink;
+import org.evoloop.roomba.move.MoveOptions;
 import org.evoloop.roomba.move.StartPointSensor;
 import org.evoloop.roomba.oi.Button;
 import org.evoloop.roomba.session.RoombaSession;
@@ -47,16 +50,26 @@ final class SteppedRoomba implements AutoCloseable {
 
     /** A robot whose starting point is elsewhere. */
     SteppedRoomba(RobotOptions options, double startXMm, double startYMm) {
+        this(
+                options,
+                PaperPair.cleaningRobot(),
+                MoveOptions.defaults(),
+                (robot, clock) -> StartPointSensor.byWheels(startXMm, startYMm));
+    }
+
+    /** A robot that senses its starting point in another way. */
+    SteppedRoomba(
+            RobotOptions options,
+            ModelPair models,
+            MoveOptions move,
+            BiFunction<SimulatedRoomba, ManualClock, StartPointSensor> sensor) {
         robot = new SimulatedRoomba(options, robotSays::writeBytes);
         RoombaSession session =
                 new RoombaSession(this::plugIn, clock, SessionOptions.defaults().withoutWaiting());
         roomba = RoombaConverter.build(
                 LoopConfig.defaults("roomba", clock).withoutThreads(),
                 session,
-                new RoombaConverter.Options(
-                        PaperPair.cleaningRobot(),
-                        StartPointSensor.byWheels(startXMm, startYMm),
-                        Duration.ofSeconds(5)));
+                new RoombaConverter.Options(models, sensor.apply(robot, clock), move, Duration.ofSeconds(5)));
         session.open();
         advance(Duration.ofMillis(500));
         roomba.converter().start();

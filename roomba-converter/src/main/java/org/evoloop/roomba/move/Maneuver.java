@@ -3,7 +3,7 @@ package org.evoloop.roomba.move;
 import org.evoloop.roomba.oi.ActuatorCommand.DriveDirect;
 
 /**
- * What to do next on a {@link Course}.
+ * What the robot is to do next.
  *
  * <p>Threading: immutable.
  */
@@ -11,11 +11,29 @@ sealed interface Maneuver {
     /** The robot's wheels stand 235 mm apart (specification, packet 20). */
     double HALF_WHEEL_BASE_MM = 117.5;
 
-    /** Fast enough to get there, slow enough to stop on a bump. */
-    int FASTEST_MM_PER_S = 300;
-
     /** Slower than this the wheels do not turn evenly. */
-    int SLOWEST_MM_PER_S = 40;
+    double SLOWEST_MM_PER_S = 40;
+
+    /**
+     * What may be touched is touched no faster than 100 mm/s, and nothing tells for sure what is in the way: a free line of
+     * sight is thinner than the robot, and a chair's leg fits between two of its light sensors. So the robot never drives
+     * faster than three steps of its speed controller, which knows only multiples of 28.5 mm/s (specification, "Drive").
+     */
+    double FASTEST_MM_PER_S = 85;
+
+    /** About 75 degrees a second. */
+    double FASTEST_TURN_MM_PER_S = 150;
+
+    /** So many mm/s for each mm that is left: for the last 0.17 m the robot slows down. */
+    double SPEED_PER_MM = 0.5;
+
+    /** So many radians a second for each radian that the goal lies aside. */
+    double TURN_PER_RAD = 2;
+
+    /** So many mm/s of each wheel for each radian that is left of a turn on the spot: it slows down for the last 15 degrees. */
+    double TURNING_PER_RAD = 570;
+
+    Drive STAND = new Drive(new DriveDirect(0, 0));
 
     /** Wheel speeds to drive with. */
     record Drive(DriveDirect wheels) implements Maneuver {}
@@ -26,27 +44,29 @@ sealed interface Maneuver {
     /** Stop for good. */
     record GiveUp(String reason) implements Maneuver {}
 
-    /** The maneuver for {@code course}: slower the nearer, and turning towards the point on the way. */
-    static Maneuver on(Course course) {
-        if (course instanceof Course.Approach approach) {
-            double forward = limit(1.5 * approach.distanceMm());
-            double turning = 2 * approach.bearingRad() * HALF_WHEEL_BASE_MM;
-            return drive(forward + turning, forward - turning);
-        }
-        if (course instanceof Course.Turn turn) {
-            double turning = Math.copySign(limit(150 * Math.abs(turn.bearingRad())), turn.bearingRad());
-            return drive(turning, -turning);
-        }
-        if (course instanceof Course.Lost) {
-            return drive(0, 0);
-        }
-        return course instanceof Course.Arrived
-                ? new Arrive()
-                : new GiveUp("the robot is not under control any more; was it lifted?");
+    /** Towards a goal that lies ahead: slower the nearer, and turning on the way. */
+    static Maneuver towards(double remainingMm, double bearingRad) {
+        double forward = between(SLOWEST_MM_PER_S, SPEED_PER_MM * remainingMm, FASTEST_MM_PER_S);
+        double turning = TURN_PER_RAD * bearingRad * HALF_WHEEL_BASE_MM;
+        return drive(forward + turning, forward - turning);
     }
 
-    private static double limit(double speedMmPerS) {
-        return Math.min(FASTEST_MM_PER_S, Math.max(SLOWEST_MM_PER_S, speedMmPerS));
+    /** On the spot, counterclockwise if positive. */
+    static Maneuver turn(double byRad) {
+        double speed = between(SLOWEST_MM_PER_S, TURNING_PER_RAD * Math.abs(byRad), FASTEST_TURN_MM_PER_S);
+        double right = Math.copySign(speed, byRad);
+        return drive(right, -right);
+    }
+
+    /** Straight on; negative is backwards. */
+    static Maneuver straight(double remainingMm) {
+        double speed = Math.copySign(
+                between(SLOWEST_MM_PER_S, SPEED_PER_MM * Math.abs(remainingMm), FASTEST_MM_PER_S), remainingMm);
+        return drive(speed, speed);
+    }
+
+    private static double between(double least, double value, double most) {
+        return Math.min(most, Math.max(least, value));
     }
 
     private static Maneuver drive(double rightMmPerS, double leftMmPerS) {

@@ -8,80 +8,119 @@ import org.evoloop.loop.MapeLoop;
 import org.evoloop.loop.Plan;
 import org.evoloop.roomba.link.LinkException;
 import org.evoloop.roomba.oi.ActuatorCommand.DriveDirect;
+import org.evoloop.roomba.session.RobotException;
 import org.evoloop.roomba.session.RoombaSession;
-import org.evoloop.roomba.session.Telemetry;
+import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Drives the robot to the starting point and raises {@code arriveSpot} there.
+ * Searches the starting point, drives the robot there, and raises {@code arriveSpot}.
  *
- * <p>The robot must be under control (Safe mode); if it is no longer, the function stops without an event. The wheels
- * stop whenever the function ends, however it ends.
+ * <p>The robot must be under control (Safe mode). If it is lifted, does not obey for long, or has not arrived when the limit
+ * is over, the function ends: it says why and raises {@code timeout} if the new model has a transition for it; if not, the
+ * system stays in its state and the robot stands. The wheels stop whenever the function ends, however it ends.
  */
-public final class Move extends ControlLoopFunction<Telemetry, Course, Maneuver> {
+public final class Move extends ControlLoopFunction<Percept, Situation, Maneuver> {
     /** The event that tells of the arrival. */
     public static final String ARRIVED = "arriveSpot";
 
-    private static final Logger LOG = LoggerFactory.getLogger(Move.class);
-    private static final DriveDirect STANDSTILL = new DriveDirect(0, 0);
+    /** The event that tells that there was none. */
+    public static final String TIMEOUT = "timeout";
 
-    /** A robot that was just told to enter Safe mode shows it within a few frames. */
-    private static final long CONTROL_FRAMES = 34;
+    private static final Logger LOG = LoggerFactory.getLogger(Move.class);
 
     private final RoombaSession session;
     private final StartPointSensor sensor;
+    private final MoveOptions options;
 
-    public Move(RoombaSession session, StartPointSensor sensor) {
+    public Move(RoombaSession session, StartPointSensor sensor, MoveOptions options) {
         this.session = session;
         this.sensor = sensor;
+        this.options = options;
     }
 
     @Override
-    protected void assemble(MapeLoop<Telemetry, Course, Maneuver> loop, Visit visit) {
-        MonitorFrames monitor = new MonitorFrames(loop, visit.threads());
+    protected void assemble(MapeLoop<Percept, Situation, Maneuver> loop, Visit visit) {
+        MonitorSenses monitor = new MonitorSenses(loop, sensor, visit.clock(), visit.threads());
         loop.addMonitor(monitor);
-        loop.addAnalyze(new AnalyzeCourse());
-        loop.addPlan(new PlanManeuver());
+        loop.addAnalyze(new AnalyzeSituation(options, visit.clock().nanoTime()));
+        loop.addPlan(new PlanManeuver(new Memory(sensor.target(), options.settle())));
         loop.addExecute(new ExecuteManeuver(visit));
         visit.onEnd(this::stopWheels);
         visit.onEnd(() -> session.removeListener(monitor));
         session.addListener(monitor);
     }
 
+    /** What failed once will fail again, and until then the wheels turn as they were told. */
+    @Override
+    protected void failed(Visit visit, Throwable cause) {
+        stopWheels();
+        end(visit, "its program has failed: " + cause);
+    }
+
+    private void end(Visit visit, String reason) {
+        LOG.warn("Move has ended before the starting point: {}", reason);
+        visit.say("Stop before target point: " + reason);
+        if (visit.accepts(TIMEOUT)) {
+            visit.finish(TIMEOUT);
+        }
+    }
+
     private void stopWheels() {
         if (session.isUnderControl()) {
             try {
-                session.send(STANDSTILL);
-            } catch (LinkException gone) {
+                session.send(Maneuver.STAND.wheels());
+            } catch (LinkException | RobotException gone) {
                 LOG.warn("the wheels could not be stopped: {}", gone.getMessage());
             }
         }
     }
 
-    private final class AnalyzeCourse extends Analyze<Telemetry, Course> {
-        private long frames;
+    private static final class AnalyzeSituation extends Analyze<Percept, Situation> {
+        private final GoalWatch goalWatch;
+        private final HoldWatch holdWatch = new HoldWatch();
+        private final MoveOptions options;
+        private final long beganNanos;
+
+        AnalyzeSituation(MoveOptions options, long nowNanos) {
+            this.options = options;
+            this.goalWatch = new GoalWatch(options.frameLimit().toNanos());
+            this.beganNanos = nowNanos;
+        }
 
         @Override
-        protected Course analyze(Telemetry telemetry) {
-            frames++;
-            if (!telemetry.isUnderControl()) {
-                return frames < CONTROL_FRAMES ? new Course.Lost() : new Course.OutOfControl();
+        protected Situation analyze(Percept percept) {
+            String end = holdWatch.update(percept.telemetry(), percept.nanos());
+            if (end.isEmpty() && percept.nanos() - beganNanos > options.limit().toNanos()) {
+                String reason = percept.look().health().reason();
+                end = "not found within " + options.limit().toSeconds() + " s"
+                        + (reason.isEmpty() ? "" : "; " + reason);
             }
-            return sensor.look(telemetry).map(Course::to).orElseGet(Course.Lost::new);
+            return Situation.of(percept, goalWatch.update(percept), end);
         }
     }
 
-    private static final class PlanManeuver extends Plan<Course, Maneuver> {
+    private static final class PlanManeuver extends Plan<Situation, Maneuver> {
+        private final Memory memory;
+        private @Nullable Phase phase;
+
+        PlanManeuver(Memory memory) {
+            this.memory = memory;
+        }
+
         @Override
-        protected Maneuver plan(Course course) {
-            return Maneuver.on(course);
+        protected Maneuver plan(Situation now) {
+            Phase present = phase;
+            Phase.Step step = Phase.inAny(present == null ? new Look.Around(memory) : present, now);
+            phase = step.phase();
+            return step.maneuver();
         }
     }
 
     private final class ExecuteManeuver extends Execute<Maneuver> {
         private final Visit visit;
-        private DriveDirect driving = STANDSTILL;
+        private @Nullable DriveDirect driving;
         private boolean over;
 
         ExecuteManeuver(Visit visit) {
@@ -95,21 +134,28 @@ public final class Move extends ControlLoopFunction<Telemetry, Course, Maneuver>
             }
             if (maneuver instanceof Maneuver.Drive drive) {
                 drive(drive.wheels());
-            } else if (maneuver instanceof Maneuver.Arrive) {
-                over = true;
-                drive(STANDSTILL);
+                return;
+            }
+            over = true;
+            drive(Maneuver.STAND.wheels());
+            if (maneuver instanceof Maneuver.GiveUp giveUp) {
+                end(visit, giveUp.reason());
+            } else {
                 visit.say("Arrive at target point");
                 visit.finish(ARRIVED);
-            } else if (maneuver instanceof Maneuver.GiveUp giveUp) {
-                over = true;
-                LOG.warn("Move has ended before the starting point: {}", giveUp.reason());
             }
         }
 
         private void drive(DriveDirect wheels) {
             if (!wheels.equals(driving)) {
-                session.send(wheels);
-                driving = wheels;
+                driving = null;
+                try {
+                    session.send(wheels);
+                    driving = wheels;
+                } catch (LinkException | RobotException gone) {
+                    // Sent again with the next frame, which there is none of before the robot is back.
+                    LOG.debug("the wheels were not told {}: {}", wheels, gone.getMessage());
+                }
             }
         }
     }

@@ -1,6 +1,10 @@
 package org.evoloop.roomba.move;
 
 import java.util.Optional;
+import org.evoloop.roomba.camera.CameraHealth;
+import org.evoloop.roomba.camera.Look;
+import org.evoloop.roomba.camera.MarkerCamera;
+import org.evoloop.roomba.camera.Sighting;
 import org.evoloop.roomba.session.Telemetry;
 
 /**
@@ -8,23 +12,56 @@ import org.evoloop.roomba.session.Telemetry;
  *
  * <p>Threading: called from one thread at a time, once a frame of the robot's stream; must not wait.
  */
-@FunctionalInterface
 public interface StartPointSensor {
 
-    /** Where the starting point is seen from the robot; empty if it is not seen. */
-    Optional<Sighting> look(Telemetry telemetry);
+    /**
+     * What was sensed last.
+     *
+     * @param nowNanos on the clock that also dates the look
+     */
+    Look look(Telemetry telemetry, long nowNanos);
+
+    /** How near the robot has to come to what it senses. */
+    Target target();
 
     /**
-     * Where something is seen.
+     * Where the robot has arrived.
      *
-     * @param distanceMm how far away, in mm, not negative
-     * @param bearingRad counterclockwise from straight ahead, -pi to pi
+     * @param distanceMm so far from what is sensed
+     * @param toleranceMm give or take so much
+     * @param facing whether it must also look at it
      */
-    record Sighting(double distanceMm, double bearingRad) {}
+    record Target(double distanceMm, double toleranceMm, boolean facing) {}
 
     /** Knows the point by dead reckoning: {@code xMm} ahead and {@code yMm} left of where the session began. */
     static StartPointSensor byWheels(double xMm, double yMm) {
-        return telemetry -> Optional.of(new Sighting(
-                telemetry.pose().distanceTo(xMm, yMm), telemetry.pose().bearingTo(xMm, yMm)));
+        return new StartPointSensor() {
+            @Override
+            public Look look(Telemetry telemetry, long nowNanos) {
+                Sighting sighting = new Sighting(
+                        telemetry.pose().distanceTo(xMm, yMm), telemetry.pose().bearingTo(xMm, yMm));
+                return new Look(telemetry.frame(), nowNanos, CameraHealth.SEEING, Optional.of(sighting));
+            }
+
+            @Override
+            public Target target() {
+                return new Target(0, 20, false);
+            }
+        };
+    }
+
+    /** Sees the point's marker; the robot arrives 0.40 m before it, looking at it. */
+    static StartPointSensor byCamera(MarkerCamera camera) {
+        return new StartPointSensor() {
+            @Override
+            public Look look(Telemetry telemetry, long nowNanos) {
+                return camera.newest();
+            }
+
+            @Override
+            public Target target() {
+                return new Target(400, 20, true);
+            }
+        };
     }
 }

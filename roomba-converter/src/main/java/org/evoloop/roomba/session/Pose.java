@@ -13,6 +13,12 @@ public record Pose(double xMm, double yMm, double headingRad) {
     /** Where the session began. */
     public static final Pose ORIGIN = new Pose(0, 0, 0);
 
+    /** The pose in which a robot that stands here sees what lies {@code distanceMm} away: looking at it, and there. */
+    public Pose beyond(double distanceMm, double bearingRad) {
+        double direction = headingRad + bearingRad;
+        return new Pose(xMm + distanceMm * Math.cos(direction), yMm + distanceMm * Math.sin(direction), direction);
+    }
+
     /** How far it is to a point, in mm. */
     public double distanceTo(double otherXMm, double otherYMm) {
         return Math.hypot(otherXMm - xMm, otherYMm - yMm);

@@ -32,7 +32,7 @@ import org.slf4j.LoggerFactory;
  */
 public final class RoombaSession implements DeviceLink, AutoCloseable {
     /**
-     * All that is looked at and nothing else, 34 bytes a frame: the shorter, the more frames pass a noisy line. Fits 57600
+     * All that is looked at and nothing else, 38 bytes a frame: the shorter, the more frames pass a noisy line. Fits 57600
      * baud and above.
      */
     public static final List<PacketId> STREAM = List.of(
@@ -41,12 +41,14 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
             Packet.CLIFF_FRONT_LEFT,
             Packet.CLIFF_FRONT_RIGHT,
             Packet.CLIFF_RIGHT,
+            Packet.VIRTUAL_WALL,
             Packet.BUTTONS,
             Packet.CURRENT,
             Packet.CHARGING_SOURCES,
             Packet.OI_MODE,
             Packet.LEFT_ENCODER,
             Packet.RIGHT_ENCODER,
+            Packet.LIGHT_BUMPER,
             Packet.MAIN_BRUSH_CURRENT,
             Packet.SIDE_BRUSH_CURRENT);
 

@@ -4,59 +4,50 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.quicktheories.QuickTheory.qt;
 import static org.quicktheories.generators.SourceDSL.doubles;
 
-import org.evoloop.roomba.move.StartPointSensor.Sighting;
 import org.evoloop.roomba.oi.ActuatorCommand.DriveDirect;
 import org.junit.jupiter.api.Test;
 
 class ManeuverTest {
-    private static DriveDirect wheels(double distanceMm, double bearingDeg) {
-        Maneuver maneuver = Maneuver.on(Course.to(new Sighting(distanceMm, Math.toRadians(bearingDeg))));
+    private static DriveDirect wheels(Maneuver maneuver) {
         assertThat(maneuver).isInstanceOf(Maneuver.Drive.class);
         return ((Maneuver.Drive) maneuver).wheels();
     }
 
-    @Test
-    void theCourseDependsOnDistanceFirstAndThenOnTheSide() {
-        assertThat(Course.to(new Sighting(19.9, Math.PI))).isInstanceOf(Course.Arrived.class);
-        assertThat(Course.to(new Sighting(20, 0))).isInstanceOf(Course.Approach.class);
-        assertThat(Course.to(new Sighting(500, Math.toRadians(19.9)))).isInstanceOf(Course.Approach.class);
-        assertThat(Course.to(new Sighting(500, Math.toRadians(-20.1)))).isInstanceOf(Course.Turn.class);
+    private static DriveDirect towards(double remainingMm, double bearingDeg) {
+        return wheels(Maneuver.towards(remainingMm, Math.toRadians(bearingDeg)));
     }
 
     @Test
-    void straightAheadBothWheelsTurnAlikeFastFarAwayAndSlowNearby() {
-        assertThat(wheels(2_000, 0)).isEqualTo(new DriveDirect(300, 300));
-        assertThat(wheels(100, 0)).isEqualTo(new DriveDirect(150, 150));
-        assertThat(wheels(21, 0)).isEqualTo(new DriveDirect(40, 40));
+    void straightAheadBothWheelsTurnAlikeAndSlowerNearby() {
+        assertThat(towards(2_000, 0)).isEqualTo(new DriveDirect(85, 85));
+        assertThat(towards(100, 0)).isEqualTo(new DriveDirect(50, 50));
+        assertThat(towards(10, 0)).isEqualTo(new DriveDirect(40, 40));
     }
 
     @Test
-    void aPointToTheLeftMakesTheRightWheelFaster() {
-        assertThat(wheels(1_000, 10)).isEqualTo(new DriveDirect(341, 259));
-        assertThat(wheels(1_000, -10)).isEqualTo(new DriveDirect(259, 341));
+    void aGoalToTheLeftMakesTheRightWheelFaster() {
+        assertThat(towards(1_000, 10)).isEqualTo(new DriveDirect(126, 44));
+        assertThat(towards(1_000, -10)).isEqualTo(new DriveDirect(44, 126));
     }
 
     @Test
-    void aPointToTheSideIsTurnedToOnTheSpot() {
-        assertThat(wheels(1_000, 90)).isEqualTo(new DriveDirect(236, -236));
-        assertThat(wheels(1_000, -90)).isEqualTo(new DriveDirect(-236, 236));
-        assertThat(wheels(1_000, 180)).isEqualTo(new DriveDirect(300, -300));
-        assertThat(wheels(30, 21)).isEqualTo(new DriveDirect(55, -55));
+    void aTurnOnTheSpotIsCounterclockwiseIfPositiveAndSlowsDownInTheEnd() {
+        assertThat(wheels(Maneuver.turn(Math.toRadians(90)))).isEqualTo(new DriveDirect(150, -150));
+        assertThat(wheels(Maneuver.turn(Math.toRadians(-8)))).isEqualTo(new DriveDirect(-80, 80));
+        assertThat(wheels(Maneuver.turn(Math.toRadians(1)))).isEqualTo(new DriveDirect(40, -40));
     }
 
     @Test
-    void withoutSightTheRobotStandsAndWithoutControlItGivesUp() {
-        assertThat(Maneuver.on(new Course.Lost())).isEqualTo(new Maneuver.Drive(new DriveDirect(0, 0)));
-        assertThat(Maneuver.on(new Course.Arrived())).isEqualTo(new Maneuver.Arrive());
-        assertThat(Maneuver.on(new Course.OutOfControl())).isInstanceOf(Maneuver.GiveUp.class);
+    void straightOnIsBackwardsIfNegative() {
+        assertThat(wheels(Maneuver.straight(500))).isEqualTo(new DriveDirect(85, 85));
+        assertThat(wheels(Maneuver.straight(-10))).isEqualTo(new DriveDirect(-40, -40));
     }
 
     @Test
-    void whateverIsSeenTheWheelsStayWithinTheirLimitsAndTurnTheRightWay() {
-        qt().forAll(doubles().between(20, 1e6), doubles().between(-180, 180)).checkAssert((distanceMm, bearingDeg) -> {
-            DriveDirect wheels = wheels(distanceMm, bearingDeg);
-            assertThat(wheels.rightMmPerS()).isBetween(-500, 500);
-            assertThat(wheels.leftMmPerS()).isBetween(-500, 500);
+    void whateverIsLeftTheRobotNeverDrivesFastAndTurnsTheRightWay() {
+        qt().forAll(doubles().between(0, 1e6), doubles().between(-20, 20)).checkAssert((remainingMm, bearingDeg) -> {
+            DriveDirect wheels = towards(remainingMm, bearingDeg);
+            assertThat((wheels.rightMmPerS() + wheels.leftMmPerS()) / 2.0).isBetween(39.0, 86.0);
             int turning = wheels.rightMmPerS() - wheels.leftMmPerS();
             assertThat(turning * Math.signum(bearingDeg)).isGreaterThanOrEqualTo(0);
         });

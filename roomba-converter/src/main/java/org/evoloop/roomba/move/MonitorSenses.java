@@ -6,17 +6,25 @@ import org.evoloop.loop.MapeLoop;
 import org.evoloop.loop.Monitor;
 import org.evoloop.roomba.session.SessionListener;
 import org.evoloop.roomba.session.Telemetry;
+import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 
-/** Monitors the robot's stream: it tells the newest frame, and one that nobody has looked at in time is gone. */
-final class MonitorFrames extends Monitor<Telemetry> implements SessionListener {
+/**
+ * Monitors the robot's stream, whose newest frame is told, and with each frame what the sensor has seen last. The frames
+ * set the pace, 15 ms each: a look is no older than that when it is told, and one that nobody needed costs nothing.
+ */
+final class MonitorSenses extends Monitor<Percept> implements SessionListener {
     private final BlockingQueue<Telemetry> newest = new LinkedBlockingQueue<>(1);
-    private final MapeLoop<Telemetry, ?, ?> loop;
+    private final MapeLoop<Percept, ?, ?> loop;
+    private final StartPointSensor sensor;
+    private final Clock clock;
     private final boolean threads;
 
     /** @param threads false if each frame itself must take the loop's step */
-    MonitorFrames(MapeLoop<Telemetry, ?, ?> loop, boolean threads) {
+    MonitorSenses(MapeLoop<Percept, ?, ?> loop, StartPointSensor sensor, Clock clock, boolean threads) {
         this.loop = loop;
+        this.sensor = sensor;
+        this.clock = clock;
         this.threads = threads;
     }
 
@@ -40,7 +48,12 @@ final class MonitorFrames extends Monitor<Telemetry> implements SessionListener 
     }
 
     @Override
-    protected @Nullable Telemetry getEvent() throws InterruptedException {
-        return threads ? newest.take() : newest.poll();
+    protected @Nullable Percept getEvent() throws InterruptedException {
+        Telemetry telemetry = threads ? newest.take() : newest.poll();
+        if (telemetry == null) {
+            return null;
+        }
+        long nowNanos = clock.nanoTime();
+        return new Percept(nowNanos, telemetry, sensor.look(telemetry, nowNanos));
     }
 }

@@ -1,0 +1,41 @@
+package org.evoloop.roomba.move;
+
+import java.util.Optional;
+import org.evoloop.roomba.session.Pose;
+
+/** Drives towards the goal that is in sight. */
+record Approach(Memory memory) implements Phase {
+    /** Seen further to the side than this, the robot turns on the spot first. */
+    private static final double TURN_RAD = Math.toRadians(20);
+
+    /** A goal that was not seen for so long is lost: that is some looks, and 60 mm. */
+    private static final long LOST_NANOS = 700_000_000L;
+
+    @Override
+    public Phase begun(Situation now) {
+        return this;
+    }
+
+    @Override
+    public boolean leadsForward() {
+        return true;
+    }
+
+    @Override
+    public Step next(Situation now) {
+        Optional<Pose> seen = now.sight().goalSince(now.nanos() - LOST_NANOS);
+        if (seen.isEmpty()) {
+            return Phase.standing(Look.around(memory, now));
+        }
+        Pose goal = seen.get();
+        double remainingMm = now.distanceTo(goal) - memory.target().distanceMm();
+        double bearingRad = now.bearingTo(goal);
+        if (remainingMm <= memory.target().toleranceMm() / 2) {
+            return Phase.standing(Check.begin(memory, now));
+        }
+        if (Math.abs(bearingRad) > TURN_RAD) {
+            return Phase.standing(Turn.exactly(memory, now.pose().headingRad() + bearingRad, this));
+        }
+        return new Step(this, Maneuver.towards(remainingMm, bearingRad));
+    }
+}

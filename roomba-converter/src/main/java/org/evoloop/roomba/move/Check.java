@@ -1,0 +1,49 @@
+package org.evoloop.roomba.move;
+
+import java.util.Optional;
+import org.evoloop.roomba.session.Pose;
+
+/** Stands, looks, and sees whether the robot has arrived; mends what is not as wanted. */
+record Check(Memory memory, Calm calm) implements Phase {
+    /** The robot has arrived when it looks within 3 degrees at the marker; this leaves some for the camera's error. */
+    private static final double FACING_RAD = Math.toRadians(1.5);
+
+    static Check begin(Memory memory, Situation now) {
+        return new Check(memory, Calm.after(memory, now));
+    }
+
+    @Override
+    public Phase begun(Situation now) {
+        return begin(memory, now);
+    }
+
+    @Override
+    public boolean leadsForward() {
+        return false;
+    }
+
+    @Override
+    public Step next(Situation now) {
+        Calm calmer = calm.with(now.sight());
+        Optional<Pose> seen = now.sight().goalSince(calm.fromNanos());
+        if (seen.isPresent() && calmer.looks() >= GoalWatch.BELIEVED) {
+            return judge(now, seen.get());
+        }
+        return Phase.standing(calmer.isInVain(now.sight()) ? Look.around(memory, now) : new Check(memory, calmer));
+    }
+
+    private Step judge(Situation now, Pose goal) {
+        double bearingRad = now.bearingTo(goal);
+        double remainingMm = now.distanceTo(goal) - memory.target().distanceMm();
+        if (memory.target().facing() && Math.abs(bearingRad) > FACING_RAD) {
+            return Phase.standing(Turn.exactly(memory, now.pose().headingRad() + bearingRad, this));
+        }
+        if (remainingMm > memory.target().toleranceMm()) {
+            return Phase.standing(new Approach(memory));
+        }
+        if (remainingMm < -memory.target().toleranceMm()) {
+            return Phase.standing(Leg.of(memory, remainingMm, this).begun(now));
+        }
+        return new Step(this, new Maneuver.Arrive());
+    }
+}

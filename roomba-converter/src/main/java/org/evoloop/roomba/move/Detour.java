@@ -1,0 +1,63 @@
+package org.evoloop.roomba.move;
+
+import java.util.Optional;
+import org.evoloop.roomba.move.Situation.Obstacle;
+import org.evoloop.roomba.session.Pose;
+
+/** Goes round an obstacle: back off, turn away from it, go on a little, and look around from there. */
+final class Detour {
+    /** Then the robot can turn freely, also where its front had got over an edge. */
+    private static final double BACK_MM = 100;
+
+    /** From the robot's centre to what it has touched, and a little beyond. */
+    private static final double AHEAD_MM = 250;
+
+    private static final double AWAY_RAD = Math.toRadians(65);
+
+    /** From what is straight ahead, and from what is in the way of a detour. */
+    private static final double FAR_AWAY_RAD = Math.toRadians(90);
+
+    /** The robot's radius and more; each detour is longer than the one before, up to twice as long. */
+    private static final double SHORTEST_MM = 300;
+
+    private static final double LONGER_MM = 75;
+    private static final int LONGEST = 4;
+
+    /** So many in vain on one side, and the other side is tried as long. */
+    private static final int PATIENCE = 3;
+
+    private Detour() {}
+
+    static Phase around(Phase phase, Situation now) {
+        Memory memory = phase.memory();
+        Pose place = now.pose().beyond(AHEAD_MM, Math.toRadians(45) * bearing(now.obstacle()));
+        boolean again = phase instanceof Leg && memory.side() != 0;
+        int side = again ? memory.side() : side(memory, now.obstacle());
+        Memory wiser = memory.withDetour(place, side);
+        return Leg.of(wiser, -BACK_MM, onwards(wiser, now, again)).begun(now);
+    }
+
+    private static Phase onwards(Memory wiser, Situation now, boolean again) {
+        if (now.sight().goal().isEmpty() && !now.edge()) {
+            return Wandering.on(wiser, now.pose().beyond(-BACK_MM, 0), Optional.empty());
+        }
+        double away = again || now.obstacle() == Obstacle.AHEAD ? FAR_AWAY_RAD : AWAY_RAD;
+        return Turn.roughly(
+                wiser,
+                now.pose().headingRad() + wiser.side() * away,
+                Leg.of(wiser, SHORTEST_MM + LONGER_MM * Math.min(LONGEST, wiser.inARow()), new Look.Around(wiser)));
+    }
+
+    private static int bearing(Obstacle obstacle) {
+        return obstacle == Obstacle.LEFT ? 1 : obstacle == Obstacle.RIGHT ? -1 : 0;
+    }
+
+    private static int side(Memory memory, Obstacle obstacle) {
+        int other = memory.obstacles().size() / PATIENCE % 2 == 0 ? 1 : -1;
+        return switch (obstacle) {
+            case LEFT -> -other;
+            case RIGHT -> other;
+            case AHEAD, NONE -> memory.side() != 0 ? memory.side() * other : other;
+        };
+    }
+}

@@ -1,0 +1,90 @@
+package org.evoloop.roomba.move;
+
+/**
+ * Looks around on the spot, from standstill to standstill: where the goal was seen last, or else ahead, then right and left
+ * of that, and on until it has come round.
+ *
+ * @param aheadRad where the first look goes, as a heading
+ * @param direction how many looks were taken before
+ */
+record Look(Memory memory, double aheadRad, int direction, Calm calm) implements Phase {
+    /** From one direction to the next: a camera that sees 60 degrees sees everything, and most of it twice. */
+    static final double STEP_RAD = Math.toRadians(40);
+
+    static final int DIRECTIONS = 9;
+
+    /** About so far from the robot's centre is what the light bumper sees. */
+    private static final double NEAR_MM = 400;
+
+    /** Looks around from where the robot stands when this begins. */
+    record Around(Memory memory) implements Phase {
+        @Override
+        public Phase begun(Situation now) {
+            return around(memory, now);
+        }
+
+        @Override
+        public boolean leadsForward() {
+            return false;
+        }
+
+        @Override
+        public Step next(Situation now) {
+            return Phase.standing(begun(now));
+        }
+    }
+
+    /** Begins to look around. */
+    static Phase around(Memory memory, Situation now) {
+        double ahead = now.sight()
+                .goal()
+                .map(goal -> now.pose().headingRad() + now.bearingTo(goal))
+                .orElse(now.pose().headingRad());
+        return new Look(memory, ahead, 0, Calm.after(memory, now)).turned();
+    }
+
+    @Override
+    public Phase begun(Situation now) {
+        return new Look(memory, aheadRad, direction, Calm.after(memory, now));
+    }
+
+    private Phase turned() {
+        return Turn.roughly(memory, heading(direction), this);
+    }
+
+    private double heading(int which) {
+        // 0, -1, 1, 2, 3 and so on.
+        return aheadRad + STEP_RAD * (which == 0 ? 0 : which == 1 ? -1 : which - 1);
+    }
+
+    @Override
+    public boolean leadsForward() {
+        return false;
+    }
+
+    @Override
+    public Step next(Situation now) {
+        Calm calmer = calm.with(now.sight());
+        if (now.sight().goalSince(calm.fromNanos()).isPresent()) {
+            return Phase.standing(new Approach(memory));
+        }
+        if (!calmer.isInVain(now.sight())) {
+            return Phase.standing(new Look(memory, aheadRad, direction, calmer));
+        }
+        if (now.near()) {
+            Memory wiser = memory.withObstacle(now.pose().beyond(NEAR_MM, 0));
+            return new Look(wiser, aheadRad, direction, calmer).onwards(now);
+        }
+        return onwards(now);
+    }
+
+    private Step onwards(Situation now) {
+        return Phase.standing(
+                direction + 1 < DIRECTIONS
+                        ? new Look(memory, aheadRad, direction + 1, calm).turned()
+                        : Wandering.on(
+                                memory.withStation(now.pose()),
+                                now.pose(),
+                                now.sight().goal()));
+    }
+}

@@ -1,0 +1,49 @@
+package org.evoloop.roomba.move;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.stream.Stream;
+import org.evoloop.roomba.session.Pose;
+
+/**
+ * What Move remembers from phase to phase; places are in the coordinates of the robot's wheels.
+ *
+ * <p>Threading: immutable.
+ *
+ * @param target where the robot has arrived
+ * @param settle so long after it was told to stop, the robot stands
+ * @param stations where the robot looked around in vain, the first one first
+ * @param obstacles where something was in the way
+ * @param side to which the last obstacle was gone round: 1 left, -1 right, 0 if there was none
+ * @param inARow how many obstacles were in the way since the robot has last seen the goal or looked around for it
+ */
+record Memory(
+        StartPointSensor.Target target,
+        Duration settle,
+        List<Pose> stations,
+        List<Pose> obstacles,
+        int side,
+        int inARow) {
+
+    Memory(StartPointSensor.Target target, Duration settle) {
+        this(target, settle, List.of(), List.of(), 0, 0);
+    }
+
+    Memory withStation(Pose place) {
+        return new Memory(target, settle, and(stations, place), obstacles, side, 0);
+    }
+
+    /** Something stands there that is not in the way now. */
+    Memory withObstacle(Pose place) {
+        return new Memory(target, settle, stations, and(obstacles, place), side, inARow);
+    }
+
+    /** Something is in the way there, and the robot goes round it to this side. */
+    Memory withDetour(Pose place, int newSide) {
+        return new Memory(target, settle, stations, and(obstacles, place), newSide, inARow + 1);
+    }
+
+    private static List<Pose> and(List<Pose> places, Pose more) {
+        return Stream.concat(places.stream(), Stream.of(more)).toList();
+    }
+}

@@ -1,0 +1,34 @@
+package org.evoloop.roomba.move;
+
+/** Turns on the spot; a round robot touches nothing new by that. */
+record Turn(Memory memory, double headingRad, double exactRad, Phase then) implements Phase {
+    /** The wheels turn the robot half as far before they stop. */
+    private static final double EXACTLY_RAD = Math.toRadians(0.7);
+
+    /** Soon done, and good enough to look or go in a direction. */
+    private static final double ROUGHLY_RAD = Math.toRadians(4);
+
+    static Turn exactly(Memory memory, double headingRad, Phase then) {
+        return new Turn(memory, headingRad, EXACTLY_RAD, then);
+    }
+
+    static Turn roughly(Memory memory, double headingRad, Phase then) {
+        return new Turn(memory, headingRad, ROUGHLY_RAD, then);
+    }
+
+    @Override
+    public Phase begun(Situation now) {
+        return this;
+    }
+
+    @Override
+    public boolean leadsForward() {
+        return false;
+    }
+
+    @Override
+    public Step next(Situation now) {
+        double left = Math.IEEEremainder(headingRad - now.pose().headingRad(), 2 * Math.PI);
+        return Math.abs(left) <= exactRad ? Phase.standing(then.begun(now)) : new Step(this, Maneuver.turn(left));
+    }
+}

@@ -1,0 +1,72 @@
+package org.evoloop.roomba.move;
+
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.IntStream;
+import org.evoloop.roomba.session.Pose;
+
+/** Chooses where to look around next. */
+final class Wandering {
+    private static final int DIRECTIONS = 16;
+    private static final double STEP_MM = 100;
+    private static final double LONGEST_MM = 1_200;
+
+    /** A leg that ends sooner is none, unless all do. */
+    private static final double SHORTEST_MM = 300;
+
+    /** Less than any other choice is worth. */
+    private static final double LAST_MM = 100_000;
+
+    /** Farther than this from where it looked in vain is far enough. */
+    private static final double FAR_MM = 1_000;
+
+    /** The robot's radius, and as much as one does not know about where an obstacle is. */
+    private static final double CLEAR_MM = 230;
+
+    /**
+     * A mm farther from the goal costs as much as so many mm nearer to a station. As long as the goal was never seen, it is
+     * taken to be where Move began: the owner lets it begin where there is something to be found.
+     */
+    private static final double ASTRAY = 0.3;
+
+    private record Choice(double headingRad, double lengthMm, double worthMm) {}
+
+    private Wandering() {}
+
+    /**
+     * To turn and to drive, as far as nothing is known to be in the way, and to look around there.
+     *
+     * @param goal where it was seen last
+     */
+    static Phase on(Memory memory, Pose pose, Optional<Pose> goal) {
+        Pose home = goal.or(() -> memory.stations().stream().findFirst()).orElse(pose);
+        Choice best = IntStream.range(0, DIRECTIONS)
+                .mapToObj(which -> choice(memory, pose, home, 2 * Math.PI * which / DIRECTIONS))
+                .max(Comparator.comparingDouble(Choice::worthMm))
+                .orElseThrow();
+        return Turn.roughly(memory, best.headingRad(), Leg.of(memory, best.lengthMm(), new Look.Around(memory)));
+    }
+
+    private static Choice choice(Memory memory, Pose pose, Pose home, double bearingRad) {
+        double lengthMm = STEP_MM;
+        while (lengthMm < LONGEST_MM
+                && nearest(memory.obstacles(), pose.beyond(lengthMm + STEP_MM, bearingRad)) > CLEAR_MM) {
+            lengthMm += STEP_MM;
+        }
+        Pose end = pose.beyond(lengthMm, bearingRad);
+        double worthMm =
+                Math.min(FAR_MM, nearest(memory.stations(), end)) - ASTRAY * end.distanceTo(home.xMm(), home.yMm());
+        return new Choice(
+                end.headingRad(),
+                Math.max(SHORTEST_MM, lengthMm),
+                lengthMm < SHORTEST_MM ? lengthMm - LAST_MM : worthMm);
+    }
+
+    private static double nearest(List<Pose> places, Pose end) {
+        return places.stream()
+                .mapToDouble(place -> end.distanceTo(place.xMm(), place.yMm()))
+                .min()
+                .orElse(Double.POSITIVE_INFINITY);
+    }
+}

@@ -1,0 +1,78 @@
+package org.evoloop.roomba.move;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+import static org.evoloop.roomba.move.Given.look;
+import static org.evoloop.roomba.move.Given.millis;
+
+import org.evoloop.roomba.camera.Look;
+import org.evoloop.roomba.camera.Sighting;
+import org.evoloop.roomba.oi.OiMode;
+import org.evoloop.roomba.session.Pose;
+import org.junit.jupiter.api.Test;
+
+class GoalWatchTest {
+    private static final Sighting AHEAD = new Sighting(1_000, 0);
+
+    private final GoalWatch watch = new GoalWatch(millis(300));
+    private long frame;
+
+    private Sight at(long nowMillis, Pose pose, Look look) {
+        return watch.update(
+                new Percept(millis(nowMillis), Given.telemetry(++frame, OiMode.SAFE, pose, packet -> 0), look));
+    }
+
+    private Sight at(long nowMillis, Look look) {
+        return at(nowMillis, Pose.ORIGIN, look);
+    }
+
+    @Test
+    void believesTheThirdLookInARowThatShowsTheSamePlace() {
+        assertThat(at(10, look(1, 0, AHEAD)).goal()).isEmpty();
+        assertThat(at(40, look(2, 30, AHEAD)).goal()).isEmpty();
+        assertThat(at(55, look(2, 30, AHEAD)).goal()).as("the same look again").isEmpty();
+        Sight third = at(70, look(3, 60, AHEAD));
+        assertThat(third.goal()).contains(new Pose(1_000, 0, 0));
+        assertThat(third.goalNanos()).isEqualTo(millis(60));
+    }
+
+    @Test
+    void startsAgainAfterALookThatShowsNothingOrAnotherPlace() {
+        at(10, look(1, 0, AHEAD));
+        at(40, look(2, 30, AHEAD));
+        at(70, look(3, 60));
+        at(100, look(4, 90, AHEAD));
+        at(130, look(5, 120, AHEAD));
+        assertThat(at(160, look(6, 150, new Sighting(1_300, 0))).goal()).isEmpty();
+    }
+
+    @Test
+    void aPlaceThatIsBelievedFollowsEachLookThatAgrees() {
+        at(10, look(1, 0, AHEAD));
+        at(40, look(2, 30, AHEAD));
+        at(70, look(3, 60, AHEAD));
+        at(100, look(4, 90));
+        assertThat(at(130, look(5, 120, new Sighting(1_020, 0))).goal()).contains(new Pose(1_020, 0, 0));
+        assertThat(at(160, look(6, 150, new Sighting(500, 0))).goal()).contains(new Pose(1_020, 0, 0));
+    }
+
+    @Test
+    void aLookCountsFromWhereTheRobotWasWhenItWasTaken() {
+        at(0, new Pose(0, 0, 0), look(0, 0));
+        for (int count = 1; count <= 3; count++) {
+            at(
+                    100 * count,
+                    new Pose(100 * count, 0, 0),
+                    look(count, 100 * (count - 1), new Sighting(1_100 - 100 * count, 0)));
+        }
+        Sight sight = at(310, new Pose(310, 0, 0), look(3, 200));
+        assertThat(sight.goal().orElseThrow().xMm()).isCloseTo(1_000, within(1e-9));
+    }
+
+    @Test
+    void isStaleBeforeTheFirstFrameAndWhenNoneCameForTooLong() {
+        assertThat(at(0, look(0, 0)).stale()).isTrue();
+        assertThat(at(300, look(1, 0)).stale()).isFalse();
+        assertThat(at(301, look(1, 0)).stale()).isTrue();
+    }
+}
