@@ -9,10 +9,11 @@ import org.evoloop.xmi.dialect.XmlNode;
 final class ScxmlActions {
     private ScxmlActions() {}
 
-    /** Everything in {@code onentry}, {@code onexit}, {@code transition} and the like, in order. */
+    /** Everything in {@code onentry}, {@code onexit}, {@code transition} and the like, in order; a target is none of it. */
     static List<String> in(XmlNode block) {
         return block.children().stream()
-                .filter(action -> !ScxmlVocabulary.isEditors(action))
+                .filter(action ->
+                        !ScxmlVocabulary.isEditors(action) && !action.name().equals("target"))
                 .map(ScxmlActions::text)
                 .toList();
     }

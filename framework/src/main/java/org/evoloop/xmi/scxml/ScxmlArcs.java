@@ -2,6 +2,7 @@ package org.evoloop.xmi.scxml;
 
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -30,11 +31,11 @@ final class ScxmlArcs {
     private final ScxmlTree tree;
     private final ScxmlEvents events;
     private final Problems problems;
-    private final Map<Object, List<Arc>> arcs = new HashMap<>();
+    private final Map<String, List<Arc>> arcs = new HashMap<>();
     /** What an outer state does when an inner one is done comes after what the inner one does itself. */
-    private final Map<Object, List<Arc>> later = new HashMap<>();
+    private final Map<String, List<Arc>> later = new HashMap<>();
 
-    private final Map<Object, List<Vertex>> forks = new HashMap<>();
+    private final Map<String, List<Vertex>> forks = new HashMap<>();
     private final Map<XmlNode, List<Arc>> internal = new HashMap<>();
 
     ScxmlArcs(ScxmlTree tree, Problems problems) {
@@ -43,22 +44,24 @@ final class ScxmlArcs {
         this.problems = problems;
     }
 
-    /** What tells the region of this vertex from others: each child of a parallel state has one of its own. */
-    Object region(XmlNode vertex) {
+    /** Names the region in which this vertex stands: each child of a parallel state has one of its own. */
+    String region(XmlNode vertex) {
         XmlNode parent = tree.parent(vertex);
-        if (ScxmlTree.isParallel(parent)) {
-            return vertex;
-        }
-        return parent == null ? ScxmlTree.ROOT : parent;
+        return ScxmlTree.isParallel(parent) ? "around " + tree.key(vertex) : regionIn(parent);
     }
 
-    List<Arc> in(Object region) {
+    /** Names the region of what stands in a state, or in the root for null. */
+    String regionIn(@Nullable XmlNode container) {
+        return container == null ? "root" : "in " + tree.key(container);
+    }
+
+    List<Arc> in(String region) {
         return Stream.concat(
                         arcs.getOrDefault(region, List.of()).stream(), later.getOrDefault(region, List.of()).stream())
                 .toList();
     }
 
-    List<Vertex> forksIn(Object region) {
+    List<Vertex> forksIn(String region) {
         return forks.getOrDefault(region, List.of());
     }
 
@@ -74,14 +77,15 @@ final class ScxmlArcs {
                         .forEach(transition -> unconditional(
                                 transition, tree.key(vertex), region(vertex), ScxmlActions.in(transition)));
             } else {
-                vertex.children("transition").forEach(transition -> read(transition, vertex));
+                Set<Object> taken = new HashSet<>();
+                vertex.children("transition").forEach(transition -> read(transition, vertex, taken));
             }
             readAll(vertex);
         }
     }
 
     /** The default of a history or the way to an initial state. */
-    void unconditional(XmlNode transition, String source, Object region, List<String> effects) {
+    void unconditional(XmlNode transition, String source, String region, List<String> effects) {
         String label = "transition in line " + transition.line();
         if (!transition.attribute("event").isEmpty()
                 || !transition.attribute("cond").isEmpty()) {
@@ -91,7 +95,7 @@ final class ScxmlArcs {
     }
 
     /** An arc that is always taken. */
-    void lead(String source, Object region, String ids, String label, List<String> effects, Place place) {
+    void lead(String source, String region, String ids, String label, List<String> effects, Place place) {
         List<XmlNode> targets = tree.targets(ids, place.line(), label);
         if (targets.isEmpty()) {
             problems.add(place.line(), label + " has no target; give it one");
@@ -112,7 +116,8 @@ final class ScxmlArcs {
                 .strip();
     }
 
-    private void read(XmlNode transition, XmlNode state) {
+    /** @param taken what earlier transitions of the state take in any case */
+    private void read(XmlNode transition, XmlNode state, Set<Object> taken) {
         String label = "transition of " + ScxmlVocabulary.label(state);
         for (String attribute : transition.attributeNames()) {
             if (attribute.indexOf(':') < 0 && !ATTRIBUTES.contains(attribute)) {
@@ -127,24 +132,45 @@ final class ScxmlArcs {
         }
         String condition = transition.attribute("cond").strip();
         if (!transition.attribute("event").isBlank()) {
-            for (XmlNode done : events.doneStates(transition)) {
-                done(transition, state, done, targets, label);
-            }
-            List<String> triggers = events.triggers(transition, label);
+            List<XmlNode> done = free(events.doneStates(transition), condition, taken);
+            done.forEach(inner -> done(transition, state, inner, targets, label));
+            List<String> triggers = free(events.triggers(transition, state, label), condition, taken);
             if (!triggers.isEmpty()) {
                 arc(transition, state, state, targets, triggers, condition, label);
+            } else if (done.isEmpty()) {
+                never(transition, label);
             }
         } else if (alwaysLeaves(state)) {
-            if (tree.isComposite(state) || targets.isEmpty()) {
-                problems.add(
-                        transition.line(),
-                        label + " has no event and leads "
-                                + (targets.isEmpty() ? "nowhere" : "out of a composite state")
-                                + ", so that the state never lasts; give it an event");
+            requireLasting(transition, state, targets, label);
+            if (free(List.of(""), condition, taken).isEmpty()) {
+                never(transition, label);
             }
             arc(transition, state, state, targets, List.of(), condition, label);
         } else {
             arc(transition, state, state, targets, List.of("when " + condition), "", label);
+        }
+    }
+
+    /** What no earlier transition of the state takes in any case: of several that hold, SCXML takes the first. */
+    private static <T> List<T> free(List<T> causes, String condition, Set<Object> taken) {
+        List<T> free = causes.stream().filter(cause -> !taken.contains(cause)).toList();
+        if (condition.isEmpty()) {
+            taken.addAll(causes);
+        }
+        return free;
+    }
+
+    private void never(XmlNode transition, String label) {
+        problems.add(
+                transition.line(), label + " is never taken, since earlier ones always take its events; remove it");
+    }
+
+    private void requireLasting(XmlNode transition, XmlNode state, List<XmlNode> targets, String label) {
+        if (tree.isComposite(state) || targets.isEmpty()) {
+            problems.add(
+                    transition.line(),
+                    label + " has no event and leads " + (targets.isEmpty() ? "nowhere" : "out of a composite state")
+                            + ", so that the state never lasts; give it an event");
         }
     }
 
@@ -188,9 +214,7 @@ final class ScxmlArcs {
             String label) {
         Place place = new Place("", transition.line());
         String key = tree.key(source);
-        List<String> effects = ScxmlActions.in(transition).stream()
-                .filter(text -> !text.startsWith("target("))
-                .toList();
+        List<String> effects = ScxmlActions.in(transition);
         if (targets.isEmpty()) {
             internal.computeIfAbsent(source, any -> new ArrayList<>())
                     .add(new Arc(place, key, key, triggers, guard, effects, Arc.Kind.INTERNAL));
@@ -252,7 +276,7 @@ final class ScxmlArcs {
                     place.line(), label + " has targets that do not stand in different children of one parallel state");
             return fork;
         }
-        Object region = region(common);
+        String region = region(common);
         forks.computeIfAbsent(region, any -> new ArrayList<>()).add(new Pseudostate(fork, "", place, Kind.FORK));
         for (XmlNode target : targets) {
             add(arcs, region, new Arc(place, fork, tree.key(target), List.of(), "", List.of(), Arc.Kind.EXTERNAL));
@@ -268,7 +292,7 @@ final class ScxmlArcs {
                 new Arc(end.place(), tree.key(state), end.key(), List.of(), "", List.of(), Arc.Kind.EXTERNAL));
     }
 
-    private static void add(Map<Object, List<Arc>> to, Object region, Arc arc) {
+    private static void add(Map<String, List<Arc>> to, String region, Arc arc) {
         to.computeIfAbsent(region, any -> new ArrayList<>()).add(arc);
     }
 }

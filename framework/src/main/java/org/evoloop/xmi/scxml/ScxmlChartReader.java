@@ -33,6 +33,9 @@ final class ScxmlChartReader {
         ScxmlVocabulary.check(document, problems);
         List<String> beginning = new ArrayList<>();
         beginning(null, beginning);
+        if (tree.vertices(null).isEmpty()) {
+            problems.add(document.line(), "scxml has no state; write one");
+        }
         arcs.readAll(null);
         Region region = region(null, "", new Place("", document.line()), beginning);
         return new Statechart(title, region.place(), List.of(region), List.of());
@@ -56,7 +59,7 @@ final class ScxmlChartReader {
 
     /** The region of everything directly in a state, or in the root for null. */
     private Region region(@Nullable XmlNode container, String name, Place place, List<String> effects) {
-        Object region = container == null ? ScxmlTree.ROOT : container;
+        String region = arcs.regionIn(container);
         List<Vertex> vertices = new ArrayList<>();
         if (!tree.vertices(container).isEmpty()) {
             vertices.add(initial(container, region, place, effects));
@@ -68,7 +71,7 @@ final class ScxmlChartReader {
         return new Region(name, place, vertices, arcs.in(region));
     }
 
-    private Vertex initial(@Nullable XmlNode container, Object region, Place place, List<String> effects) {
+    private Vertex initial(@Nullable XmlNode container, String region, Place place, List<String> effects) {
         String key = tree.madeUpKey();
         List<XmlNode> elements = tree.children(container).stream()
                 .filter(child -> child.name().equals("initial"))
@@ -138,13 +141,18 @@ final class ScxmlChartReader {
         if (tree.isComposite(node) || !node.children("transition").isEmpty()) {
             problems.add(place.line(), ScxmlVocabulary.label(node) + " is final but goes on; let it end here");
         }
-        if (node.children("onentry").isEmpty() && node.children("onexit").isEmpty()) {
+        List<String> entry = Stream.concat(
+                        actions(node, "onentry").stream(),
+                        node.children("donedata").stream().map(ScxmlActions::text))
+                .toList();
+        if (entry.isEmpty()) {
             vertices.add(new FinalState(tree.key(node), name, place));
             return;
         }
         FinalState end = new FinalState(tree.madeUpKey(), name, place);
         arcs.complete(node, end);
-        vertices.add(state(node, List.of()));
+        vertices.add(new ChartState(
+                tree.key(node), name, place, entry, List.of(), List.of(), List.of(), List.of(), List.of(), List.of()));
         vertices.add(end);
     }
 
@@ -167,11 +175,11 @@ final class ScxmlChartReader {
             List<Vertex> vertices = new ArrayList<>();
             vertices.add(new Pseudostate(initial, "", ScxmlTree.place(child), Kind.INITIAL));
             vertex(child, vertices);
-            vertices.addAll(arcs.forksIn(child));
+            vertices.addAll(arcs.forksIn(arcs.region(child)));
             List<Arc> inRegion = new ArrayList<>();
             inRegion.add(new Arc(
                     ScxmlTree.place(child), initial, tree.key(child), List.of(), "", List.of(), Arc.Kind.EXTERNAL));
-            inRegion.addAll(arcs.in(child));
+            inRegion.addAll(arcs.in(arcs.region(child)));
             regions.add(new Region(child.attribute("id").strip(), ScxmlTree.place(child), vertices, inRegion));
         }
         return regions;

@@ -12,11 +12,12 @@ import org.evoloop.xmi.dialect.XmlNode;
  *
  * <p>Threading: immutable.
  *
+ * @param namespace of the root
  * @param attributes of the root
  * @param line of the root
  * @param children of the root
  */
-record ScxmlDocument(String file, Map<String, String> attributes, int line, List<XmlNode> children) {
+record ScxmlDocument(String file, String namespace, Map<String, String> attributes, int line, List<XmlNode> children) {
 
     /** @param stream as {@link XmiHead#read} leaves it */
     static ScxmlDocument read(XmiHead head, XmiStream stream) {
@@ -26,7 +27,8 @@ record ScxmlDocument(String file, Map<String, String> attributes, int line, List
             children.add(XmlNode.read(stream, inner -> false));
             more = stream.nextElementWithin(0);
         }
-        return new ScxmlDocument(stream.file(), head.attributes(), head.line(), List.copyOf(children));
+        return new ScxmlDocument(
+                stream.file(), head.root().getNamespaceURI(), head.attributes(), head.line(), List.copyOf(children));
     }
 
     /** Of the root; empty if there is none. */

@@ -11,10 +11,12 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Which events a transition's descriptors match. {@code a} matches {@code a}, {@code a.b} and so on, {@code *} everything
- * (SCXML 1.0, section 3.12.1); of the endlessly many, these are the events that the document names anywhere.
+ * (SCXML 1.0, section 3.12.1); of the endlessly many, these are the events that the document names anywhere, and
+ * {@code *} for one that it does not name.
  */
 final class ScxmlEvents {
     private static final String DONE = "done.state.";
+    private static final String ANY = "*";
 
     private final ScxmlTree tree;
     private final Problems problems;
@@ -30,8 +32,8 @@ final class ScxmlEvents {
         switch (node.name()) {
             case "transition", "send", "raise" ->
                 descriptors(node).stream()
-                        .filter(name -> !name.isEmpty() && doneState(name) == null)
-                        .forEach(named::add);
+                        .filter(name -> doneState(name) == null)
+                        .forEach(name -> named.add(name.isEmpty() ? ANY : name));
             default -> {}
         }
         node.children().forEach(this::collect);
@@ -40,12 +42,13 @@ final class ScxmlEvents {
     /** Each without what says no more than that it is a prefix. */
     private static List<String> descriptors(XmlNode transition) {
         List<String> descriptors = new ArrayList<>();
-        for (String descriptor : transition.attribute("event").strip().split("\\s+", -1)) {
+        String event = transition.attribute("event").strip();
+        for (String descriptor : event.isEmpty() ? new String[0] : event.split("\\s+", -1)) {
             String name = descriptor;
             while (name.endsWith(".*") || name.endsWith(".")) {
                 name = name.substring(0, name.lastIndexOf('.'));
             }
-            descriptors.add(name.equals("*") ? "" : name);
+            descriptors.add(name.equals(ANY) ? "" : name);
         }
         return descriptors;
     }
@@ -68,13 +71,13 @@ final class ScxmlEvents {
     }
 
     /** Names of all other events that trigger it. */
-    List<String> triggers(XmlNode transition, String label) {
+    List<String> triggers(XmlNode transition, XmlNode state, String label) {
         Set<String> triggers = new LinkedHashSet<>();
         for (String descriptor : descriptors(transition)) {
             if (doneState(descriptor) != null) {
                 continue;
             }
-            if (tree.anyCanBeDone() && DONE.startsWith(descriptor.isEmpty() ? "" : descriptor + ".")) {
+            if (DONE.startsWith(descriptor.isEmpty() ? "" : descriptor + ".") && tree.mayHearOfDone(state)) {
                 problems.add(
                         transition.line(),
                         label + " matches the events of all states that can be done, which is not supported; "
@@ -84,9 +87,6 @@ final class ScxmlEvents {
                     .filter(event ->
                             descriptor.isEmpty() || event.equals(descriptor) || event.startsWith(descriptor + "."))
                     .forEach(triggers::add);
-        }
-        if (triggers.isEmpty() && doneStates(transition).isEmpty()) {
-            problems.add(transition.line(), label + " matches no event of this document; name the events");
         }
         return List.copyOf(triggers);
     }

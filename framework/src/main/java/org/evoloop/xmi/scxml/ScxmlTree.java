@@ -12,9 +12,6 @@ import org.jspecify.annotations.Nullable;
 
 /** The states of a document, by id and by where they stand. */
 final class ScxmlTree {
-    /** Tells the region of the root from those of states. */
-    static final Object ROOT = "scxml";
-
     private static final Set<String> VERTICES = Set.of("state", "parallel", "final", "history");
 
     private final ScxmlDocument document;
@@ -100,9 +97,14 @@ final class ScxmlTree {
                 || vertices(vertex).stream().anyMatch(inner -> inner.name().equals("final"));
     }
 
-    /** Whether any state can be done. */
-    boolean anyCanBeDone() {
-        return keys.keySet().stream().anyMatch(this::canBeDone);
+    /** Whether a state can be done while this one is active, be it the same. */
+    boolean mayHearOfDone(XmlNode state) {
+        return keys.keySet().stream()
+                .anyMatch(other -> canBeDone(other)
+                        && (other == state
+                                || isInside(other, state)
+                                || (isInside(state, other) && isParallel(other))
+                                || isParallel(commonContainer(List.of(other, state)))));
     }
 
     /** Whether the vertex stands in the container at any depth; everything but the root stands in the root. */

@@ -17,6 +17,7 @@ final class ScxmlVocabulary {
     private static final Map<String, Set<String>> KNOWN = Map.of(
             "scxml",
             Set.of(
+                    "id",
                     "initial",
                     "initialstate",
                     "name",
@@ -45,7 +46,7 @@ final class ScxmlVocabulary {
             "parallel",
             Set.of("id", "state", "parallel", "transition", "onentry", "onexit", "datamodel", "invoke", "history"),
             "final",
-            Set.of("id", "onentry"),
+            Set.of("id", "onentry", "donedata"),
             "history",
             Set.of("id", "type", "transition"),
             "initial",
@@ -57,16 +58,31 @@ final class ScxmlVocabulary {
 
     /** Reports everything in the element that nobody reads. */
     static void check(XmlNode node, Problems problems) {
-        check(node.name(), label(node), node.line(), node.attributeNames(), node.children(), problems);
+        check(
+                node.name(),
+                node.namespace(),
+                label(node),
+                node.line(),
+                node.attributeNames(),
+                node.children(),
+                problems);
     }
 
     /** The same for the root. */
     static void check(ScxmlDocument document, Problems problems) {
-        check("scxml", "scxml", document.line(), document.attributes().keySet(), document.children(), problems);
+        check(
+                "scxml",
+                document.namespace(),
+                "scxml",
+                document.line(),
+                document.attributes().keySet(),
+                document.children(),
+                problems);
     }
 
     private static void check(
             String name,
+            String namespace,
             String label,
             int line,
             Collection<String> attributes,
@@ -79,10 +95,16 @@ final class ScxmlVocabulary {
             }
         }
         for (XmlNode child : children) {
-            if (!known.contains(child.name()) && !isEditors(child)) {
+            boolean ours = isScxml(child, namespace) && known.contains(child.name());
+            if (!ours && !isEditors(child)) {
                 problems.add(child.line(), "element " + child.name() + " in " + label + " is not supported; remove it");
             }
         }
+    }
+
+    /** Some documents say the namespace of the root, some that of its elements. */
+    private static boolean isScxml(XmlNode child, String outer) {
+        return child.namespace().equals(outer) || child.namespace().endsWith("/scxml");
     }
 
     /** Whether this is a note of an editor to itself. */

@@ -181,7 +181,8 @@ final class Uml14ChartReader {
             if (problems.count() == before) {
                 problems.add(
                         transition.line(),
-                        "transition " + transition.label() + " has " + ends.size() + " elements " + role
+                        "transition " + transition.label() + " has "
+                                + (ends.isEmpty() ? "no " + role : "more than one " + role)
                                 + "; draw it from one state to one state");
             }
             return Optional.empty();

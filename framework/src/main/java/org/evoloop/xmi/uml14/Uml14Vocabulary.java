@@ -71,7 +71,9 @@ final class Uml14Vocabulary {
         for (String attribute : element.node().attributeNames()) {
             // Those with a prefix are an extension of some tool.
             String name = attribute.startsWith("xmi.") ? Uml14Element.lastPart(attribute) : attribute;
-            if (name.indexOf(':') < 0 && !isKnown(name, known)) {
+            String value = element.node().attribute(attribute);
+            boolean saysNothing = value.isEmpty() || value.equals("false");
+            if (name.indexOf(':') < 0 && !isKnown(name, known) && !saysNothing) {
                 refuse(element, element.line(), "attribute " + name, problems);
             }
         }

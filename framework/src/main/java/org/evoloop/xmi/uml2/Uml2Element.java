@@ -16,6 +16,7 @@ record Uml2Element(XmlNode node, Uml2Document document) {
             "deferrableTrigger", "Trigger",
             "guard", "Constraint",
             "ownedRule", "Constraint",
+            "when", "TimeExpression",
             "connectionPoint", "Pseudostate",
             "connection", "ConnectionPointReference");
 

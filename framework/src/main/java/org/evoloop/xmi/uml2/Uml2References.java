@@ -16,8 +16,8 @@ import org.evoloop.xmi.dialect.XmiStream;
 import org.evoloop.xmi.dialect.XmlNode;
 
 /**
- * Follows references: attributes with ids, elements with {@code xmi:idref}, and {@code href} into files that lie beside
- * the one that is read.
+ * Follows references: attributes with ids, elements with {@code xmi:idref}, and {@code href} into files whose place is
+ * given from that of the one that is read.
  */
 final class Uml2References {
     private static final int MAX_FILES = 50;
@@ -82,7 +82,7 @@ final class Uml2References {
         String href = reference.attribute("href");
         int hash = href.lastIndexOf('#');
         Optional<Uml2Element> found = Optional.empty();
-        String reason = "does not lie beside " + owner.document().file();
+        String reason = "names no file";
         if (hash > 0) {
             try {
                 found = document(owner.document(), href.substring(0, hash))
@@ -96,8 +96,8 @@ final class Uml2References {
             problems.add(
                     reference.line(),
                     reference.name() + " of " + owner.type() + " " + owner.label() + " refers to another file, "
-                            + Problems.quote(href) + ": it " + reason
-                            + "; put that file beside this one, or draw the element in this model");
+                            + Problems.quote(href) + ", which " + reason
+                            + "; put that file where the reference expects it, or draw the element in this model");
         }
         return found;
     }
@@ -108,8 +108,8 @@ final class Uml2References {
             Path file = Path.of(home.file()).toAbsolutePath().normalize();
             Path path = file.resolveSibling(URLDecoder.decode(href, StandardCharsets.UTF_8))
                     .normalize();
-            if (!path.startsWith(file.resolveSibling("")) || !Files.isRegularFile(path)) {
-                throw new ModelException("does not lie beside " + home.file());
+            if (href.startsWith("/") || !Files.isRegularFile(path)) {
+                throw new ModelException("is not found from " + home.file());
             }
             if (!documents.containsKey(path) && documents.size() < MAX_FILES) {
                 documents.put(path, read(path));

@@ -1,7 +1,6 @@
 package org.evoloop.xmi.uml2;
 
 import java.util.HashSet;
-import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.stream.Stream;
@@ -107,17 +106,21 @@ final class Uml2Vocabulary {
     static void check(Uml2Element element, Problems problems) {
         String type = element.type().equals("ProtocolState") ? "State" : element.type();
         Set<String> known = BY_TYPE.getOrDefault(type, Set.of());
-        List<String> attributes = element.node().attributeNames().stream()
-                .filter(name -> name.indexOf(':') < 0 && !isKnown(name, known))
-                .toList();
-        for (String name : attributes) {
-            refuse(element, element.line(), "attribute " + name, problems);
+        for (String name : element.node().attributeNames()) {
+            if (name.indexOf(':') < 0 && !isKnown(name, known) && !saysNothing(element.attribute(name))) {
+                refuse(element, element.line(), "attribute " + name, problems);
+            }
         }
         for (XmlNode child : element.node().children()) {
             if (!isKnown(child.name(), known)) {
                 refuse(element, child.line(), what(child), problems);
             }
         }
+    }
+
+    /** Tools write out defaults. */
+    private static boolean saysNothing(String value) {
+        return value.isEmpty() || value.equals("false");
     }
 
     private static boolean isKnown(String name, Set<String> known) {
