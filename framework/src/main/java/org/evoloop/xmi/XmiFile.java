@@ -11,6 +11,9 @@ import org.evoloop.xmi.dialect.Problems;
 import org.evoloop.xmi.dialect.XmiDialect;
 import org.evoloop.xmi.dialect.XmiHead;
 import org.evoloop.xmi.dialect.XmiStream;
+import org.evoloop.xmi.scxml.ScxmlDialect;
+import org.evoloop.xmi.uml14.Uml14Dialect;
+import org.evoloop.xmi.uml2.Uml2Dialect;
 
 /**
  * The state machines of one XMI file. A machine that cannot be used disturbs nobody until it is picked.
@@ -18,7 +21,8 @@ import org.evoloop.xmi.dialect.XmiStream;
  * <p>Threading: immutable once read.
  */
 public final class XmiFile {
-    private static final List<XmiDialect> DIALECTS = List.of(new AstahDialect());
+    private static final List<XmiDialect> DIALECTS =
+            List.of(new AstahDialect(), new Uml14Dialect(), new Uml2Dialect(), new ScxmlDialect());
     private static final int NAMES_LISTED = 50;
 
     private final String file;

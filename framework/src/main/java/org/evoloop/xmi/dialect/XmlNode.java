@@ -1,0 +1,169 @@
+package org.evoloop.xmi.dialect;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Predicate;
+import javax.xml.stream.XMLStreamConstants;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * An element of a file with all that is in it, for dialects whose elements refer forth and back. It is made of the part
+ * of a file that a dialect asks for, within the bounds of {@link XmiStream#keep}.
+ *
+ * <p>Attributes of the XMI namespace, of whatever version, are called {@code xmi:id}, {@code xmi:type} and so on; those
+ * of other namespaces by the prefix that the file gives them; {@code xsi:type} is {@code xmi:type}.
+ *
+ * <p>An element equals itself alone.
+ *
+ * <p>Threading: immutable once read.
+ */
+public final class XmlNode {
+    private static final String SCHEMA_INSTANCE = "http://www.w3.org/2001/XMLSchema-instance";
+
+    private final String namespace;
+    private final String name;
+    private final int line;
+    /** Name, value, name, value and so on: there may be a million of these. */
+    private final String[] attributes;
+
+    private final List<XmlNode> children = new ArrayList<>(0);
+    private String text = "";
+
+    private XmlNode(XmiStream stream) {
+        this.namespace = text(stream.getNamespaceURI());
+        this.name = stream.getLocalName();
+        this.line = stream.line();
+        this.attributes = new String[2 * stream.getAttributeCount()];
+        int characters = 0;
+        for (int i = 0; i < stream.getAttributeCount(); i++) {
+            attributes[2 * i] = attributeName(stream, i);
+            attributes[2 * i + 1] = stream.getAttributeValue(i);
+            characters += attributes[2 * i + 1].length();
+        }
+        stream.keep(characters);
+    }
+
+    /** What {@link #attribute(String)} would say of the element whose start tag is the current event. */
+    public static String attribute(XmiStream stream, String wanted) {
+        for (int i = 0; i < stream.getAttributeCount(); i++) {
+            if (attributeName(stream, i).equals(wanted)) {
+                return stream.getAttributeValue(i);
+            }
+        }
+        return "";
+    }
+
+    private static String attributeName(XmiStream stream, int index) {
+        String uri = text(stream.getAttributeNamespace(index));
+        String localName = stream.getAttributeLocalName(index);
+        if (uri.isEmpty()) {
+            return localName;
+        }
+        boolean xmi = isXmi(uri) || (uri.equals(SCHEMA_INSTANCE) && localName.equals("type"));
+        return ((xmi ? "xmi" : stream.getAttributePrefix(index)) + ':' + localName).intern();
+    }
+
+    private static String text(@Nullable String text) {
+        return text == null ? "" : text;
+    }
+
+    /** Whether this is the namespace of a version of XMI 2. */
+    public static boolean isXmi(String uri) {
+        return uri.contains("XMI");
+    }
+
+    /** The element whose start tag is the current event, with nothing in it; leaves the stream there. */
+    public static XmlNode alone(XmiStream stream) {
+        return new XmlNode(stream);
+    }
+
+    /**
+     * The element whose start tag is the current event; leaves the stream at its end tag.
+     *
+     * @param unwanted says at a start tag whether that element is to be left out
+     */
+    public static XmlNode read(XmiStream stream, Predicate<XmiStream> unwanted) {
+        XmlNode node = new XmlNode(stream);
+        int depth = stream.depth();
+        StringBuilder text = new StringBuilder();
+        while (true) {
+            switch (stream.next()) {
+                case XMLStreamConstants.START_ELEMENT -> {
+                    if (unwanted.test(stream)) {
+                        stream.skipElement();
+                    } else {
+                        node.children.add(read(stream, unwanted));
+                    }
+                }
+                case XMLStreamConstants.CHARACTERS, XMLStreamConstants.CDATA, XMLStreamConstants.SPACE -> {
+                    if (!stream.isWhiteSpace()) {
+                        stream.keep(stream.getTextLength());
+                        text.append(stream.getText());
+                    }
+                }
+                case XMLStreamConstants.END_ELEMENT -> {
+                    if (stream.depth() < depth) {
+                        node.text = text.toString().strip();
+                        return node;
+                    }
+                }
+                default -> {}
+            }
+        }
+    }
+
+    /** The namespace; empty if it has none. */
+    public String namespace() {
+        return namespace;
+    }
+
+    /** The name without prefix. */
+    public String name() {
+        return name;
+    }
+
+    /** Where its start tag ends, counted from 1. */
+    public int line() {
+        return line;
+    }
+
+    /** The text directly in it, stripped. */
+    public String text() {
+        return text;
+    }
+
+    /** The attribute's value; empty if there is none. */
+    public String attribute(String wanted) {
+        for (int i = 0; i < attributes.length; i += 2) {
+            if (attributes[i].equals(wanted)) {
+                return attributes[i + 1];
+            }
+        }
+        return "";
+    }
+
+    /** Names of all attributes. */
+    public List<String> attributeNames() {
+        List<String> names = new ArrayList<>(attributes.length / 2);
+        for (int i = 0; i < attributes.length; i += 2) {
+            names.add(attributes[i]);
+        }
+        return names;
+    }
+
+    /** All elements directly in it. */
+    public List<XmlNode> children() {
+        return children;
+    }
+
+    /** The elements of this name directly in it. */
+    public List<XmlNode> children(String wanted) {
+        return children.stream().filter(child -> child.name.equals(wanted)).toList();
+    }
+
+    /** The first element of this name directly in it. */
+    public Optional<XmlNode> child(String wanted) {
+        return children.stream().filter(child -> child.name.equals(wanted)).findFirst();
+    }
+}

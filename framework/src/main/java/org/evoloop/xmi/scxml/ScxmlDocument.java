@@ -1,0 +1,38 @@
+package org.evoloop.xmi.scxml;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import org.evoloop.xmi.dialect.XmiHead;
+import org.evoloop.xmi.dialect.XmiStream;
+import org.evoloop.xmi.dialect.XmlNode;
+
+/**
+ * What stands in a document.
+ *
+ * <p>Threading: immutable.
+ *
+ * @param namespace of the root
+ * @param attributes of the root
+ * @param line of the root
+ * @param children of the root
+ */
+record ScxmlDocument(String file, String namespace, Map<String, String> attributes, int line, List<XmlNode> children) {
+
+    /** @param stream as {@link XmiHead#read} leaves it */
+    static ScxmlDocument read(XmiHead head, XmiStream stream) {
+        List<XmlNode> children = new ArrayList<>();
+        boolean more = stream.isStartElement() || stream.nextElementWithin(0);
+        while (more) {
+            children.add(XmlNode.read(stream, inner -> false));
+            more = stream.nextElementWithin(0);
+        }
+        return new ScxmlDocument(
+                stream.file(), head.root().getNamespaceURI(), head.attributes(), head.line(), List.copyOf(children));
+    }
+
+    /** Of the root; empty if there is none. */
+    String attribute(String name) {
+        return attributes.getOrDefault(name, "");
+    }
+}

@@ -1,0 +1,43 @@
+package org.evoloop.xmi.scxml;
+
+import java.nio.file.Path;
+import java.util.Optional;
+import org.evoloop.statechart.Statechart;
+import org.evoloop.xmi.dialect.DrawnMachine;
+import org.evoloop.xmi.dialect.Problems;
+
+/** The state machine of an SCXML document. */
+record ScxmlMachine(ScxmlDocument document) implements DrawnMachine {
+
+    @Override
+    public String id() {
+        return "";
+    }
+
+    /** As the root says, or else as the file is called, without its extension. */
+    @Override
+    public String name() {
+        String name = document.attribute("name").strip();
+        if (!name.isEmpty()) {
+            return name;
+        }
+        String file = Path.of(document.file()).getFileName().toString();
+        int dot = file.lastIndexOf('.');
+        return dot > 0 ? file.substring(0, dot) : file;
+    }
+
+    @Override
+    public Optional<String> diagramName() {
+        return Optional.empty();
+    }
+
+    @Override
+    public int line() {
+        return document.line();
+    }
+
+    @Override
+    public Statechart statechart(String title, Problems problems) {
+        return new ScxmlChartReader(new ScxmlTree(document, problems), problems).read(title);
+    }
+}

@@ -1,0 +1,120 @@
+package org.evoloop.xmi.scxml;
+
+import java.util.Collection;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
+import java.util.regex.Pattern;
+import org.evoloop.xmi.dialect.Problems;
+import org.evoloop.xmi.dialect.XmlNode;
+
+/** What may stand where in a document. Everything else is a problem, so that nothing is lost in silence. */
+final class ScxmlVocabulary {
+    /** Namespaces of editors, which keep positions and colors in the document. */
+    private static final Pattern EDITORS = Pattern.compile(".*(qt\\.io|editor|scxmlgui|layout|viewmeta|graph|draw).*");
+
+    private static final Map<String, Set<String>> KNOWN = Map.of(
+            "scxml",
+            Set.of(
+                    "id",
+                    "initial",
+                    "initialstate",
+                    "name",
+                    "version",
+                    "datamodel",
+                    "binding",
+                    "profile",
+                    "exmode",
+                    "state",
+                    "parallel",
+                    "final",
+                    "script"),
+            "state",
+            Set.of(
+                    "id",
+                    "initial",
+                    "final",
+                    "state",
+                    "parallel",
+                    "history",
+                    "transition",
+                    "onentry",
+                    "onexit",
+                    "datamodel",
+                    "invoke"),
+            "parallel",
+            Set.of("id", "state", "parallel", "transition", "onentry", "onexit", "datamodel", "invoke", "history"),
+            "final",
+            Set.of("id", "onentry", "donedata"),
+            "history",
+            Set.of("id", "type", "transition"),
+            "initial",
+            Set.of("id", "transition"),
+            "datamodel",
+            Set.of("data"));
+
+    private ScxmlVocabulary() {}
+
+    /** Reports everything in the element that nobody reads. */
+    static void check(XmlNode node, Problems problems) {
+        check(
+                node.name(),
+                node.namespace(),
+                label(node),
+                node.line(),
+                node.attributeNames(),
+                node.children(),
+                problems);
+    }
+
+    /** The same for the root. */
+    static void check(ScxmlDocument document, Problems problems) {
+        check(
+                "scxml",
+                document.namespace(),
+                "scxml",
+                document.line(),
+                document.attributes().keySet(),
+                document.children(),
+                problems);
+    }
+
+    private static void check(
+            String name,
+            String namespace,
+            String label,
+            int line,
+            Collection<String> attributes,
+            List<XmlNode> children,
+            Problems problems) {
+        Set<String> known = KNOWN.getOrDefault(name, Set.of());
+        for (String attribute : attributes) {
+            if (attribute.indexOf(':') < 0 && !known.contains(attribute)) {
+                problems.add(line, "attribute " + attribute + " of " + label + " is not supported; remove it");
+            }
+        }
+        for (XmlNode child : children) {
+            boolean ours = isScxml(child, namespace) && known.contains(child.name());
+            if (!ours && !isEditors(child)) {
+                problems.add(child.line(), "element " + child.name() + " in " + label + " is not supported; remove it");
+            }
+        }
+    }
+
+    /** Some documents say the namespace of the root, some that of its elements. */
+    private static boolean isScxml(XmlNode child, String outer) {
+        return child.namespace().equals(outer) || child.namespace().endsWith("/scxml");
+    }
+
+    /** Whether this is a note of an editor to itself. */
+    static boolean isEditors(XmlNode node) {
+        return EDITORS.matcher(node.namespace().toLowerCase(Locale.ROOT)).matches();
+    }
+
+    /** For messages. */
+    static String label(XmlNode node) {
+        String id = node.attribute("id").strip();
+        return id.isEmpty() ? node.name() + " in line " + node.line() : node.name() + " " + Problems.quote(id);
+    }
+}

@@ -1,0 +1,109 @@
+package org.evoloop.xmi.uml14;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Stream;
+import org.evoloop.statemachine.ModelException;
+import org.evoloop.xmi.dialect.ChartScope;
+import org.evoloop.xmi.dialect.Problems;
+
+/** Gives each vertex of a machine its key, and follows submachine states. */
+final class Uml14Vertices {
+    private static final Set<String> STATES = Set.of("SimpleState", "State", "CompositeState", "SubmachineState");
+
+    private final Problems problems;
+
+    Uml14Vertices(Problems problems) {
+        this.problems = problems;
+    }
+
+    static boolean isState(Uml14Element vertex) {
+        return STATES.contains(vertex.type());
+    }
+
+    static boolean isConcurrent(Uml14Element state) {
+        return state.text("isConcurrent").equals("true");
+    }
+
+    /** What is drawn in a state. */
+    static List<Uml14Element> inside(Uml14Element state) {
+        return Stream.concat(state.owned("subvertex").stream(), state.owned("substate").stream())
+                .toList();
+    }
+
+    /** The composite state that holds everything else. */
+    static List<Uml14Element> tops(Uml14Element machine) {
+        return machine.owned("top");
+    }
+
+    /** Makes all vertices of the scope's machine known. */
+    void define(ChartScope<Uml14Element> scope) {
+        tops(scope.machine()).forEach(top -> content(scope, top, ""));
+    }
+
+    private void content(ChartScope<Uml14Element> scope, Uml14Element owner, String outerState) {
+        for (Uml14Element vertex : inside(owner)) {
+            if (isConcurrent(owner)) {
+                // A region: what is in it stands in the state.
+                content(scope, vertex, outerState);
+                continue;
+            }
+            String wrong = scope.define(vertex.id(), outerState);
+            if (!wrong.isEmpty()) {
+                problems.add(vertex.line(), vertex.type() + " " + vertex.label() + wrong);
+            }
+            if (!scope.fits()) {
+                throw new ModelException(scope.machine().document().file() + ": with its submachines, state machine "
+                        + scope.machine().label() + " (line " + scope.machine().line()
+                        + ") is too large: use fewer of them");
+            }
+            if (isState(vertex)) {
+                submachine(scope, vertex);
+                content(scope, vertex, scope.key(vertex.id()));
+            } else if (vertex.type().equals("StubState")) {
+                stub(scope, vertex, owner);
+            }
+        }
+    }
+
+    private void submachine(ChartScope<Uml14Element> scope, Uml14Element state) {
+        for (Uml14Element machine : state.all("submachine", problems)) {
+            Optional<ChartScope<Uml14Element>> inner = scope.open(state.id(), machine);
+            inner.ifPresent(this::define);
+            if (inner.isEmpty()) {
+                problems.add(
+                        state.line(),
+                        "submachine state " + state.label() + " holds state machine " + machine.label()
+                                + ", which holds this state; end the cycle");
+            }
+        }
+    }
+
+    /** A stub state is another name of a state of the submachine. */
+    private void stub(ChartScope<Uml14Element> scope, Uml14Element stub, Uml14Element state) {
+        String path = stub.text("referenceState");
+        String name = path.substring(path.lastIndexOf(':') + 1);
+        List<String> keys = scope.submachine(state.id()).stream()
+                .flatMap(submachine -> named(submachine, tops(submachine.machine()), name).stream())
+                .toList();
+        if (keys.size() == 1) {
+            scope.alias(stub.id(), keys.get(0));
+        } else {
+            problems.add(
+                    stub.line(),
+                    "stub state " + stub.label() + " refers to " + Problems.quote(path) + ", which "
+                            + (keys.isEmpty() ? "no vertex" : "more than one vertex")
+                            + " of the submachine is called; name one");
+        }
+    }
+
+    private static List<String> named(ChartScope<Uml14Element> scope, List<Uml14Element> owners, String name) {
+        return owners.stream()
+                .flatMap(owner -> inside(owner).stream())
+                .flatMap(vertex -> Stream.concat(
+                        vertex.name().equals(name) ? scope.find(vertex.id()).stream() : Stream.of(),
+                        named(scope, List.of(vertex), name).stream()))
+                .toList();
+    }
+}

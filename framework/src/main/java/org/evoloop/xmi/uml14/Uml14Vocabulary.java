@@ -1,0 +1,94 @@
+package org.evoloop.xmi.uml14;
+
+import java.util.HashSet;
+import java.util.Map;
+import java.util.Set;
+import org.evoloop.xmi.dialect.Problems;
+import org.evoloop.xmi.dialect.XmlNode;
+
+/**
+ * What may stand in an element of a state machine: what is read, and what says nothing about behavior. Everything else
+ * is a problem, so that nothing is lost in silence.
+ */
+final class Uml14Vocabulary {
+    private static final Set<String> ANYWHERE = Set.of(
+            "name",
+            "visibility",
+            "isSpecification",
+            "isRoot",
+            "isLeaf",
+            "isAbstract",
+            "namespace",
+            "stereotype",
+            "comment",
+            "clientDependency",
+            "supplierDependency",
+            "id",
+            "uuid",
+            "label");
+
+    private static final Set<String> VERTEX = Set.of("container", "incoming", "outgoing", "stateMachine");
+
+    private static final Set<String> STATE = union(
+            VERTEX,
+            Set.of("entry", "exit", "doActivity", "internalTransition", "deferrableEvent", "isRegion", "isOrthogonal"));
+
+    private static final Set<String> COMPOSITE =
+            union(STATE, Set.of("subvertex", "substate", "isConcurrent", "isConcurent"));
+
+    private static final Map<String, Set<String>> BY_TYPE = Map.ofEntries(
+            Map.entry(
+                    "StateMachine",
+                    Set.of(
+                            "top",
+                            "transitions",
+                            "context",
+                            "submachineState",
+                            "subMachineState",
+                            "ownedElement",
+                            "behavior")),
+            Map.entry("SimpleState", STATE),
+            Map.entry("State", COMPOSITE),
+            Map.entry("CompositeState", COMPOSITE),
+            Map.entry("SubmachineState", union(COMPOSITE, Set.of("submachine"))),
+            Map.entry("FinalState", VERTEX),
+            Map.entry("Pseudostate", union(VERTEX, Set.of("kind"))),
+            Map.entry("PseudoState", union(VERTEX, Set.of("kind"))),
+            Map.entry("StubState", union(VERTEX, Set.of("referenceState"))),
+            Map.entry("Transition", Set.of("source", "target", "trigger", "guard", "effect", "stateMachine", "state")));
+
+    private Uml14Vocabulary() {}
+
+    private static Set<String> union(Set<String> one, Set<String> other) {
+        Set<String> both = new HashSet<>(one);
+        both.addAll(other);
+        return Set.copyOf(both);
+    }
+
+    /** Reports everything in the element that nobody reads. */
+    static void check(Uml14Element element, Problems problems) {
+        Set<String> known = BY_TYPE.getOrDefault(element.type(), Set.of());
+        for (String attribute : element.node().attributeNames()) {
+            // Those with a prefix are an extension of some tool.
+            String name = attribute.startsWith("xmi.") ? Uml14Element.lastPart(attribute) : attribute;
+            String value = element.node().attribute(attribute);
+            boolean saysNothing = value.isEmpty() || value.equals("false");
+            if (name.indexOf(':') < 0 && !isKnown(name, known) && !saysNothing) {
+                refuse(element, element.line(), "attribute " + name, problems);
+            }
+        }
+        for (XmlNode child : element.node().children()) {
+            if (!Uml14Element.isProperty(child) || !isKnown(Uml14Element.lastPart(child.name()), known)) {
+                refuse(element, child.line(), "element " + child.name(), problems);
+            }
+        }
+    }
+
+    private static boolean isKnown(String name, Set<String> known) {
+        return known.contains(name) || ANYWHERE.contains(name);
+    }
+
+    private static void refuse(Uml14Element element, int line, String what, Problems problems) {
+        problems.add(line, what + " of " + element.type() + " " + element.label() + " is not supported; remove it");
+    }
+}

@@ -1,0 +1,138 @@
+package org.evoloop.xmi.uml2;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.evoloop.xmi.dialect.XmiHead;
+import org.evoloop.xmi.dialect.XmiStream;
+import org.evoloop.xmi.dialect.XmlNode;
+
+/**
+ * What one file says of state machines: the machines, and by id all that a machine may refer to. Diagrams, profiles,
+ * the insides of activities and the rest of the model are not kept.
+ *
+ * <p>Threading: immutable once read.
+ */
+final class Uml2Document {
+    /** Kept with all that is in them. */
+    private static final Set<String> WHOLE = Set.of(
+            "StateMachine",
+            "ProtocolStateMachine",
+            "Constraint",
+            "Trigger",
+            "SignalTrigger",
+            "CallTrigger",
+            "TimeTrigger",
+            "ChangeTrigger",
+            "AnyTrigger",
+            "OpaqueBehavior",
+            "FunctionBehavior");
+
+    /** Kept by name, since they give theirs to events and effects. */
+    private static final Set<String> ALONE =
+            Set.of("Signal", "Operation", "Reception", "Activity", "Interaction", "Port", "Property");
+
+    /** What activities and interactions are made of; a behavior is called by its name, whatever is in it. */
+    private static final Set<String> INSIDE_BEHAVIORS = Set.of(
+            "node", "edge", "group", "structuredNode", "partition", "fragment", "lifeline", "message", "formalGate");
+
+    private final String file;
+    private final boolean starUml;
+    private final Map<String, XmlNode> byId = new HashMap<>();
+    private final Set<String> ambiguous = new HashSet<>();
+    private final List<Uml2Element> machines = new ArrayList<>();
+
+    private Uml2Document(XmiHead head, XmiStream stream) {
+        this.file = stream.file();
+        this.starUml = head.exporter().startsWith("StarUML");
+    }
+
+    /** @param stream as {@link XmiHead#read} leaves it */
+    static Uml2Document read(XmiHead head, XmiStream stream) {
+        Uml2Document document = new Uml2Document(head, stream);
+        boolean more = stream.isStartElement() || stream.nextElementWithin(0);
+        while (more) {
+            if (isExtension(stream)) {
+                stream.skipElement();
+            } else if (stream.attribute("idref").isEmpty()
+                    && stream.attribute("href").isEmpty()) {
+                document.element(stream);
+            }
+            more = stream.nextElementWithin(0);
+        }
+        return document;
+    }
+
+    private void element(XmiStream stream) {
+        String type = Uml2Element.type(
+                XmlNode.attribute(stream, "xmi:type"), String.valueOf(stream.getNamespaceURI()), stream.getLocalName());
+        if (WHOLE.contains(type) || type.endsWith("Event")) {
+            index(XmlNode.read(stream, Uml2Document::isUnwanted));
+        } else if (ALONE.contains(type)) {
+            remember(XmlNode.alone(stream));
+        }
+    }
+
+    private static boolean isExtension(XmiStream stream) {
+        return stream.getLocalName().toLowerCase(Locale.ROOT).endsWith("extension")
+                && XmlNode.isXmi(String.valueOf(stream.getNamespaceURI()));
+    }
+
+    private static boolean isUnwanted(XmiStream stream) {
+        return isExtension(stream) || INSIDE_BEHAVIORS.contains(stream.getLocalName());
+    }
+
+    private void index(XmlNode node) {
+        if (Uml2Element.isReference(node)) {
+            return;
+        }
+        remember(node);
+        Uml2Element element = new Uml2Element(node, this);
+        if (element.type().endsWith("StateMachine")) {
+            machines.add(element);
+        }
+        node.children().forEach(this::index);
+    }
+
+    private void remember(XmlNode node) {
+        String id = node.attribute("xmi:id");
+        if (id.isEmpty()) {
+            return;
+        }
+        XmlNode earlier = byId.putIfAbsent(id, node);
+        // StarUML writes the event of a trigger twice, with one id.
+        if (earlier != null
+                && !(earlier.attribute("xmi:type").equals(node.attribute("xmi:type"))
+                        && earlier.attribute("name").equals(node.attribute("name")))) {
+            ambiguous.add(id);
+        }
+    }
+
+    /** As messages call it. */
+    String file() {
+        return file;
+    }
+
+    /** Whether StarUML wrote it, which calls every event that has no other kind an {@code AnyReceiveEvent}. */
+    boolean starUml() {
+        return starUml;
+    }
+
+    List<Uml2Element> machines() {
+        return machines;
+    }
+
+    Optional<Uml2Element> find(String id) {
+        return Optional.ofNullable(byId.get(id)).map(node -> new Uml2Element(node, this));
+    }
+
+    /** Whether several different elements have this id. */
+    boolean isAmbiguous(String id) {
+        return ambiguous.contains(id);
+    }
+}

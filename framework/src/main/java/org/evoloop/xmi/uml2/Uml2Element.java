@@ -1,0 +1,76 @@
+package org.evoloop.xmi.uml2;
+
+import java.util.List;
+import java.util.Map;
+import org.evoloop.statechart.Place;
+import org.evoloop.xmi.dialect.Problems;
+import org.evoloop.xmi.dialect.XmlNode;
+
+/** An element of UML, in the document in which its references mean something. */
+record Uml2Element(XmlNode node, Uml2Document document) {
+    /** What a tool need not say, since only one type fits the role. */
+    private static final Map<String, String> TYPE_BY_ROLE = Map.of(
+            "region", "Region",
+            "transition", "Transition",
+            "trigger", "Trigger",
+            "deferrableTrigger", "Trigger",
+            "guard", "Constraint",
+            "ownedRule", "Constraint",
+            "when", "TimeExpression",
+            "connectionPoint", "Pseudostate",
+            "connection", "ConnectionPointReference");
+
+    String id() {
+        return node.attribute("xmi:id");
+    }
+
+    /** The type of UML without prefix, such as {@code State}; empty if the file gives none. */
+    String type() {
+        return type(node.attribute("xmi:type"), node.namespace(), node.name());
+    }
+
+    static String type(String attribute, String namespace, String name) {
+        if (!attribute.isEmpty()) {
+            return attribute.substring(attribute.lastIndexOf(':') + 1);
+        }
+        return Uml2Dialect.isUml(namespace) ? name : TYPE_BY_ROLE.getOrDefault(name, "");
+    }
+
+    /** With single spaces, since some tools break long names; empty if it has none. */
+    String name() {
+        String name = node.attribute("name");
+        if (name.isEmpty()) {
+            name = node.child("name").map(XmlNode::text).orElse("");
+        }
+        return name.strip().replaceAll("\\s+", " ");
+    }
+
+    String attribute(String name) {
+        return node.attribute(name);
+    }
+
+    /** Elements that stand in this one in a role; not those it refers to. */
+    List<Uml2Element> owned(String role) {
+        return node.children(role).stream()
+                .filter(child -> !isReference(child))
+                .map(child -> new Uml2Element(child, document))
+                .toList();
+    }
+
+    static boolean isReference(XmlNode node) {
+        return !node.attribute("xmi:idref").isEmpty() || !node.attribute("href").isEmpty();
+    }
+
+    int line() {
+        return node.line();
+    }
+
+    Place place() {
+        return new Place(id(), line());
+    }
+
+    /** For messages. */
+    String label() {
+        return Problems.label(name(), id());
+    }
+}

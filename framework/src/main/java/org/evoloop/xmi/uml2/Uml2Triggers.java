@@ -1,0 +1,117 @@
+package org.evoloop.xmi.uml2;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import org.evoloop.xmi.dialect.Problems;
+
+/** The names of the events that trigger something. */
+final class Uml2Triggers {
+    /** Words with which a text already says that it is a time or a change. */
+    private static final Pattern SAYS_SO = Pattern.compile("(?i)(after|at|tm|when)\\b.*", Pattern.DOTALL);
+
+    /** Names that say no more than that any event is meant. */
+    private static final Pattern ANY = Pattern.compile("(?i)(AnyReceiveEvent\\d*|all|any|\\*)?");
+
+    private final Uml2References references;
+    private final Uml2Texts texts;
+    private final Problems problems;
+
+    Uml2Triggers(Uml2References references, Uml2Texts texts, Problems problems) {
+        this.references = references;
+        this.texts = texts;
+        this.problems = problems;
+    }
+
+    /** Each event once, in the file's order. */
+    List<String> names(Uml2Element owner, String role) {
+        List<String> names = new ArrayList<>();
+        for (Uml2Element trigger : references.all(owner, role)) {
+            String name = name(trigger);
+            if (!name.isEmpty()) {
+                names.add(name);
+            } else {
+                problems.add(
+                        trigger.line(),
+                        "trigger " + trigger.label() + " of " + owner.type() + " " + owner.label()
+                                + " names no event; give it an event or a name");
+            }
+        }
+        return names.stream().distinct().toList();
+    }
+
+    private String name(Uml2Element trigger) {
+        if (!trigger.type().equals("Trigger")) {
+            // UML 2.0 had a kind of trigger for each kind of event; StarUML puts the event itself here.
+            return eventName(trigger, trigger);
+        }
+        Uml2Vocabulary.check(trigger, problems);
+        String name = references
+                .one(trigger, "event")
+                .map(event -> eventName(event, trigger))
+                .orElse(trigger.name());
+        String ports = references.all(trigger, "port").stream()
+                .map(port -> port.name().isEmpty() ? port.id() : port.name())
+                .collect(Collectors.joining(", "));
+        return ports.isEmpty() ? name : name + " from " + ports;
+    }
+
+    private String eventName(Uml2Element event, Uml2Element trigger) {
+        String own = event.name().isEmpty() ? trigger.name() : event.name();
+        return switch (event.type()) {
+            case "SignalEvent", "ReceiveSignalEvent", "SendSignalEvent", "SignalTrigger" -> named(event, "signal", own);
+            case "CallEvent", "ReceiveOperationEvent", "SendOperationEvent", "CallTrigger" ->
+                named(event, "operation", own);
+            case "TimeEvent", "TimeTrigger" -> time(event, own);
+            case "ChangeEvent", "ChangeTrigger" -> change(event, own);
+            case "AnyReceiveEvent", "AnyTrigger" -> any(event, trigger);
+            default -> own;
+        };
+    }
+
+    private String named(Uml2Element event, String role, String own) {
+        return references
+                .one(event, role)
+                .map(Uml2Element::name)
+                .filter(name -> !name.isEmpty())
+                .orElse(own);
+    }
+
+    private String time(Uml2Element event, String own) {
+        Optional<String> when = references
+                .one(event, "when")
+                .map(texts::expression)
+                .map(String::strip)
+                .filter(text -> !text.isEmpty());
+        if (when.isEmpty() || SAYS_SO.matcher(when.get()).matches()) {
+            return when.orElse(own);
+        }
+        return (event.attribute("isRelative").equals("true") ? "after " : "at ") + when.get();
+    }
+
+    private String change(Uml2Element event, String own) {
+        Optional<String> condition = references
+                .one(event, "changeExpression")
+                .map(texts::expression)
+                .map(String::strip)
+                .filter(text -> !text.isEmpty());
+        if (condition.isEmpty() || SAYS_SO.matcher(condition.get()).matches()) {
+            return condition.orElse(own);
+        }
+        return "when " + condition.get();
+    }
+
+    private String any(Uml2Element event, Uml2Element trigger) {
+        String name = ANY.matcher(event.name()).matches() ? trigger.name() : event.name();
+        if (event.document().starUml() || !ANY.matcher(name).matches()) {
+            return name;
+        }
+        problems.add(
+                trigger.line(),
+                "trigger " + trigger.label() + " receives any event, which is not supported; name the events");
+        // What is reported already needs some name.
+        return "any";
+    }
+}

@@ -1,0 +1,101 @@
+package org.evoloop.xmi.uml2;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import org.evoloop.statemachine.ModelException;
+import org.evoloop.xmi.dialect.ChartScope;
+import org.evoloop.xmi.dialect.Problems;
+
+/** Gives each vertex of a machine its key, and follows submachine states. */
+final class Uml2Vertices {
+    private static final Set<String> POINTS = Set.of("entryPoint", "exitPoint");
+
+    private final Uml2References references;
+    private final Problems problems;
+
+    Uml2Vertices(Uml2References references, Problems problems) {
+        this.references = references;
+        this.problems = problems;
+    }
+
+    /** Whether this is an entry or exit point, which belongs to its state or machine wherever a tool puts it. */
+    static boolean isPoint(Uml2Element vertex) {
+        return vertex.type().equals("Pseudostate") && POINTS.contains(vertex.attribute("kind"));
+    }
+
+    /** Entry and exit points of a state or machine. */
+    static List<Uml2Element> points(Uml2Element owner) {
+        List<Uml2Element> points = new ArrayList<>(owner.owned("connectionPoint"));
+        owner.owned("region")
+                .forEach(region -> region.owned("subvertex").stream()
+                        .filter(Uml2Vertices::isPoint)
+                        .forEach(points::add));
+        return points;
+    }
+
+    /** Makes all vertices of the scope's machine known. */
+    void define(ChartScope<Uml2Element> scope) {
+        content(scope, scope.machine(), "");
+    }
+
+    private void content(ChartScope<Uml2Element> scope, Uml2Element owner, String outerState) {
+        owner.owned("connectionPoint").forEach(point -> vertex(scope, point, outerState));
+        for (Uml2Element region : owner.owned("region")) {
+            for (Uml2Element vertex : region.owned("subvertex")) {
+                vertex(scope, vertex, outerState);
+                if (vertex.type().equals("State")) {
+                    content(scope, vertex, scope.key(vertex.id()));
+                    submachine(scope, vertex);
+                }
+            }
+        }
+    }
+
+    private void vertex(ChartScope<Uml2Element> scope, Uml2Element vertex, String outerState) {
+        String wrong = scope.define(vertex.id(), outerState);
+        if (!wrong.isEmpty()) {
+            problems.add(vertex.line(), vertex.type() + " " + vertex.label() + wrong);
+        }
+        if (!scope.fits()) {
+            throw new ModelException(scope.machine().document().file() + ": with its submachines, state machine "
+                    + scope.machine().label() + " (line " + scope.machine().line()
+                    + ") is too large: use fewer of them");
+        }
+    }
+
+    private void submachine(ChartScope<Uml2Element> scope, Uml2Element state) {
+        references.one(state, "submachine").ifPresent(machine -> {
+            Optional<ChartScope<Uml2Element>> inner = scope.open(state.id(), machine);
+            inner.ifPresent(this::define);
+            if (inner.isEmpty()) {
+                problems.add(
+                        state.line(),
+                        "submachine state " + state.label() + " holds state machine " + machine.label()
+                                + ", which holds this state; end the cycle");
+            }
+        });
+        state.owned("connection").forEach(connection -> connection(scope, state, connection));
+    }
+
+    /** A connection point reference is another name of a point of the submachine. */
+    private void connection(ChartScope<Uml2Element> scope, Uml2Element state, Uml2Element connection) {
+        Uml2Vocabulary.check(connection, problems);
+        List<Uml2Element> points = new ArrayList<>(references.all(connection, "entry"));
+        points.addAll(references.all(connection, "exit"));
+        Optional<String> key = points.size() == 1
+                ? scope.submachine(state.id())
+                        .flatMap(submachine -> submachine.find(points.get(0).id()))
+                : Optional.empty();
+        if (key.isPresent()) {
+            scope.alias(connection.id(), key.get());
+        } else {
+            problems.add(
+                    connection.line(),
+                    "connection point reference " + connection.label() + " of state " + state.label()
+                            + " does not refer to one entry or exit point of the state's submachine; "
+                            + "choose one in the submachine");
+        }
+    }
+}

@@ -1,0 +1,145 @@
+package org.evoloop.xmi.uml2;
+
+import java.util.HashSet;
+import java.util.Map;
+import java.util.Set;
+import java.util.stream.Stream;
+import org.evoloop.xmi.dialect.Problems;
+import org.evoloop.xmi.dialect.XmlNode;
+
+/**
+ * What may stand in an element of a state machine: what is read, and what says nothing about behavior. Everything else
+ * is a problem, so that nothing is lost in silence.
+ */
+final class Uml2Vocabulary {
+    /** Of every element; attributes with a prefix are an extension of some tool. */
+    private static final Set<String> ANYWHERE = Set.of(
+            "name",
+            "visibility",
+            "isLeaf",
+            "isAbstract",
+            "qualifiedName",
+            "namespace",
+            "owner",
+            "clientDependency",
+            "nameExpression",
+            "ownedComment",
+            "elementImport",
+            "packageImport",
+            "ownedRule",
+            "eAnnotations",
+            "Extension");
+
+    private static final Set<String> VERTEX = Set.of("incoming", "outgoing", "container", "stateMachine", "state");
+
+    /** A machine is a class, too: what it has as such is the code's matter. */
+    private static final Set<String> CLASS = Set.of(
+            "ownedAttribute",
+            "ownedOperation",
+            "ownedReception",
+            "ownedBehavior",
+            "nestedClassifier",
+            "ownedConnector",
+            "ownedPort",
+            "ownedParameter",
+            "ownedParameterSet",
+            "ownedTrigger",
+            "ownedUseCase",
+            "ownedMember",
+            "ownedDiagram",
+            "ownedElement",
+            "interfaceRealization",
+            "classifierBehavior",
+            "isReentrant",
+            "isActive",
+            "isFinalSpecialization",
+            "specification",
+            "context",
+            "submachineState",
+            "conformance",
+            "useCase");
+
+    private static final Map<String, Set<String>> BY_TYPE = Map.ofEntries(
+            Map.entry("StateMachine", union(CLASS, Set.of("region", "connectionPoint"))),
+            Map.entry("ProtocolStateMachine", union(CLASS, Set.of("region", "connectionPoint"))),
+            Map.entry("Region", Set.of("subvertex", "transition", "stateMachine", "state")),
+            Map.entry(
+                    "State",
+                    union(
+                            VERTEX,
+                            Set.of(
+                                    "region",
+                                    "entry",
+                                    "exit",
+                                    "doActivity",
+                                    "deferrableTrigger",
+                                    "connection",
+                                    "connectionPoint",
+                                    "submachine",
+                                    "isComposite",
+                                    "isOrthogonal",
+                                    "isSimple",
+                                    "isSubmachineState"))),
+            Map.entry(
+                    "FinalState",
+                    union(VERTEX, Set.of("isComposite", "isOrthogonal", "isSimple", "isSubmachineState"))),
+            Map.entry("Pseudostate", union(VERTEX, Set.of("kind"))),
+            Map.entry("ConnectionPointReference", union(VERTEX, Set.of("entry", "exit"))),
+            Map.entry("Transition", transition()),
+            Map.entry("ProtocolTransition", union(transition(), Set.of("preCondition", "referred"))),
+            Map.entry("Trigger", Set.of("event", "port")),
+            Map.entry("Constraint", Set.of("specification", "constrainedElement", "context")));
+
+    private Uml2Vocabulary() {}
+
+    private static Set<String> transition() {
+        return Set.of("source", "target", "kind", "trigger", "guard", "effect", "container", "ownedMember");
+    }
+
+    private static Set<String> union(Set<String> one, Set<String> other) {
+        Set<String> both = new HashSet<>(one);
+        both.addAll(other);
+        return Set.copyOf(both);
+    }
+
+    /** Reports everything in the element that nobody reads. */
+    static void check(Uml2Element element, Problems problems) {
+        String type = element.type().equals("ProtocolState") ? "State" : element.type();
+        Set<String> known = BY_TYPE.getOrDefault(type, Set.of());
+        for (String name : element.node().attributeNames()) {
+            if (name.indexOf(':') < 0 && !isKnown(name, known) && !saysNothing(element.attribute(name))) {
+                refuse(element, element.line(), "attribute " + name, problems);
+            }
+        }
+        for (XmlNode child : element.node().children()) {
+            if (!isKnown(child.name(), known)) {
+                refuse(element, child.line(), what(child), problems);
+            }
+        }
+    }
+
+    /** Tools write out defaults. */
+    private static boolean saysNothing(String value) {
+        return value.isEmpty() || value.equals("false");
+    }
+
+    private static boolean isKnown(String name, Set<String> known) {
+        return known.contains(name) || ANYWHERE.contains(name);
+    }
+
+    private static String what(XmlNode child) {
+        return Stream.of("element", child.name(), id(child))
+                .filter(word -> !word.isEmpty())
+                .reduce((left, right) -> left + " " + right)
+                .orElse("");
+    }
+
+    private static String id(XmlNode child) {
+        String id = child.attribute("xmi:id");
+        return id.isEmpty() ? "" : "(id " + Problems.quote(id) + ")";
+    }
+
+    private static void refuse(Uml2Element element, int line, String what, Problems problems) {
+        problems.add(line, what + " of " + element.type() + " " + element.label() + " is not supported; remove it");
+    }
+}

@@ -1,0 +1,90 @@
+package org.evoloop.xmi.uml2;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.evoloop.xmi.uml2.Uml2Text.machine;
+import static org.evoloop.xmi.uml2.Uml2Text.model;
+import static org.evoloop.xmi.uml2.Uml2Text.state;
+import static org.evoloop.xmi.uml2.Uml2Text.transition;
+
+import org.evoloop.statemachine.StateMachine;
+import org.evoloop.xmi.ChartText;
+import org.evoloop.xmi.XmiMachine;
+import org.junit.jupiter.api.Test;
+
+/** Kinds of model of which a well-known loader loses a part without a word. */
+class Uml2SilentLossTest {
+
+    @Test
+    void shouldKeepATransitionThatACallTriggers() {
+        String document = transition(
+                "",
+                "<trigger xmi:id='tr' event='e'/>",
+                "<packagedElement xmi:type='uml:Class' xmi:id='c'><ownedOperation xmi:id='op' name='clean'",
+                " xmi:type='uml:Operation'/></packagedElement>",
+                "<packagedElement xmi:type='uml:CallEvent' xmi:id='e' name='CallEvent1' operation='op'/>");
+
+        assertThat(ChartText.of(document)).contains("a -> b : clean");
+    }
+
+    @Test
+    void shouldKeepATransitionWhoseTriggerHasANameAlone() {
+        assertThat(ChartText.of(transition("", "<trigger xmi:id='tr' name='clean'/>")))
+                .contains("a -> b : clean");
+    }
+
+    @Test
+    void shouldKeepBothOfTwoGuardedTransitionsBetweenTheSameStates() {
+        String guarded = "<transition xmi:id='%s' source='a' target='b'><trigger xmi:id='t%s' name='e'/>"
+                + "<guard xmi:id='g%s'><specification xmi:type='uml:LiteralString' value='%s'/></guard></transition>";
+        String document = machine(state("a", "A")
+                + state("b", "B")
+                + guarded.formatted("1", "1", "1", "x")
+                + guarded.formatted("2", "2", "2", "y"));
+
+        assertThat(ChartText.of(document)).containsSubsequence("a -> b : e [x]", "a -> b : e [y]");
+    }
+
+    @Test
+    void shouldKeepStatesOfOneNameInTwoComposites() {
+        String composite = "<subvertex xmi:type='uml:State' xmi:id='%s' name='%s'><region xmi:id='r%s'>"
+                + "<subvertex xmi:type='uml:State' xmi:id='in%s' name='Waiting'/></region></subvertex>";
+        String document = machine(composite.formatted("a", "A", "a", "a") + composite.formatted("b", "B", "b", "b"));
+
+        assertThat(ChartText.of(document))
+                .containsExactly("state a A", "  state ina Waiting", "state b B", "  state inb Waiting");
+    }
+
+    @Test
+    void shouldKeepTwoStatesOfOneNameInOneRegion() {
+        assertThat(ChartText.of(machine(state("1", "Off") + state("2", "Off"))))
+                .containsExactly("state 1 Off", "state 2 Off");
+    }
+
+    @Test
+    void shouldKeepTwoMachinesApart() {
+        String one = "<packagedElement xmi:type='uml:StateMachine' xmi:id='%s' name='%s'><region xmi:id='r%s'>%s"
+                + "</region></packagedElement>";
+        String document = model(
+                one.formatted("m1", "Old", "1", state("a", "A")), one.formatted("m2", "New", "2", state("b", "B")));
+
+        assertThat(ChartText.machines(document)).extracting(XmiMachine::name).containsExactly("Old", "New");
+        assertThat(ChartText.of(ChartText.machines(document).get(1).statechart()))
+                .containsExactly("state b B");
+    }
+
+    @Test
+    void shouldNameTheStateThatHasNoName() {
+        assertThat(ChartText.refusal(machine(state("a", ""))))
+                .contains("line " + Uml2Text.FIRST_LINE + ": state without a name (id 'a'); give it one");
+    }
+
+    @Test
+    void shouldReadAMachineThroughToItsFlatForm() {
+        StateMachine machine = ChartText.machines(transition("", "<trigger xmi:id='tr' name='go'/>"))
+                .get(0)
+                .toStateMachine();
+
+        assertThat(machine.initial().name()).isEqualTo("A");
+        assertThat(machine.transitions()).hasSize(1);
+    }
+}
