@@ -7,10 +7,11 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
+import org.eclipse.elk.alg.layered.options.CycleBreakingStrategy;
 import org.eclipse.elk.alg.layered.options.LayerConstraint;
 import org.eclipse.elk.alg.layered.options.LayeredMetaDataProvider;
 import org.eclipse.elk.alg.layered.options.LayeredOptions;
-import org.eclipse.elk.alg.layered.options.OrderingStrategy;
+import org.eclipse.elk.alg.layered.options.NodePlacementStrategy;
 import org.eclipse.elk.core.RecursiveGraphLayoutEngine;
 import org.eclipse.elk.core.data.LayoutMetaDataService;
 import org.eclipse.elk.core.math.ElkPadding;
@@ -60,8 +61,13 @@ final class ElkLayout {
     static Layout of(Diagram diagram) {
         return Stream.of(Direction.RIGHT, Direction.DOWN)
                 .map(direction -> new ElkLayout(diagram, direction).arrange())
-                .min(Comparator.comparingDouble(layout -> Math.abs(Math.log(layout.aspect() / WISHED_ASPECT))))
+                .min(Comparator.comparingDouble(ElkLayout::badness))
                 .orElseThrow();
+    }
+
+    /** Small is good, and so is the shape of a page. */
+    private static double badness(Layout layout) {
+        return layout.width() * layout.height() * (1 + Math.abs(Math.log(layout.aspect() / WISHED_ASPECT)));
     }
 
     private Layout arrange() {
@@ -87,7 +93,8 @@ final class ElkLayout {
         graph.setProperty(CoreOptions.DIRECTION, direction);
         graph.setProperty(CoreOptions.EDGE_ROUTING, EdgeRouting.ORTHOGONAL);
         graph.setProperty(CoreOptions.RANDOM_SEED, 1);
-        graph.setProperty(LayeredOptions.CONSIDER_MODEL_ORDER_STRATEGY, OrderingStrategy.NODES_AND_EDGES);
+        graph.setProperty(LayeredOptions.CYCLE_BREAKING_STRATEGY, CycleBreakingStrategy.DEPTH_FIRST);
+        graph.setProperty(LayeredOptions.NODE_PLACEMENT_STRATEGY, NodePlacementStrategy.NETWORK_SIMPLEX);
         graph.setProperty(LayeredOptions.SPACING_NODE_NODE, 36.0);
         graph.setProperty(LayeredOptions.SPACING_NODE_NODE_BETWEEN_LAYERS, 40.0);
         graph.setProperty(LayeredOptions.SPACING_EDGE_NODE, 18.0);
