@@ -1,4 +1,4 @@
-package org.evoloop.xmi;
+package org.evoloop.xmi.astah;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

@@ -1,9 +1,10 @@
-package org.evoloop.xmi;
+package org.evoloop.xmi.astah;
 
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.function.LongFunction;
 import org.evoloop.statemachine.ModelException;
+import org.evoloop.xmi.XmiFile;
 
 /** A document of 1 GiB that is made while it is read: a beginning, and then one unit after the other. */
 final class Attack extends InputStream {
@@ -27,9 +28,10 @@ final class Attack extends InputStream {
 
     /** What the reader says to {@code beginning} and unit 0, 1, 2 and so on. */
     static String answer(String beginning, LongFunction<String> units) {
-        try (XmiStream stream = XmiStream.of("F.xml", new Attack(beginning, units))) {
-            XmiHead.read(stream);
-            return new AstahDialect().read(stream).size() + " machines";
+        try {
+            return XmiFile.read("F.xml", new Attack(beginning, units))
+                            .machines()
+                            .size() + " machines";
         } catch (ModelException refused) {
             return String.valueOf(refused.getMessage());
         }

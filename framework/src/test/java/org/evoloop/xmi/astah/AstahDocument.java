@@ -1,4 +1,4 @@
-package org.evoloop.xmi;
+package org.evoloop.xmi.astah;
 
 import java.net.URLEncoder;
 import java.nio.charset.StandardCharsets;
@@ -10,9 +10,9 @@ import java.util.List;
  *
  * <p>What is not flat goes in as text: {@link #vertex} and {@link #transition(String)}.
  */
-final class AstahDocument {
-    static final String UML = "xmlns:UML=\"org.omg.xmi.namespace.UML\"";
-    static final String HEAD = """
+public final class AstahDocument {
+    public static final String UML = "xmlns:UML=\"org.omg.xmi.namespace.UML\"";
+    public static final String HEAD = """
             <?xml version = "1.0" encoding = "UTF-8" standalone = "yes"?>
             <XMI xmi.version="1.1" xmlns:JUDE="http://objectclub.esm.co.jp/Jude/namespace/" %s>
             <XMI.header><XMI.documentation>
@@ -23,7 +23,7 @@ final class AstahDocument {
             <UML:Namespace.ownedElement>
             """.formatted(UML);
     /** The line of the first machine's start tag. */
-    static final int FIRST_LINE = 9;
+    public static final int FIRST_LINE = 9;
 
     private static final String STATE_ATTRIBUTES =
             " version=\"0\" unSolvedFlag=\"false\" isConcurrent=\"true\" isOrthogonal=\"false\" isRegion=\"true\"";
@@ -32,17 +32,17 @@ final class AstahDocument {
     private final StringBuilder diagrams = new StringBuilder();
 
     /** The whole document. */
-    String text() {
+    public String text() {
         return HEAD + machines + "</UML:Namespace.ownedElement>\n</UML:Model>\n<XMI.extension></XMI.extension>\n"
                 + "<XMI.extension>\n" + diagrams + "</XMI.extension>\n</XMI.content>\n</XMI>\n";
     }
 
-    AstahDocument add(Machine machine) {
+    public AstahDocument add(Machine machine) {
         machines.append(machine.text());
         return this;
     }
 
-    AstahDocument diagram(String rawName, String machineId) {
+    public AstahDocument diagram(String rawName, String machineId) {
         diagrams.append("<JUDE:StateChartDiagram xmi.id=\"d-").append(machineId).append("\" name=\"");
         diagrams.append(escape(rawName))
                 .append("\"><JUDE:StateChartDiagram.semanticModel><UML:StateMachine xmi.idref=\"");
@@ -50,11 +50,11 @@ final class AstahDocument {
         return this;
     }
 
-    static String encode(String name) {
+    public static String encode(String name) {
         return URLEncoder.encode(name, StandardCharsets.UTF_8);
     }
 
-    static String escape(String text) {
+    public static String escape(String text) {
         return text.replace("&", "&amp;")
                 .replace("<", "&lt;")
                 .replace("\"", "&quot;")
@@ -62,7 +62,7 @@ final class AstahDocument {
     }
 
     /** Off --Clean--> On, a correct machine to which a test adds its trouble. */
-    static Machine offOn(String id) {
+    public static Machine offOn(String id) {
         return new Machine(id, "StateMachine0")
                 .initial("i", "off")
                 .state("off", "Off")
@@ -70,58 +70,58 @@ final class AstahDocument {
                 .transition("t", "off", "Clean", "on");
     }
 
-    static final class Machine {
+    public static final class Machine {
         private final String id;
         private final String name;
         private final List<String> vertices = new ArrayList<>();
         private final List<String> transitions = new ArrayList<>();
 
-        Machine(String id, String name) {
+        public Machine(String id, String name) {
             this.id = id;
             this.name = name;
         }
 
-        Machine initial(String vertexId, String target) {
+        public Machine initial(String vertexId, String target) {
             vertex("<UML:Pseudostate xmi.id=\"" + vertexId
                     + "\" name=\"InitialPseudostate0\" kind=\"initial\"></UML:Pseudostate>");
             return transition("<UML:Transition xmi.id=\"" + vertexId + "-t\" name=\"\">" + ends(vertexId, target)
                     + "</UML:Transition>");
         }
 
-        Machine state(String vertexId, String stateName) {
+        public Machine state(String vertexId, String stateName) {
             return vertex("<UML:CompositeState xmi.id=\"" + vertexId + "\" name=\"" + encode(stateName) + "\""
                     + STATE_ATTRIBUTES + "><UML:StateVertex.container><UML:CompositeState xmi.idref=\"top-" + id
                     + "\"/></UML:StateVertex.container></UML:CompositeState>");
         }
 
-        Machine transition(String transitionId, String source, String event, String target) {
+        public Machine transition(String transitionId, String source, String event, String target) {
             return transition("<UML:Transition xmi.id=\"" + transitionId + "\" name=\"" + encode(event)
                     + "\" version=\"0\" unSolvedFlag=\"false\">" + trigger(transitionId + "-e", event)
                     + ends(source, target) + "<UML:Transition.stateMachine><UML:StateMachine xmi.idref=\"" + id
                     + "\"/></UML:Transition.stateMachine></UML:Transition>");
         }
 
-        Machine vertex(String xml) {
+        public Machine vertex(String xml) {
             vertices.add(xml);
             return this;
         }
 
-        Machine transition(String xml) {
+        public Machine transition(String xml) {
             transitions.add(xml);
             return this;
         }
 
         /** The line of the last vertex in a document that holds this machine alone. */
-        int lineOfLastVertex() {
+        public int lineOfLastVertex() {
             return FIRST_LINE + 2 + vertices.size();
         }
 
         /** The line of the last transition in a document that holds this machine alone. */
-        int lineOfLastTransition() {
+        public int lineOfLastTransition() {
             return FIRST_LINE + 5 + vertices.size() + transitions.size();
         }
 
-        String text() {
+        public String text() {
             return "<UML:StateMachine xmi.id=\"" + id + "\" name=\"" + encode(name) + "\" version=\"0\">\n"
                     + "<UML:StateMachine.top><UML:CompositeState xmi.id=\"top-" + id + "\" name=\"\"" + STATE_ATTRIBUTES
                     + ">\n<UML:CompositeState.subvertex>\n" + lines(vertices)
@@ -136,12 +136,12 @@ final class AstahDocument {
         }
     }
 
-    static String trigger(String eventId, String event) {
+    public static String trigger(String eventId, String event) {
         return "<UML:Transition.trigger><UML:Event xmi.id=\"" + eventId + "\" name=\"" + encode(event)
                 + "\"></UML:Event></UML:Transition.trigger>";
     }
 
-    static String ends(String source, String target) {
+    public static String ends(String source, String target) {
         return "<UML:Transition.source><UML:StateVertex xmi.idref=\"" + source + "\"/></UML:Transition.source>"
                 + "<UML:Transition.target><UML:StateVertex xmi.idref=\"" + target + "\"/></UML:Transition.target>";
     }

@@ -1,4 +1,4 @@
-package org.evoloop.xmi;
+package org.evoloop.xmi.dialect;
 
 import java.io.IOException;
 import java.io.InputStream;

@@ -1,8 +1,9 @@
-package org.evoloop.xmi;
+package org.evoloop.xmi.astah;
 
 import java.io.ByteArrayInputStream;
 import java.nio.charset.StandardCharsets;
 import org.evoloop.statemachine.StateMachine;
+import org.evoloop.xmi.XmiFile;
 
 /** A ring of states, each with ten transitions. */
 final class LargeMachine {
@@ -22,9 +23,6 @@ final class LargeMachine {
             }
         }
         byte[] document = new AstahDocument().add(machine).text().getBytes(StandardCharsets.UTF_8);
-        try (XmiStream stream = XmiStream.of("F.xml", new ByteArrayInputStream(document))) {
-            XmiHead.read(stream);
-            return new AstahDialect().read(stream).get(0).toStateMachine();
-        }
+        return XmiFile.read("F.xml", new ByteArrayInputStream(document)).only();
     }
 }

@@ -1,16 +1,18 @@
-package org.evoloop.xmi;
+package org.evoloop.xmi.astah;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
-import static org.evoloop.xmi.AstahDocument.ends;
-import static org.evoloop.xmi.AstahDocument.offOn;
-import static org.evoloop.xmi.AstahDocument.trigger;
+import static org.evoloop.xmi.astah.AstahDocument.ends;
+import static org.evoloop.xmi.astah.AstahDocument.offOn;
+import static org.evoloop.xmi.astah.AstahDocument.trigger;
 
 import java.io.ByteArrayInputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import org.evoloop.statemachine.ModelException;
-import org.evoloop.xmi.AstahDocument.Machine;
+import org.evoloop.xmi.XmiFile;
+import org.evoloop.xmi.XmiMachine;
+import org.evoloop.xmi.astah.AstahDocument.Machine;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -311,10 +313,7 @@ class AstahRefusalTest {
     }
 
     private static List<XmiMachine> machines(String document) {
-        try (XmiStream stream =
-                XmiStream.of("F.xml", new ByteArrayInputStream(document.getBytes(StandardCharsets.UTF_8)))) {
-            XmiHead.read(stream);
-            return new AstahDialect().read(stream);
-        }
+        return XmiFile.read("F.xml", new ByteArrayInputStream(document.getBytes(StandardCharsets.UTF_8)))
+                .machines();
     }
 }

@@ -1,14 +1,18 @@
-package org.evoloop.xmi;
+package org.evoloop.xmi.astah;
 
 import jakarta.xml.bind.JAXBContext;
 import jakarta.xml.bind.JAXBException;
 import jakarta.xml.bind.Unmarshaller;
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import javax.xml.XMLConstants;
 import javax.xml.stream.util.StreamReaderDelegate;
+import org.evoloop.xmi.dialect.Problems;
+import org.evoloop.xmi.dialect.XmiStream;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -29,6 +33,7 @@ final class AstahUnmarshaller extends StreamReaderDelegate {
     private final Map<String, Integer> linesById = new HashMap<>();
     private final Map<String, Reference> references = new HashMap<>();
     private final Set<String> refusedIds = new HashSet<>();
+    private final List<AstahXml.Event> events = new ArrayList<>();
     private AstahXml.@Nullable Element open;
     private boolean bound = true;
 
@@ -57,8 +62,9 @@ final class AstahUnmarshaller extends StreamReaderDelegate {
      *
      * @param problems what the bindings do not name, and ids that are used twice or not at all
      * @param definedIds the ids of the other elements
+     * @param events the triggers, in the order of the file
      */
-    record Result(AstahXml.Machine machine, Problems problems, Set<String> definedIds) {}
+    record Result(AstahXml.Machine machine, Problems problems, Set<String> definedIds, List<AstahXml.Event> events) {}
 
     /** Reads the machine whose start tag is the current event; leaves the stream at the event after its end tag. */
     static Result unmarshal(XmiStream stream) {
@@ -70,7 +76,7 @@ final class AstahUnmarshaller extends StreamReaderDelegate {
             AstahXml.Machine machine =
                     unmarshaller.unmarshal(reader, AstahXml.Machine.class).getValue();
             reader.findDanglingReferences();
-            return new Result(machine, reader.problems, reader.linesById.keySet());
+            return new Result(machine, reader.problems, reader.linesById.keySet(), reader.events);
         } catch (JAXBException broken) {
             throw stream.refuse("holds a state machine that JAXB cannot read, " + broken.getMessage(), "remove it");
         }
@@ -91,6 +97,9 @@ final class AstahUnmarshaller extends StreamReaderDelegate {
         public void afterUnmarshal(Object target, @Nullable Object parent) {
             AstahXml.Element element = (AstahXml.Element) target;
             open = element.parent;
+            if (element instanceof AstahXml.Event event) {
+                events.add(event);
+            }
             if (element.otherAttributes != null) {
                 element.otherAttributes.forEach((name, value) ->
                         problems.add(element.line, "unknown attribute " + name + of(element) + "; remove it"));
@@ -159,10 +168,10 @@ final class AstahUnmarshaller extends StreamReaderDelegate {
 
     private void refuseStartTag(AstahConstruct construct) {
         String id = addRefusedId();
-        String name = AstahXml.decode(stream.attribute("name"));
+        String name = AstahNames.decode(stream.attribute("name"));
         problems.add(
                 stream.line(),
-                construct.words() + " " + AstahXml.label(name, id) + owner() + " is not supported; "
+                construct.words() + " " + Problems.label(name, id) + owner() + " is not supported; "
                         + construct.mend());
     }
 
@@ -188,9 +197,10 @@ final class AstahUnmarshaller extends StreamReaderDelegate {
             }
         }
         String idref = stream.attribute("xmi.idref");
-        // An event may stand outside the machine.
+        // An event may stand outside the machine; so does a submachine.
         if (!idref.isEmpty()
                 && !stream.at(AstahXml.UML, "Event")
+                && !(open instanceof AstahXml.Submachine)
                 && references.putIfAbsent(idref, new Reference(stream.line(), open)) == null) {
             stream.keep(idref.length());
         }

@@ -1,4 +1,4 @@
-package org.evoloop.xmi;
+package org.evoloop.xmi.dialect;
 
 import java.io.BufferedInputStream;
 import java.io.IOException;
@@ -26,7 +26,7 @@ import org.jspecify.annotations.Nullable;
  * The parser of one file: namespace-aware, without DTDs and entities, and bounded in every way in which a file can make
  * a parser or its caller use memory. Each refusal is a {@link ModelException} that names the file and the line.
  */
-final class XmiStream extends StreamReaderDelegate implements AutoCloseable {
+public final class XmiStream extends StreamReaderDelegate implements AutoCloseable {
     /** Astah nests two levels a package and two a composite state. */
     private static final int MAX_DEPTH = 500;
 
@@ -37,7 +37,7 @@ final class XmiStream extends StreamReaderDelegate implements AutoCloseable {
     /** What an element costs besides its texts, about. */
     private static final int BYTES_PER_ELEMENT = 140;
 
-    static final String EXPORT_AGAIN = "export it again with " + AstahDialect.MENU;
+    static final String EXPORT_AGAIN = "export it again from the tool that wrote it";
 
     private final String file;
     private final BoundedInput input;
@@ -50,8 +50,12 @@ final class XmiStream extends StreamReaderDelegate implements AutoCloseable {
         this.input = new BoundedInput(bytes, this::refuse);
     }
 
-    /** @throws ModelException if the file cannot be opened or does not begin like XML */
-    static XmiStream open(Path file) {
+    /**
+     * Opens a file.
+     *
+     * @throws ModelException if it cannot be opened or does not begin like XML
+     */
+    public static XmiStream open(Path file) {
         if (Files.isDirectory(file)) {
             throw new ModelException(file + ": is a directory; name a file in it");
         }
@@ -67,7 +71,7 @@ final class XmiStream extends StreamReaderDelegate implements AutoCloseable {
     }
 
     /** Takes over {@code bytes} and closes them. */
-    static XmiStream of(String file, InputStream bytes) {
+    public static XmiStream of(String file, InputStream bytes) {
         XmiStream stream = new XmiStream(file, new BufferedInputStream(bytes));
         try {
             Charset encoding = stream.encoding();
@@ -105,7 +109,7 @@ final class XmiStream extends StreamReaderDelegate implements AutoCloseable {
         if (head[0] == 'P' && head.length > 1 && head[1] == 'K') {
             throw refuse(
                     "is a zip archive, such as an Astah project (.asta), not XML",
-                    "open it in Astah and use " + AstahDialect.MENU);
+                    "open it in Astah and use Tools > XML Input & Output > Save as XML Project");
         }
         if (head[0] == 0x1F) {
             throw refuse("is compressed by gzip", "unpack it with gunzip");
@@ -119,22 +123,22 @@ final class XmiStream extends StreamReaderDelegate implements AutoCloseable {
     }
 
     /** The file, as messages call it. */
-    String file() {
+    public String file() {
         return file;
     }
 
     /** The number of open elements, the current one included. */
-    int depth() {
+    public int depth() {
         return depth;
     }
 
     /** The current line, counted from 1. */
-    int line() {
+    public int line() {
         return getLocation().getLineNumber();
     }
 
     /** Goes to the next start tag; false at the end of the element that is open at {@code outerDepth}. */
-    boolean nextElementWithin(int outerDepth) {
+    public boolean nextElementWithin(int outerDepth) {
         while (true) {
             int event = next();
             if (event == XMLStreamConstants.START_ELEMENT) {
@@ -148,7 +152,7 @@ final class XmiStream extends StreamReaderDelegate implements AutoCloseable {
     }
 
     /** Goes to the end tag of the element whose start tag is the current event. */
-    void skipElement() {
+    public void skipElement() {
         int outerDepth = depth;
         while (nextElementWithin(outerDepth)) {
             // Nothing in it is wanted.
@@ -156,13 +160,13 @@ final class XmiStream extends StreamReaderDelegate implements AutoCloseable {
     }
 
     /** Whether the current event is a tag of this name. */
-    boolean at(String namespace, String localName) {
+    public boolean at(String namespace, String localName) {
         String actual = getNamespaceURI();
         return getLocalName().equals(localName) && (actual == null ? "" : actual).equals(namespace);
     }
 
     /** The attribute of this local name, empty if there is none. */
-    String attribute(String localName) {
+    public String attribute(String localName) {
         String value = getAttributeValue(null, localName);
         return value == null ? "" : value;
     }
@@ -172,7 +176,7 @@ final class XmiStream extends StreamReaderDelegate implements AutoCloseable {
      *
      * @throws ModelException if the file asks for too many
      */
-    void keep(int characters) {
+    public void keep(int characters) {
         keptBytes += BYTES_PER_ELEMENT + characters;
         if (keptBytes > MAX_KEPT_BYTES) {
             throw refuse("its state machines are too large", "split them into several files");
@@ -232,7 +236,7 @@ final class XmiStream extends StreamReaderDelegate implements AutoCloseable {
     }
 
     /** {@code FILE: what (line N): mend}. */
-    ModelException refuse(String what, String mend) {
+    public ModelException refuse(String what, String mend) {
         return new ModelException(message(what, getParent() == null ? 0 : line(), mend));
     }
 

@@ -1,4 +1,4 @@
-package org.evoloop.xmi;
+package org.evoloop.xmi.astah;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.quicktheories.QuickTheory.qt;
@@ -14,6 +14,8 @@ import java.util.Random;
 import java.util.Set;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.StateMachineBuilder;
+import org.evoloop.xmi.XmiFile;
+import org.evoloop.xmi.XmiMachine;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -41,7 +43,7 @@ class AstahNamesTest {
                 "%0A,''",
             })
     void shouldDecodeANameAsAstahWroteIt(String written, String drawn) {
-        assertThat(AstahXml.decode(written)).isEqualTo(drawn);
+        assertThat(AstahNames.decode(written)).isEqualTo(drawn);
     }
 
     @Test
@@ -132,10 +134,7 @@ class AstahNamesTest {
     }
 
     private static List<XmiMachine> read(String document) {
-        try (XmiStream stream =
-                XmiStream.of("F.xml", new ByteArrayInputStream(document.getBytes(StandardCharsets.UTF_8)))) {
-            XmiHead.read(stream);
-            return new AstahDialect().read(stream);
-        }
+        return XmiFile.read("F.xml", new ByteArrayInputStream(document.getBytes(StandardCharsets.UTF_8)))
+                .machines();
     }
 }

@@ -1,4 +1,4 @@
-package org.evoloop.xmi;
+package org.evoloop.xmi.astah;
 
 import jakarta.xml.bind.annotation.XmlAccessType;
 import jakarta.xml.bind.annotation.XmlAccessorType;
@@ -9,18 +9,15 @@ import jakarta.xml.bind.annotation.XmlElements;
 import jakarta.xml.bind.annotation.XmlTransient;
 import jakarta.xml.bind.annotation.adapters.XmlAdapter;
 import jakarta.xml.bind.annotation.adapters.XmlJavaTypeAdapter;
-import java.net.URLDecoder;
-import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.regex.Pattern;
-import java.util.stream.Collectors;
 import javax.xml.namespace.QName;
+import org.evoloop.xmi.dialect.Problems;
 import org.jspecify.annotations.Nullable;
 
 /**
- * JAXB bindings of the flat part of a state machine in Astah's XMI 1.1: UML 1.4, where an element such as {@code State}
+ * JAXB bindings of a state machine in Astah's XMI 1.1: UML 1.4, where an element such as {@code State}
  * holds role elements such as {@code StateVertex.outgoing}, which hold elements again.
  *
  * <p>Only what can be used is bound; {@link AstahUnmarshaller} finds the rest. Roles are lists even where UML allows one,
@@ -29,39 +26,11 @@ import org.jspecify.annotations.Nullable;
 final class AstahXml {
     static final String UML = "org.omg.xmi.namespace.UML";
 
-    private static final Pattern CONTROL_CHARACTERS = Pattern.compile("[\\p{Cc}\\u2028\\u2029]+");
-
     private AstahXml() {}
 
     /** A list that mostly holds one element or none. */
     private static <T> List<T> few() {
         return new ArrayList<>(0);
-    }
-
-    /**
-     * The name as it was drawn: Astah writes the names of UML elements, not of diagrams, through {@code URLEncoder}. What
-     * cannot be decoded was written by hand and stays.
-     */
-    static String decode(String written) {
-        try {
-            return tidy(URLDecoder.decode(written, StandardCharsets.UTF_8));
-        } catch (IllegalArgumentException writtenByHand) {
-            return tidy(written);
-        }
-    }
-
-    /** One line without blanks around it: a line break, with the blanks around it, becomes one space. */
-    static String tidy(String name) {
-        return CONTROL_CHARACTERS
-                .splitAsStream(name)
-                .map(String::strip)
-                .filter(line -> !line.isEmpty())
-                .collect(Collectors.joining(" "));
-    }
-
-    /** For messages: name and id. */
-    static String label(String name, String id) {
-        return Problems.quote(name) + " (id " + Problems.quote(id) + ")";
     }
 
     /** Accepts an attribute whatever it says, and lets go of the text. */
@@ -124,12 +93,12 @@ final class AstahXml {
 
         /** Decoded, empty if there is none. */
         String name() {
-            return writtenName == null ? "" : decode(writtenName);
+            return writtenName == null ? "" : AstahNames.decode(writtenName);
         }
 
         /** For messages: name and id. */
         String label() {
-            return AstahXml.label(name(), id());
+            return Problems.label(name(), id());
         }
 
         /** How the author calls such an element; empty if its like is not seen in a diagram. */
@@ -145,6 +114,17 @@ final class AstahXml {
 
         @XmlElement(name = "StateMachine.transitions")
         List<Transitions> transitions = few();
+
+        @Override
+        String word() {
+            return "state machine";
+        }
+
+        List<Transition> allTransitions() {
+            return transitions.stream()
+                    .flatMap(role -> role.transitions.stream())
+                    .toList();
+        }
     }
 
     /** {@code UML:StateMachine.top}: one nameless state that holds the others. */
@@ -156,7 +136,7 @@ final class AstahXml {
         List<State> states = few();
     }
 
-    /** {@code UML:StateMachine.transitions}. */
+    /** {@code UML:StateMachine.transitions} or {@code UML:State.internalTransition}. */
     static final class Transitions extends Element {
         @XmlElement(name = "Transition")
         List<Transition> transitions = few();
@@ -166,7 +146,7 @@ final class AstahXml {
     abstract static class Vertex extends Element {}
 
     /** {@code UML:CompositeState}, which Astah writes for every state, or {@code UML:SimpleState}. */
-    static final class State extends Vertex {
+    static class State extends Vertex {
         // Always true in Astah's files, whatever was drawn.
         @XmlAttribute
         @XmlJavaTypeAdapter(WithoutMeaning.class)
@@ -181,6 +161,21 @@ final class AstahXml {
         @XmlAttribute
         @Nullable
         String isOrthogonal;
+
+        @XmlElement(name = "State.entry")
+        List<Actions> entries = few();
+
+        @XmlElement(name = "State.exit")
+        List<Actions> exits = few();
+
+        @XmlElement(name = "State.doActivity")
+        List<Actions> doActivities = few();
+
+        @XmlElement(name = "State.internalTransition")
+        List<Transitions> internals = few();
+
+        @XmlElement(name = "State.deferrableEvent")
+        List<Events> deferrable = few();
 
         @XmlElement(name = "CompositeState.subvertex")
         List<Subvertices> subvertices = few();
@@ -197,6 +192,55 @@ final class AstahXml {
         List<Vertex> substates() {
             return subvertices.stream().flatMap(role -> role.vertices.stream()).toList();
         }
+
+        List<Transition> internalTransitions() {
+            return internals.stream().flatMap(role -> role.transitions.stream()).toList();
+        }
+    }
+
+    /** {@code UML:SubmachineState}. */
+    static final class SubmachineState extends State {
+        @XmlElement(name = "SubmachineState.submachine")
+        List<Submachine> submachines = few();
+
+        @Override
+        String word() {
+            return "submachine state";
+        }
+    }
+
+    /** {@code UML:SubmachineState.submachine}. */
+    static final class Submachine extends Element {
+        @XmlElement(name = "StateMachine")
+        List<MachineReference> machines = few();
+    }
+
+    /** {@code UML:StateMachine} with an {@code xmi.idref}. */
+    static final class MachineReference extends Element {}
+
+    /** {@code UML:StubState}: stands in a submachine state for a state of the submachine that has the same name. */
+    static final class StubState extends Vertex {
+        @XmlAttribute
+        @Nullable
+        String referenceState;
+
+        @Override
+        String word() {
+            return "stub state";
+        }
+
+        /** The name of the state that it stands for. */
+        String reference() {
+            return referenceState == null || referenceState.isBlank() ? name() : AstahNames.decode(referenceState);
+        }
+    }
+
+    /** {@code UML:FinalState}. */
+    static final class FinalState extends Vertex {
+        @Override
+        String word() {
+            return "final state";
+        }
     }
 
     /** {@code UML:CompositeState.subvertex}. */
@@ -204,6 +248,9 @@ final class AstahXml {
         @XmlElements({
             @XmlElement(name = "CompositeState", type = State.class),
             @XmlElement(name = "SimpleState", type = State.class),
+            @XmlElement(name = "SubmachineState", type = SubmachineState.class),
+            @XmlElement(name = "StubState", type = StubState.class),
+            @XmlElement(name = "FinalState", type = FinalState.class),
             @XmlElement(name = "Pseudostate", type = Pseudostate.class)
         })
         List<Vertex> vertices = few();
@@ -219,16 +266,18 @@ final class AstahXml {
         String word() {
             return "pseudostate";
         }
-
-        boolean initial() {
-            return "initial".equals(kind);
-        }
     }
 
     /** {@code UML:Transition}; its name is its whole label, built by Astah from trigger, guard and effect. */
     static final class Transition extends Element {
         @XmlElement(name = "Transition.trigger")
-        List<Trigger> triggers = few();
+        List<Events> triggers = few();
+
+        @XmlElement(name = "Transition.guard")
+        List<Guards> guards = few();
+
+        @XmlElement(name = "Transition.effect")
+        List<Actions> effects = few();
 
         @XmlElement(name = "Transition.source")
         List<End> sources = few();
@@ -240,20 +289,45 @@ final class AstahXml {
         String word() {
             return "transition";
         }
-
-        List<Event> events() {
-            return triggers.stream().flatMap(role -> role.events.stream()).toList();
-        }
     }
 
-    /** {@code UML:Transition.trigger}. */
-    static final class Trigger extends Element {
+    /** {@code UML:Transition.trigger} or {@code UML:State.deferrableEvent}. */
+    static final class Events extends Element {
         @XmlElement(name = "Event")
         List<Event> events = few();
     }
 
     /** {@code UML:Event}: a definition of its own for each transition, or a reference. */
     static final class Event extends Element {}
+
+    /** {@code UML:Transition.guard}. */
+    static final class Guards extends Element {
+        @XmlElement(name = "Guard")
+        List<Guard> guards = few();
+    }
+
+    /** {@code UML:Guard}: its name is the condition. */
+    static final class Guard extends Element {}
+
+    /** {@code UML:State.entry}, {@code .exit}, {@code .doActivity} or {@code UML:Transition.effect}. */
+    static final class Actions extends Element {
+        @XmlElement(name = "Action")
+        List<Action> actions = few();
+    }
+
+    /** {@code UML:Action}: its name is what is done. */
+    static final class Action extends Element {
+        // Always the same in Astah's files.
+        @XmlAttribute
+        @XmlJavaTypeAdapter(WithoutMeaning.class)
+        @Nullable
+        String isAsynchronous;
+
+        @XmlAttribute
+        @XmlJavaTypeAdapter(WithoutMeaning.class)
+        @Nullable
+        String actionType;
+    }
 
     /** {@code UML:Transition.source} or {@code .target}. */
     static final class End extends Element {

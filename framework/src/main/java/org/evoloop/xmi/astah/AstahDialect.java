@@ -1,19 +1,18 @@
-package org.evoloop.xmi;
+package org.evoloop.xmi.astah;
 
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
-import org.evoloop.xmi.AstahXml.Event;
-import org.evoloop.xmi.AstahXml.Transition;
-import org.evoloop.xmi.AstahXml.Transitions;
+import org.evoloop.xmi.dialect.DrawnMachine;
+import org.evoloop.xmi.dialect.XmiDialect;
+import org.evoloop.xmi.dialect.XmiHead;
+import org.evoloop.xmi.dialect.XmiStream;
 
 /**
  * XMI 1.1 of a UML 1.4 model as Astah (formerly JUDE) writes it. Machines stand anywhere in the model; the names of
  * their diagrams follow behind it, in an extension of Astah's own, of which nothing else is needed.
  */
-final class AstahDialect implements XmiDialect {
-    static final String MENU = "Tools > XML Input & Output > Save as XML Project";
+public final class AstahDialect implements XmiDialect {
+    private static final String MENU = "Tools > XML Input & Output > Save as XML Project";
 
     /** What the books about one machine cost besides its elements, about. */
     private static final int BYTES_PER_MACHINE = 500;
@@ -35,21 +34,20 @@ final class AstahDialect implements XmiDialect {
     }
 
     @Override
-    public List<XmiMachine> read(XmiStream stream) {
+    public List<DrawnMachine> read(XmiHead head, XmiStream stream) {
         return new Reading(stream).machines();
     }
 
     private static final class Reading {
         private final XmiStream stream;
-        private final List<XmiMachine> machines = new ArrayList<>();
-        private final Map<String, String> diagramNames = new HashMap<>();
-        private final Map<String, String> eventNames = new HashMap<>();
+        private final List<DrawnMachine> machines = new ArrayList<>();
+        private final AstahFile file = new AstahFile();
 
         Reading(XmiStream stream) {
             this.stream = stream;
         }
 
-        List<XmiMachine> machines() {
+        List<DrawnMachine> machines() {
             boolean more = stream.isStartElement() || stream.nextElementWithin(0);
             while (more) {
                 if (atDefinition("StateMachine")) {
@@ -63,7 +61,7 @@ final class AstahDialect implements XmiDialect {
                 } else if (stream.at(JUDE, "StateChartDiagram")) {
                     diagram();
                 } else if (atDefinition("Event")) {
-                    event(stream.attribute("xmi.id"), AstahXml.decode(stream.attribute("name")));
+                    event(stream.attribute("xmi.id"), AstahNames.decode(stream.attribute("name")));
                 }
                 more = stream.nextElementWithin(0);
             }
@@ -79,25 +77,20 @@ final class AstahDialect implements XmiDialect {
         private void machine() {
             stream.keep(BYTES_PER_MACHINE);
             AstahUnmarshaller.Result result = AstahUnmarshaller.unmarshal(stream);
-            for (Transitions role : result.machine().transitions) {
-                for (Transition transition : role.transitions) {
-                    for (Event event : transition.events()) {
-                        event(event.id(), event.name());
-                    }
-                }
-            }
-            machines.add(new AstahMachine(stream.file(), result, diagramNames, eventNames));
+            result.events().forEach(event -> event(event.id(), event.name()));
+            file.machines().putIfAbsent(result.machine().id(), result);
+            machines.add(new AstahMachine(result, file));
         }
 
         private void event(String id, String name) {
             if (!id.isEmpty()) {
                 stream.keep(id.length() + name.length());
-                eventNames.put(id, name);
+                file.eventNames().put(id, name);
             }
         }
 
         private void diagram() {
-            String name = AstahXml.tidy(stream.attribute("name"));
+            String name = AstahNames.tidy(stream.attribute("name"));
             int depth = stream.depth();
             boolean inModelRole = false;
             while (stream.nextElementWithin(depth)) {
@@ -106,7 +99,7 @@ final class AstahDialect implements XmiDialect {
                 } else if (inModelRole && stream.at(AstahXml.UML, "StateMachine")) {
                     String id = stream.attribute("xmi.idref");
                     stream.keep(id.length() + name.length());
-                    diagramNames.putIfAbsent(id, name);
+                    file.diagramNames().putIfAbsent(id, name);
                 }
             }
         }
