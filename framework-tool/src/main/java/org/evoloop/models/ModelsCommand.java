@@ -9,7 +9,7 @@ import picocli.CommandLine.Spec;
 @Command(
         name = "models",
         description = "Shows state machines, checks an evolution before it runs, and starts a converter's project.",
-        subcommands = {ShowCommand.class},
+        subcommands = {ShowCommand.class, DiffCommand.class, PlanCommand.class},
         mixinStandardHelpOptions = true)
 final class ModelsCommand implements Runnable {
     @Spec
