@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.stream.Stream;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.models.chart.ChartIndex;
+import org.evoloop.models.checking.Drawing;
 import org.evoloop.statechart.Statechart;
 import org.evoloop.statechart.Vertex.ChartState;
 import org.evoloop.statemachine.ModelException;
@@ -61,6 +62,12 @@ final class ModelReader {
                             .toList());
         }
         return activities;
+    }
+
+    /** The machine that {@code reference} names, to find places in. */
+    static Drawing drawing(String reference) {
+        ModelReference named = ModelReference.parse(reference);
+        return new Drawing(named.file().toString(), named.find().statechart());
     }
 
     /** The two machines of an evolution, flat; whether they are one is for others to say. */
