@@ -1,6 +1,8 @@
 package org.evoloop.models;
 
 import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.charset.StandardCharsets;
 import org.evoloop.statemachine.ModelException;
 import picocli.CommandLine;
 
@@ -9,7 +11,11 @@ public final class Main {
     private Main() {}
 
     public static void main(String[] arguments) {
-        System.exit(run(commandLine(), arguments));
+        CommandLine commandLine = commandLine();
+        // Names may be in any script, whatever the terminal's encoding; files and pipes want UTF-8.
+        commandLine.setOut(new PrintWriter(System.out, true, StandardCharsets.UTF_8));
+        commandLine.setErr(new PrintWriter(System.err, true, StandardCharsets.UTF_8));
+        System.exit(run(commandLine, arguments));
     }
 
     static CommandLine commandLine() {

@@ -9,7 +9,6 @@ import org.evoloop.models.format.MachineJson;
 import org.evoloop.models.format.MachineText;
 import org.evoloop.models.format.PlantUml;
 import org.evoloop.statechart.Statechart;
-import org.evoloop.xmi.ModelReference;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -48,19 +47,15 @@ final class ShowCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        ModelReference named = ModelReference.parse(reference);
-        List<Statechart> charts = ModelReader.charts(named);
+        List<Statechart> charts = ModelReader.charts(reference);
         String shown = switch (format) {
             case TEXT -> MachineText.write(charts);
             case JSON -> MachineJson.write(charts);
             case DOT -> Dot.write(charts);
             case PLANTUML -> PlantUml.write(charts);
             case SVG ->
-                SvgWriter.write(
-                        named.toString(), charts.stream().map(ChartDiagram::of).toList());
+                SvgWriter.write(reference, charts.stream().map(ChartDiagram::of).toList());
         };
-        spec.commandLine().getOut().print(shown);
-        spec.commandLine().getOut().flush();
-        return 0;
+        return Output.print(spec, shown);
     }
 }

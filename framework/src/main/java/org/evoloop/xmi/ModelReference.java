@@ -53,8 +53,17 @@ public record ModelReference(Path file, Optional<String> machine) {
      * @throws ModelException as {@link XmiFile#read}, {@link XmiFile#pick} and {@link XmiFile#only} do
      */
     public StateMachine load() {
+        return find().toStateMachine();
+    }
+
+    /**
+     * Reads the file and finds the machine, unchecked.
+     *
+     * @throws ModelException as {@link XmiFile#read}, {@link XmiFile#find} and {@link XmiFile#findOnly} do
+     */
+    public XmiMachine find() {
         XmiFile read = XmiFile.read(file);
-        return machine.isPresent() ? read.pick(machine.get()) : read.only();
+        return machine.isPresent() ? read.find(machine.get()) : read.findOnly();
     }
 
     /** The text that {@link #parse} takes. */

@@ -1,10 +1,16 @@
 package org.evoloop.xmi;
 
+import java.io.InputStream;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Collectors;
 import org.evoloop.statemachine.ModelException;
 import org.evoloop.statemachine.StateMachine;
+import org.evoloop.xmi.astah.AstahDialect;
+import org.evoloop.xmi.dialect.Problems;
+import org.evoloop.xmi.dialect.XmiDialect;
+import org.evoloop.xmi.dialect.XmiHead;
+import org.evoloop.xmi.dialect.XmiStream;
 
 /**
  * The state machines of one XMI file. A machine that cannot be used disturbs nobody until it is picked.
@@ -15,10 +21,10 @@ public final class XmiFile {
     private static final List<XmiDialect> DIALECTS = List.of(new AstahDialect());
     private static final int NAMES_LISTED = 50;
 
-    private final Path file;
+    private final String file;
     private final List<XmiMachine> machines;
 
-    private XmiFile(Path file, List<XmiMachine> machines) {
+    private XmiFile(String file, List<XmiMachine> machines) {
         this.file = file;
         this.machines = machines;
     }
@@ -30,11 +36,31 @@ public final class XmiFile {
      *     its machines are checked only when they are picked
      */
     public static XmiFile read(Path file) {
-        try (XmiStream stream = XmiStream.open(file)) {
+        return read(XmiStream.open(file));
+    }
+
+    /**
+     * Reads what stands in no file of its own, such as a resource of a jar.
+     *
+     * @param name what messages call it
+     * @param bytes closed in any case
+     * @throws ModelException as {@link #read(Path)} does
+     */
+    public static XmiFile read(String name, InputStream bytes) {
+        return read(XmiStream.of(name, bytes));
+    }
+
+    private static XmiFile read(XmiStream opened) {
+        try (XmiStream stream = opened) {
             XmiHead head = XmiHead.read(stream);
             for (XmiDialect dialect : DIALECTS) {
                 if (dialect.recognises(head)) {
-                    return new XmiFile(file, List.copyOf(dialect.read(stream)));
+                    String file = stream.file();
+                    return new XmiFile(
+                            file,
+                            dialect.read(head, stream).stream()
+                                    .map(drawn -> new XmiMachine(file, drawn))
+                                    .toList());
                 }
             }
             throw stream.refuse(
@@ -63,11 +89,20 @@ public final class XmiFile {
      * @throws ModelException if none or several have it, or the machine cannot be used as it is
      */
     public StateMachine pick(String name) {
+        return find(name).toStateMachine();
+    }
+
+    /**
+     * The machine whose diagram name, own name or id is {@code name}, unchecked.
+     *
+     * @throws ModelException if none or several have it
+     */
+    public XmiMachine find(String name) {
         String wanted = name.strip();
         List<XmiMachine> found =
                 machines.stream().filter(machine -> machine.answersTo(wanted)).toList();
         if (found.size() == 1) {
-            return found.get(0).toStateMachine();
+            return found.get(0);
         }
         requireSome();
         if (found.isEmpty()) {
@@ -84,19 +119,26 @@ public final class XmiFile {
      * @throws ModelException if the file holds none or several, or the machine cannot be used as it is
      */
     public StateMachine only() {
+        return findOnly().toStateMachine();
+    }
+
+    /**
+     * The file's only machine, unchecked.
+     *
+     * @throws ModelException if the file holds none or several
+     */
+    public XmiMachine findOnly() {
         requireSome();
         if (machines.size() > 1) {
             throw new ModelException(file + ": holds " + machines.size() + " state machines; choose one by " + file
                     + "#NAME, there is " + list(machines));
         }
-        return machines.get(0).toStateMachine();
+        return machines.get(0);
     }
 
     private void requireSome() {
         if (machines.isEmpty()) {
-            throw new ModelException(
-                    file + ": holds no state machine; in Astah draw a State Machine Diagram and save with "
-                            + AstahDialect.MENU);
+            throw new ModelException(file + ": holds no state machine; draw one and export the file again");
         }
     }
 

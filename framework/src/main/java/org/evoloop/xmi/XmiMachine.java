@@ -1,45 +1,98 @@
 package org.evoloop.xmi;
 
 import java.util.Optional;
+import org.evoloop.statechart.Flattening;
+import org.evoloop.statechart.Statechart;
 import org.evoloop.statemachine.ModelException;
 import org.evoloop.statemachine.StateMachine;
+import org.evoloop.xmi.dialect.DrawnMachine;
+import org.evoloop.xmi.dialect.Problems;
 
 /**
  * One state machine of an {@link XmiFile}, not checked yet.
  *
  * <p>Threading: immutable.
  */
-public interface XmiMachine {
+public final class XmiMachine {
+    private final String file;
+    private final DrawnMachine drawn;
+
+    XmiMachine(String file, DrawnMachine drawn) {
+        this.file = file;
+        this.drawn = drawn;
+    }
 
     /** The {@code xmi.id}, unique in a file that its tool wrote; empty if the file gives none. */
-    String id();
+    public String id() {
+        return drawn.id();
+    }
 
     /** The machine's own name, often the tool's default such as {@code StateMachine0}; may be empty. */
-    String machineName();
+    public String machineName() {
+        return drawn.name();
+    }
 
     /** The name of the diagram that shows the machine: the one its author sees; empty if there is none. */
-    Optional<String> diagramName();
+    public Optional<String> diagramName() {
+        return drawn.diagramName().filter(name -> !name.isEmpty());
+    }
 
     /** Where the machine starts in the file, counted from 1. */
-    int line();
-
-    /**
-     * The machine as (E, S, T).
-     *
-     * @throws ModelException if it holds anything that is not supported or not valid; the message lists all of it, one
-     *     line each
-     */
-    StateMachine toStateMachine();
+    public int line() {
+        return drawn.line();
+    }
 
     /** What messages call it: the diagram name, else the machine's own name, else its id. */
-    default String name() {
+    public String name() {
         return diagramName().orElse(machineName().isEmpty() ? id() : machineName());
     }
 
     /** Whether {@code name} is the diagram name, the machine's own name or the id. */
-    default boolean answersTo(String name) {
+    public boolean answersTo(String name) {
         return name.equals(id())
                 || name.equals(machineName())
                 || diagramName().filter(name::equals).isPresent();
+    }
+
+    /**
+     * The machine as drawn, with its hierarchy.
+     *
+     * @throws ModelException if it holds anything that nobody would use; the message lists all of it, one line each
+     */
+    public Statechart statechart() {
+        Problems problems = new Problems();
+        Statechart chart = drawn.statechart(name(), problems);
+        require(problems);
+        return chart;
+    }
+
+    /**
+     * The machine as (E, S, T): what {@link #statechart} gives, flattened.
+     *
+     * @throws ModelException as {@link #statechart} does, and if the machine has no flat equivalent; the message lists
+     *     all that is wrong, one line each
+     */
+    public StateMachine toStateMachine() {
+        return flattening().machine();
+    }
+
+    /**
+     * The machine as (E, S, T), and how its states stand for those drawn.
+     *
+     * @throws ModelException as {@link #toStateMachine} does
+     */
+    public Flattening flattening() {
+        Flattening flattening = Flattening.of(statechart());
+        Problems problems = new Problems();
+        flattening.problems().forEach(problem -> problems.add(problem.place().line(), problem.text()));
+        require(problems);
+        return flattening;
+    }
+
+    private void require(Problems problems) {
+        if (!problems.isEmpty()) {
+            throw new ModelException(file + ": state machine " + Problems.label(name(), id()) + " (line " + line()
+                    + ") has " + (problems.count() == 1 ? "a problem:" : problems.count() + " problems:") + problems);
+        }
     }
 }

@@ -1,14 +1,12 @@
 /**
- * Reads state machines from XMI files: one entry, {@link org.evoloop.xmi.XmiFile}, and behind it one {@code XmiDialect}
- * a tool; Astah's XMI 1.1 for now. Whatever a file holds, memory stays bounded and a problem becomes one
- * {@link org.evoloop.statemachine.ModelException} with file, line and mend.
+ * Reads state machines from files of modelling tools: one entry, {@link org.evoloop.xmi.XmiFile}, and behind it one
+ * {@link org.evoloop.xmi.dialect.XmiDialect} a way of writing, each in a package of its own below this one. Whatever a
+ * file holds, memory stays bounded and a problem becomes one {@link org.evoloop.statemachine.ModelException} with file,
+ * line and mend.
  *
- * <p>This room may use {@code org.evoloop.statemachine} and nothing else of Evoloop.
+ * <p>This room may use {@code org.evoloop.statechart} and {@code org.evoloop.statemachine}.
  */
 @NullMarked
-@XmlSchema(namespace = AstahXml.UML, elementFormDefault = XmlNsForm.QUALIFIED)
 package org.evoloop.xmi;
 
-import jakarta.xml.bind.annotation.XmlNsForm;
-import jakarta.xml.bind.annotation.XmlSchema;
 import org.jspecify.annotations.NullMarked;

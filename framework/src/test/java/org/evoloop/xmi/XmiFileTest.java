@@ -2,7 +2,7 @@ package org.evoloop.xmi;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
-import static org.evoloop.xmi.AstahDocument.offOn;
+import static org.evoloop.xmi.astah.AstahDocument.offOn;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Optional;
 import org.evoloop.statemachine.ModelException;
 import org.evoloop.statemachine.Transition;
+import org.evoloop.xmi.astah.AstahDocument;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -66,8 +67,7 @@ class XmiFileTest {
         for (String reference : List.of(file.toString(), file + "#new")) {
             assertThatThrownBy(() -> XmiFile.machine(reference))
                     .isInstanceOf(ModelException.class)
-                    .hasMessage(file + ": holds no state machine; in Astah draw a State Machine Diagram and save with"
-                            + " Tools > XML Input & Output > Save as XML Project");
+                    .hasMessage(file + ": holds no state machine; draw one and export the file again");
         }
     }
 

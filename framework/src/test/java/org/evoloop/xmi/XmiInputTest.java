@@ -1,8 +1,8 @@
 package org.evoloop.xmi;
 
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
-import static org.evoloop.xmi.AstahDocument.HEAD;
-import static org.evoloop.xmi.AstahDocument.offOn;
+import static org.evoloop.xmi.astah.AstahDocument.HEAD;
+import static org.evoloop.xmi.astah.AstahDocument.offOn;
 
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -13,6 +13,7 @@ import java.nio.file.attribute.PosixFilePermissions;
 import java.util.Random;
 import java.util.zip.GZIPOutputStream;
 import org.evoloop.statemachine.ModelException;
+import org.evoloop.xmi.astah.AstahDocument;
 import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;

@@ -7,10 +7,13 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
+import org.eclipse.elk.alg.layered.options.CycleBreakingStrategy;
 import org.eclipse.elk.alg.layered.options.LayerConstraint;
 import org.eclipse.elk.alg.layered.options.LayeredMetaDataProvider;
 import org.eclipse.elk.alg.layered.options.LayeredOptions;
-import org.eclipse.elk.alg.layered.options.OrderingStrategy;
+import org.eclipse.elk.alg.layered.options.NodePlacementStrategy;
+import org.eclipse.elk.alg.layered.options.SelfLoopDistributionStrategy;
+import org.eclipse.elk.alg.layered.options.SelfLoopOrderingStrategy;
 import org.eclipse.elk.core.RecursiveGraphLayoutEngine;
 import org.eclipse.elk.core.data.LayoutMetaDataService;
 import org.eclipse.elk.core.math.ElkPadding;
@@ -41,6 +44,11 @@ final class ElkLayout {
     /** What looks best on a screen and on a page. */
     private static final double WISHED_ASPECT = 1.5;
 
+    private static final double MARGIN = 16;
+
+    /** Between self-loops on one side of a state. */
+    private static final double LOOP_GAP = 12;
+
     static {
         LayoutMetaDataService.getInstance().registerLayoutMetaDataProviders(new LayeredMetaDataProvider());
     }
@@ -56,12 +64,25 @@ final class ElkLayout {
         this.direction = direction;
     }
 
-    /** The better of two ways to lay it out, from left to right and from top to bottom. */
+    /**
+     * The better of two ways to lay it out, from left to right and from top to bottom. With states inside states only the
+     * first, in which no edge crosses the upper compartments of a frame.
+     */
     static Layout of(Diagram diagram) {
-        return Stream.of(Direction.RIGHT, Direction.DOWN)
+        boolean flat = diagram.nodes().stream().allMatch(node -> node.children().isEmpty());
+        return (flat ? Stream.of(Direction.RIGHT, Direction.DOWN) : Stream.of(Direction.RIGHT))
                 .map(direction -> new ElkLayout(diagram, direction).arrange())
-                .min(Comparator.comparingDouble(layout -> Math.abs(Math.log(layout.aspect() / WISHED_ASPECT))))
+                .min(Comparator.comparingDouble(ElkLayout::badness))
                 .orElseThrow();
+    }
+
+    private static double badness(Layout layout) {
+        return badness(layout.width(), layout.height());
+    }
+
+    /** Small is good, and so is the shape of a page. */
+    static double badness(double width, double height) {
+        return width * height * (1 + Math.abs(Math.log(width / height / WISHED_ASPECT)));
     }
 
     private Layout arrange() {
@@ -79,24 +100,24 @@ final class ElkLayout {
         return new Layout(root.getWidth(), root.getHeight(), boxes, wires);
     }
 
-    private static final double MARGIN = 16;
-
     private void configure(ElkNode graph) {
         graph.setProperty(CoreOptions.ALGORITHM, LayeredOptions.ALGORITHM_ID);
         graph.setProperty(CoreOptions.HIERARCHY_HANDLING, HierarchyHandling.INCLUDE_CHILDREN);
         graph.setProperty(CoreOptions.DIRECTION, direction);
         graph.setProperty(CoreOptions.EDGE_ROUTING, EdgeRouting.ORTHOGONAL);
         graph.setProperty(CoreOptions.RANDOM_SEED, 1);
-        graph.setProperty(LayeredOptions.CONSIDER_MODEL_ORDER_STRATEGY, OrderingStrategy.NODES_AND_EDGES);
+        graph.setProperty(LayeredOptions.CYCLE_BREAKING_STRATEGY, CycleBreakingStrategy.DEPTH_FIRST);
+        graph.setProperty(LayeredOptions.NODE_PLACEMENT_STRATEGY, NodePlacementStrategy.NETWORK_SIMPLEX);
         graph.setProperty(LayeredOptions.SPACING_NODE_NODE, 36.0);
         graph.setProperty(LayeredOptions.SPACING_NODE_NODE_BETWEEN_LAYERS, 40.0);
         graph.setProperty(LayeredOptions.SPACING_EDGE_NODE, 18.0);
         graph.setProperty(LayeredOptions.SPACING_EDGE_NODE_BETWEEN_LAYERS, 18.0);
         graph.setProperty(LayeredOptions.SPACING_EDGE_EDGE, 14.0);
         graph.setProperty(LayeredOptions.SPACING_EDGE_EDGE_BETWEEN_LAYERS, 14.0);
+        graph.setProperty(LayeredOptions.SPACING_PORT_PORT, 12.0);
         graph.setProperty(LayeredOptions.SPACING_EDGE_LABEL, 4.0);
         graph.setProperty(LayeredOptions.SPACING_LABEL_LABEL, 8.0);
-        graph.setProperty(LayeredOptions.SPACING_NODE_SELF_LOOP, 14.0);
+        graph.setProperty(LayeredOptions.SPACING_NODE_SELF_LOOP, 18.0);
     }
 
     private void add(ElkNode parent, Node node) {
@@ -104,7 +125,12 @@ final class ElkLayout {
         nodes.put(node.key(), placed);
         drawn.put(placed, node);
         if (node.shape() == Shape.STATE) {
-            placed.setDimensions(NodeSize.textWidth(node), NodeSize.textHeight(node));
+            placed.setProperty(CoreOptions.NODE_SIZE_CONSTRAINTS, SizeConstraint.minimumSizeWithPorts());
+            placed.setProperty(
+                    CoreOptions.NODE_SIZE_MINIMUM,
+                    new KVector(
+                            Math.max(NodeSize.textWidth(node), roomForLoops(node, Direction.RIGHT)),
+                            Math.max(NodeSize.textHeight(node), roomForLoops(node, Direction.DOWN))));
         } else if (node.shape() == Shape.BAR) {
             double thick = NodeSize.diameter(Shape.BAR);
             boolean upright = direction == Direction.RIGHT;
@@ -112,6 +138,9 @@ final class ElkLayout {
         } else {
             placed.setDimensions(NodeSize.diameter(node.shape()), NodeSize.diameter(node.shape()));
         }
+        placed.setProperty(
+                LayeredOptions.EDGE_ROUTING_SELF_LOOP_DISTRIBUTION, SelfLoopDistributionStrategy.NORTH_SOUTH);
+        placed.setProperty(LayeredOptions.EDGE_ROUTING_SELF_LOOP_ORDERING, SelfLoopOrderingStrategy.SEQUENCED);
         if (node.shape() == Shape.INITIAL) {
             placed.setProperty(LayeredOptions.LAYERING_LAYER_CONSTRAINT, LayerConstraint.FIRST);
         }
@@ -126,6 +155,24 @@ final class ElkLayout {
         }
     }
 
+    /** How long the two sides must be along which the node's self-loops stand in this direction. */
+    private double roomForLoops(Node node, Direction along) {
+        List<List<String>> labels = diagram.edges().stream()
+                .filter(edge ->
+                        edge.source().equals(node.key()) && edge.target().equals(node.key()))
+                .map(edge -> NodeSize.label(edge.label()))
+                .toList();
+        if (along != direction || labels.size() < 3) {
+            return 0;
+        }
+        double longest = labels.stream()
+                .mapToDouble(label -> along == Direction.RIGHT ? TextSize.width(label, false) : TextSize.height(label))
+                .max()
+                .orElse(0);
+        int onOneSide = (labels.size() + 1) / 2;
+        return onOneSide * (longest + LOOP_GAP);
+    }
+
     /** Whether its name stands under it. */
     static boolean isPoint(Node node) {
         return (node.shape() == Shape.ENTRY_POINT || node.shape() == Shape.EXIT_POINT)
@@ -138,9 +185,6 @@ final class ElkLayout {
         if (node.shape() == Shape.STATE) {
             double side = orthogonal ? 2 : MARGIN;
             placed.setProperty(CoreOptions.PADDING, new ElkPadding(NodeSize.textHeight(node) + side, side, side, side));
-            placed.setProperty(CoreOptions.NODE_SIZE_CONSTRAINTS, SizeConstraint.minimumSize());
-            placed.setProperty(
-                    CoreOptions.NODE_SIZE_MINIMUM, new KVector(NodeSize.textWidth(node), NodeSize.textHeight(node)));
         } else {
             placed.setProperty(CoreOptions.PADDING, new ElkPadding(MARGIN));
         }

@@ -15,11 +15,6 @@ record Layout(double width, double height, List<Box> boxes, List<Wire> wires) {
         wires = List.copyOf(wires);
     }
 
-    /** How much wider than high. */
-    double aspect() {
-        return width / height;
-    }
-
     record Point(double x, double y) {}
 
     /** A node and its left upper corner. */

@@ -3,12 +3,15 @@ package org.evoloop.models.diagram;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import org.evoloop.models.diagram.Diagram.Node;
 import org.evoloop.models.diagram.Diagram.Shape;
 import org.evoloop.models.diagram.Layout.Box;
 
 /** Paints nodes in UML's notation. */
 final class NodePainter {
+    private static final double ROUNDNESS = 12;
+
     private final Svg svg;
     private final Map<String, Box> boxes;
 
@@ -24,36 +27,23 @@ final class NodePainter {
             return;
         }
         String kind = node.shape() == Shape.STATE ? "state" : "pseudostate";
-        svg.open("g", "class", kind + " " + Palette.of(node.tone()).cssClass());
+        svg.group(kind + " " + Palette.of(node.tone()).cssClass());
         if (node.shape() == Shape.STATE) {
             state(box);
         } else {
             pseudostate(box);
         }
-        svg.close("g");
+        svg.endGroup();
     }
 
     private void state(Box box) {
         Node node = box.node();
-        double nameHeight =
-                node.notes().isEmpty() && node.children().isEmpty() ? box.height() : NodeSize.nameHeight(node);
-        svg.empty(
-                "rect",
-                "class",
-                node.children().isEmpty() ? "box" : "box frame",
-                "x",
-                box.x(),
-                "y",
-                box.y(),
-                "width",
-                box.width(),
-                "height",
-                box.height(),
-                "rx",
-                12.0);
+        boolean nameOnly = node.notes().isEmpty() && node.children().isEmpty();
+        double nameHeight = nameOnly ? box.height() : NodeSize.nameHeight(node);
+        String cssClass = node.children().isEmpty() ? "box" : "box frame";
+        svg.rectangle(cssClass, box.x(), box.y(), box.width(), box.height(), ROUNDNESS);
         List<String> name = NodeSize.name(node);
-        double y = box.y() + (nameHeight - TextSize.height(name)) / 2;
-        lines(name, "name", box.centreX(), y);
+        lines(name, "name", box.centreX(), box.y() + (nameHeight - TextSize.height(name)) / 2);
         if (!node.notes().isEmpty()) {
             divider(box, box.y() + nameHeight, "line");
             lines(NodeSize.notes(node), "note", box.x() + NodeSize.MARGIN, box.y() + nameHeight + NodeSize.NAME_MARGIN);
@@ -69,14 +59,14 @@ final class NodePainter {
     }
 
     private void line(String cssClass, double x1, double y1, double x2, double y2) {
-        svg.empty("path", "class", cssClass, "d", "M" + pair(x1, y1) + " L" + pair(x2, y2));
+        svg.path(cssClass, "M" + Svg.pair(x1, y1) + " L" + Svg.pair(x2, y2));
     }
 
     /** The dashed lines between the regions of an orthogonal state, which the layout puts in a row or in a column. */
     private void regions(Box frame) {
         List<Box> regions = frame.node().children().stream()
                 .filter(child -> child.shape() == Shape.REGION)
-                .map(child -> boxes.get(child.key()))
+                .map(child -> Objects.requireNonNull(boxes.get(child.key())))
                 .toList();
         List<Box> downwards =
                 regions.stream().sorted(Comparator.comparingDouble(Box::y)).toList();
@@ -84,22 +74,21 @@ final class NodePainter {
                 regions.stream().sorted(Comparator.comparingDouble(Box::x)).toList();
         double top = frame.y() + NodeSize.textHeight(frame.node());
         for (int i = 1; i < regions.size(); i++) {
-            Box above = downwards.get(i - 1);
-            Box left = across.get(i - 1);
-            if (above.y() + above.height() <= downwards.get(i).y()) {
-                double y = (above.y() + above.height() + downwards.get(i).y()) / 2;
-                divider(frame, y, "line separator");
-            } else if (left.x() + left.width() <= across.get(i).x()) {
-                double x = (left.x() + left.width() + across.get(i).x()) / 2;
+            double above = downwards.get(i - 1).y() + downwards.get(i - 1).height();
+            double left = across.get(i - 1).x() + across.get(i - 1).width();
+            if (above <= downwards.get(i).y()) {
+                divider(frame, (above + downwards.get(i).y()) / 2, "line separator");
+            } else if (left <= across.get(i).x()) {
+                double x = (left + across.get(i).x()) / 2;
                 line("line separator", x, top, x, frame.y() + frame.height());
             }
         }
     }
 
     private void lines(List<String> lines, String cssClass, double x, double top) {
-        double baseline = top + TextSize.LINE_HEIGHT * 0.75;
+        double baseline = top + TextSize.ASCENT;
         for (String line : lines) {
-            svg.text("text", line, "class", cssClass, "x", x, "y", baseline);
+            svg.text(cssClass, x, baseline, line);
             baseline += TextSize.LINE_HEIGHT;
         }
     }
@@ -109,50 +98,18 @@ final class NodePainter {
         double y = box.centreY();
         double radius = box.width() / 2;
         switch (box.node().shape()) {
-            case INITIAL, JUNCTION -> circle("solid", x, y, radius);
-            case FINAL -> {
-                circle("box hollow", x, y, radius);
-                circle("solid", x, y, radius - 5);
-            }
-            case CHOICE ->
-                svg.empty(
-                        "path",
-                        "class",
-                        "box",
-                        "d",
-                        "M" + pair(x, y - radius) + " L" + pair(x + radius, y) + " L" + pair(x, y + radius) + " L"
-                                + pair(x - radius, y) + " Z");
-            case SHALLOW_HISTORY, DEEP_HISTORY -> {
-                circle("box", x, y, radius);
-                svg.text(
-                        "text",
-                        box.node().shape() == Shape.DEEP_HISTORY ? "H*" : "H",
-                        "class",
-                        "name",
-                        "x",
-                        x,
-                        "y",
-                        y + 4.5);
-            }
-            case ENTRY_POINT -> circle("box", x, y, radius);
+            case INITIAL, JUNCTION -> svg.circle("solid", x, y, radius);
+            case FINAL -> svg.circle("box hollow", x, y, radius).circle("solid", x, y, radius - 5);
+            case CHOICE -> diamond(x, y, radius);
+            case SHALLOW_HISTORY -> svg.circle("box", x, y, radius).text("name", x, y + 4.5, "H");
+            case DEEP_HISTORY -> svg.circle("box", x, y, radius).text("name", x, y + 4.5, "H*");
+            case ENTRY_POINT -> svg.circle("box", x, y, radius);
             case EXIT_POINT -> {
-                circle("box", x, y, radius);
+                svg.circle("box", x, y, radius);
                 cross(x, y, radius * 0.7);
             }
             case TERMINATE -> cross(x, y, radius);
-            case BAR ->
-                svg.empty(
-                        "rect",
-                        "class",
-                        "solid",
-                        "x",
-                        box.x(),
-                        "y",
-                        box.y(),
-                        "width",
-                        box.width(),
-                        "height",
-                        box.height());
+            case BAR -> svg.rectangle("solid", box.x(), box.y(), box.width(), box.height(), 0);
             case STATE, REGION -> throw new IllegalArgumentException(box.node().key() + " is no pseudostate");
         }
         if (ElkLayout.isPoint(box.node())) {
@@ -160,22 +117,15 @@ final class NodePainter {
         }
     }
 
-    private void circle(String cssClass, double x, double y, double radius) {
-        svg.empty("circle", "class", cssClass, "cx", x, "cy", y, "r", radius);
+    private void diamond(double x, double y, double radius) {
+        svg.path(
+                "box",
+                "M" + Svg.pair(x, y - radius) + " L" + Svg.pair(x + radius, y) + " L" + Svg.pair(x, y + radius) + " L"
+                        + Svg.pair(x - radius, y) + " Z");
     }
 
     private void cross(double x, double y, double arm) {
-        svg.empty(
-                "path",
-                "class",
-                "line",
-                "d",
-                "M" + pair(x - arm, y - arm) + " L" + pair(x + arm, y + arm) + " M" + pair(x - arm, y + arm) + " L"
-                        + pair(x + arm, y - arm));
-    }
-
-    /** Coordinates as in a path. */
-    static String pair(double x, double y) {
-        return Svg.number(x) + " " + Svg.number(y);
+        line("line", x - arm, y - arm, x + arm, y + arm);
+        line("line", x - arm, y + arm, x + arm, y - arm);
     }
 }

@@ -10,29 +10,39 @@ import java.util.Locale;
 final class Svg {
     private final StringBuilder text = new StringBuilder();
 
-    /** An element without content; {@code attributes} are names and values in turn. */
-    Svg empty(String name, Object... attributes) {
-        tag(name, attributes);
-        text.append("/>\n");
-        return this;
+    /** Opens a group of these classes. */
+    Svg group(String cssClass) {
+        return raw("<g class=\"" + cssClass + "\">\n");
     }
 
-    /** An element with text. */
-    Svg text(String name, String content, Object... attributes) {
-        tag(name, attributes);
-        text.append('>').append(escape(content)).append("</").append(name).append(">\n");
-        return this;
+    /** Opens a group of this class that is moved. */
+    Svg group(String cssClass, double x, double y) {
+        return raw("<g class=\"" + cssClass + "\" transform=\"translate(" + pair(x, y) + ")\">\n");
     }
 
-    Svg open(String name, Object... attributes) {
-        tag(name, attributes);
-        text.append(">\n");
-        return this;
+    Svg endGroup() {
+        return raw("</g>\n");
     }
 
-    Svg close(String name) {
-        text.append("</").append(name).append(">\n");
-        return this;
+    Svg rectangle(String cssClass, double x, double y, double width, double height, double radius) {
+        return raw("<rect class=\"" + cssClass + "\" x=\"" + number(x) + "\" y=\"" + number(y) + "\" width=\""
+                + number(width) + "\" height=\"" + number(height) + "\" rx=\"" + number(radius) + "\"/>\n");
+    }
+
+    Svg circle(String cssClass, double x, double y, double radius) {
+        return raw("<circle class=\"" + cssClass + "\" cx=\"" + number(x) + "\" cy=\"" + number(y) + "\" r=\""
+                + number(radius) + "\"/>\n");
+    }
+
+    /** Lines as in the attribute {@code d}. */
+    Svg path(String cssClass, String d) {
+        return raw("<path class=\"" + cssClass + "\" d=\"" + d + "\"/>\n");
+    }
+
+    /** One line of text; {@code y} is its base line. */
+    Svg text(String cssClass, double x, double y, String content) {
+        return raw("<text class=\"" + cssClass + "\" x=\"" + number(x) + "\" y=\"" + number(y) + "\">" + escape(content)
+                + "</text>\n");
     }
 
     /** As it is. */
@@ -41,23 +51,19 @@ final class Svg {
         return this;
     }
 
-    private void tag(String name, Object... attributes) {
-        text.append('<').append(name);
-        for (int i = 0; i < attributes.length; i += 2) {
-            Object value = attributes[i + 1];
-            String shown = value instanceof Double number ? number(number) : escape(value.toString());
-            text.append(' ').append(attributes[i]).append("=\"").append(shown).append('"');
-        }
-    }
-
     /** With one decimal at most: a tenth of a pixel is enough. */
     static String number(double value) {
         String shown = String.format(Locale.ROOT, "%.1f", value);
         return shown.endsWith(".0") ? shown.substring(0, shown.length() - 2) : shown;
     }
 
-    private static String escape(String raw) {
-        return raw.replace("&", "&amp;")
+    /** Coordinates as in a path. */
+    static String pair(double x, double y) {
+        return number(x) + " " + number(y);
+    }
+
+    static String escape(String content) {
+        return content.replace("&", "&amp;")
                 .replace("<", "&lt;")
                 .replace(">", "&gt;")
                 .replace("\"", "&quot;");

@@ -11,6 +11,9 @@ final class TextSize {
     static final double FONT_SIZE = 13;
     static final double LINE_HEIGHT = 17;
 
+    /** From the top of a line to its base line. */
+    static final double ASCENT = 12.75;
+
     /** From blank to tilde, in hundredths of the font's size. */
     private static final int[] WIDTHS = {
         32, 40, 46, 84, 64, 95, 78, 27, 39, 39, 50, 84, 32, 36, 32, 34, 64, 64, 64, 64, 64, 64, 64, 64, 64, 64, 34, 34,

@@ -1,0 +1,20 @@
+package org.evoloop.xmi.astah;
+
+import java.util.HashMap;
+import java.util.Map;
+
+/**
+ * What machines of one file say about each other.
+ *
+ * @param diagramNames by machine id
+ * @param eventNames by event id
+ * @param machines by id
+ */
+record AstahFile(
+        Map<String, String> diagramNames,
+        Map<String, String> eventNames,
+        Map<String, AstahUnmarshaller.Result> machines) {
+    AstahFile() {
+        this(new HashMap<>(), new HashMap<>(), new HashMap<>());
+    }
+}

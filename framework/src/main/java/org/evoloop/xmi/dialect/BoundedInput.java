@@ -1,0 +1,76 @@
+package org.evoloop.xmi.dialect;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.util.function.BiFunction;
+import org.evoloop.statemachine.ModelException;
+
+/** Counts what a parser reads, so that no token and no file can be endless. */
+final class BoundedInput extends InputStream {
+    private static final int MAX_FILE_BYTES = 1 << 30;
+    /** A parser holds each tag, comment and the like as a whole. */
+    private static final int MAX_TOKEN_BYTES = 4 << 20;
+
+    private final InputStream bytes;
+    private final BiFunction<String, String, ModelException> refusal;
+    private long fileBytes;
+    private long tokenBytes;
+
+    /** @param refusal makes an exception of what is wrong and how to mend it */
+    BoundedInput(InputStream bytes, BiFunction<String, String, ModelException> refusal) {
+        this.bytes = bytes;
+        this.refusal = refusal;
+    }
+
+    /** The parser has finished one token and begins the next. */
+    void startToken() {
+        tokenBytes = 0;
+    }
+
+    @Override
+    public int read() throws IOException {
+        int read = bytes.read();
+        count(read < 0 ? 0 : 1);
+        return read;
+    }
+
+    @Override
+    public int read(byte[] buffer, int offset, int length) throws IOException {
+        int read = bytes.read(buffer, offset, length);
+        count(Math.max(0, read));
+        return read;
+    }
+
+    private void count(int read) {
+        fileBytes += read;
+        tokenBytes += read;
+        if (fileBytes > MAX_FILE_BYTES) {
+            throw refusal.apply("is larger than " + (MAX_FILE_BYTES >> 20) + " MiB", "export the state machines alone");
+        }
+        if (tokenBytes > MAX_TOKEN_BYTES) {
+            throw refusal.apply(
+                    "holds a single tag, text or comment of more than " + (MAX_TOKEN_BYTES >> 20) + " MiB",
+                    XmiStream.EXPORT_AGAIN);
+        }
+    }
+
+    @Override
+    public boolean markSupported() {
+        return bytes.markSupported();
+    }
+
+    @Override
+    public void mark(int limit) {
+        bytes.mark(limit);
+    }
+
+    @Override
+    public void reset() throws IOException {
+        bytes.reset();
+    }
+
+    @Override
+    public void close() throws IOException {
+        bytes.close();
+    }
+}

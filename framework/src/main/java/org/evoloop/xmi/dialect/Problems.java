@@ -1,0 +1,79 @@
+package org.evoloop.xmi.dialect;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.stream.Collectors;
+
+/** What is wrong with one machine, one line each; a machine with thousands of problems gets the first of them. */
+public final class Problems {
+    private static final int LISTED = 100;
+    private static final int QUOTED_CHARACTERS = 120;
+
+    private final List<Problem> listed = new ArrayList<>();
+    private int unlisted;
+
+    private record Problem(int line, String text) {
+        /** What stands nowhere comes last. */
+        int order() {
+            return line > 0 ? line : Integer.MAX_VALUE;
+        }
+
+        @Override
+        public String toString() {
+            return line > 0 ? "line " + line + ": " + text : text;
+        }
+    }
+
+    /** Adds everything that was found earlier. */
+    public void addAll(Problems earlier) {
+        earlier.listed.forEach(problem -> add(problem.line(), problem.text()));
+        unlisted += earlier.unlisted;
+    }
+
+    /**
+     * Adds one.
+     *
+     * @param line counted from 1; 0 for what stands in no line
+     * @param text with kind, name and id of the element, and how to mend it
+     */
+    public void add(int line, String text) {
+        if (listed.size() < LISTED) {
+            listed.add(new Problem(line, text));
+        } else {
+            unlisted++;
+        }
+    }
+
+    /** Whether nothing is wrong. */
+    public boolean isEmpty() {
+        return listed.isEmpty();
+    }
+
+    /** How many there are, those that are not listed included. */
+    public int count() {
+        return listed.size() + unlisted;
+    }
+
+    /** One problem a line, in the file's order. */
+    @Override
+    public String toString() {
+        String lines = listed.stream()
+                .sorted(Comparator.comparingInt(Problem::order))
+                .map(problem -> "\n  " + problem)
+                .collect(Collectors.joining());
+        return unlisted == 0 ? lines : lines + "\n  and " + unlisted + " more";
+    }
+
+    /** The text in quotes, cut where it would make a message unreadable. */
+    public static String quote(String text) {
+        return text.length() <= QUOTED_CHARACTERS
+                ? "'" + text + "'"
+                : "'" + text.substring(0, QUOTED_CHARACTERS) + "...'";
+    }
+
+    /** For messages: name and id. */
+    public static String label(String name, String id) {
+        return quote(name) + " (id " + quote(id) + ")";
+    }
+}

@@ -1,0 +1,69 @@
+package org.evoloop.xmi.dialect;
+
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.Map;
+import java.util.Set;
+import javax.xml.namespace.QName;
+
+/**
+ * What the beginning of a document says about who wrote it.
+ *
+ * @param root the root element
+ * @param attributes of the root, by name with prefix as written
+ * @param namespaces that the root declares
+ * @param version the root's version of XMI, empty if it names none
+ * @param exporter the writing tool as it calls itself, empty if it does not
+ * @param line of the root
+ */
+public record XmiHead(
+        QName root, Map<String, String> attributes, Set<String> namespaces, String version, String exporter, int line) {
+    public XmiHead {
+        attributes = Map.copyOf(attributes);
+        namespaces = Set.copyOf(namespaces);
+    }
+
+    /**
+     * Reads the root's start tag and the header; leaves the stream at the header's end, at the first other start tag
+     * ({@code isStartElement}), or at the root's end if that is empty.
+     */
+    public static XmiHead read(XmiStream stream) {
+        stream.nextElementWithin(0);
+        int line = stream.line();
+        QName root = stream.getName();
+        Map<String, String> attributes = new HashMap<>();
+        for (int i = 0; i < stream.getAttributeCount(); i++) {
+            String prefix = stream.getAttributePrefix(i);
+            String name = stream.getAttributeLocalName(i);
+            attributes.put(
+                    prefix == null || prefix.isEmpty() ? name : prefix + ':' + name, stream.getAttributeValue(i));
+        }
+        Set<String> namespaces = new HashSet<>();
+        for (int i = 0; i < stream.getNamespaceCount(); i++) {
+            namespaces.add(String.valueOf(stream.getNamespaceURI(i)));
+        }
+        // XMI 1.x writes xmi.version, XMI 2.x xmi:version.
+        String version =
+                root.getNamespaceURI().isEmpty() ? stream.attribute("xmi.version") : stream.attribute("version");
+        String exporter = "";
+        if (stream.nextElementWithin(1)) {
+            exporter = stream.attribute("exporter");
+            if (stream.at("", "XMI.header")) {
+                while (stream.nextElementWithin(2)) {
+                    if (stream.at("", "XMI.exporter")) {
+                        exporter = stream.getElementText().strip();
+                    }
+                }
+            }
+        }
+        return new XmiHead(root, attributes, namespaces, version, exporter, line);
+    }
+
+    /** For messages. */
+    @Override
+    public String toString() {
+        return "root element " + Problems.quote(root.toString())
+                + (version.isEmpty() ? "" : " of version " + Problems.quote(version))
+                + (exporter.isEmpty() ? "" : " written by " + Problems.quote(exporter));
+    }
+}

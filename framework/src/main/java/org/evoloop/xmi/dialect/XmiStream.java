@@ -1,0 +1,270 @@
+package org.evoloop.xmi.dialect;
+
+import java.io.BufferedInputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.InputStreamReader;
+import java.io.UncheckedIOException;
+import java.nio.charset.CharacterCodingException;
+import java.nio.charset.Charset;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.util.HashSet;
+import java.util.Set;
+import javax.xml.XMLConstants;
+import javax.xml.stream.Location;
+import javax.xml.stream.XMLInputFactory;
+import javax.xml.stream.XMLStreamConstants;
+import javax.xml.stream.XMLStreamException;
+import javax.xml.stream.util.StreamReaderDelegate;
+import org.evoloop.statemachine.ModelException;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The parser of one file: namespace-aware, without DTDs and entities, and bounded in every way in which a file can make
+ * a parser or its caller use memory. Each refusal is a {@link ModelException} that names the file and the line.
+ */
+public final class XmiStream extends StreamReaderDelegate implements AutoCloseable {
+    /** Astah nests two levels a package and two a composite state. */
+    private static final int MAX_DEPTH = 500;
+
+    /** The parser never forgets a name; a real file has some 200. */
+    private static final int MAX_NAMES = 10_000;
+    /** Enough for 100,000 transitions. */
+    private static final int MAX_KEPT_BYTES = 256 << 20;
+    /** What an element costs besides its texts, about. */
+    private static final int BYTES_PER_ELEMENT = 140;
+
+    static final String EXPORT_AGAIN = "export it again from the tool that wrote it";
+
+    private final String file;
+    private final BoundedInput input;
+    private final Set<String> names = new HashSet<>();
+    private int depth;
+    private long keptBytes;
+
+    private XmiStream(String file, InputStream bytes) {
+        this.file = file;
+        this.input = new BoundedInput(bytes, this::refuse);
+    }
+
+    /**
+     * Opens a file.
+     *
+     * @throws ModelException if it cannot be opened or does not begin like XML
+     */
+    public static XmiStream open(Path file) {
+        if (Files.isDirectory(file)) {
+            throw new ModelException(file + ": is a directory; name a file in it");
+        }
+        try {
+            return of(file.toString(), Files.newInputStream(file));
+        } catch (NoSuchFileException missing) {
+            throw new ModelException(file + ": does not exist; correct the path", missing);
+        } catch (AccessDeniedException denied) {
+            throw new ModelException(file + ": may not be read; give yourself the right to read it", denied);
+        } catch (IOException unreadable) {
+            throw new ModelException(file + ": cannot be read (" + unreadable.getMessage() + ")", unreadable);
+        }
+    }
+
+    /** Takes over {@code bytes} and closes them. */
+    public static XmiStream of(String file, InputStream bytes) {
+        XmiStream stream = new XmiStream(file, new BufferedInputStream(bytes));
+        try {
+            Charset encoding = stream.encoding();
+            // A new decoder reports what it cannot decode; a reader's own would replace it without a word.
+            stream.setParent(
+                    factory().createXMLStreamReader(new InputStreamReader(stream.input, encoding.newDecoder())));
+            return stream;
+        } catch (XMLStreamException notXml) {
+            stream.close();
+            throw stream.notXml(notXml);
+        } catch (IOException unreadable) {
+            stream.close();
+            throw new ModelException(file + ": cannot be read (" + unreadable.getMessage() + ")", unreadable);
+        } catch (RuntimeException refused) {
+            stream.close();
+            throw refused;
+        }
+    }
+
+    private static XMLInputFactory factory() {
+        XMLInputFactory factory = XMLInputFactory.newDefaultFactory();
+        factory.setProperty(XMLInputFactory.SUPPORT_DTD, false);
+        factory.setProperty(XMLInputFactory.IS_SUPPORTING_EXTERNAL_ENTITIES, false);
+        factory.setProperty(XMLConstants.ACCESS_EXTERNAL_DTD, "");
+        return factory;
+    }
+
+    private Charset encoding() throws IOException {
+        input.mark(XmlEncoding.HEAD_BYTES);
+        byte[] head = input.readNBytes(XmlEncoding.HEAD_BYTES);
+        input.reset();
+        if (head.length == 0) {
+            throw refuse("is empty", EXPORT_AGAIN);
+        }
+        if (head[0] == 'P' && head.length > 1 && head[1] == 'K') {
+            throw refuse(
+                    "is a zip archive, such as an Astah project (.asta), not XML",
+                    "open it in Astah and use Tools > XML Input & Output > Save as XML Project");
+        }
+        if (head[0] == 0x1F) {
+            throw refuse("is compressed by gzip", "unpack it with gunzip");
+        }
+        input.skipNBytes(XmlEncoding.utf8MarkBytes(head));
+        try {
+            return XmlEncoding.of(head);
+        } catch (IllegalArgumentException unknown) {
+            throw refuse("is in the unknown encoding " + unknown.getMessage(), "save it in UTF-8");
+        }
+    }
+
+    /** The file, as messages call it. */
+    public String file() {
+        return file;
+    }
+
+    /** The number of open elements, the current one included. */
+    public int depth() {
+        return depth;
+    }
+
+    /** The current line, counted from 1. */
+    public int line() {
+        return getLocation().getLineNumber();
+    }
+
+    /** Goes to the next start tag; false at the end of the element that is open at {@code outerDepth}. */
+    public boolean nextElementWithin(int outerDepth) {
+        while (true) {
+            int event = next();
+            if (event == XMLStreamConstants.START_ELEMENT) {
+                return true;
+            }
+            if (event == XMLStreamConstants.END_DOCUMENT
+                    || (event == XMLStreamConstants.END_ELEMENT && depth < outerDepth)) {
+                return false;
+            }
+        }
+    }
+
+    /** Goes to the end tag of the element whose start tag is the current event. */
+    public void skipElement() {
+        int outerDepth = depth;
+        while (nextElementWithin(outerDepth)) {
+            // Nothing in it is wanted.
+        }
+    }
+
+    /** Whether the current event is a tag of this name. */
+    public boolean at(String namespace, String localName) {
+        String actual = getNamespaceURI();
+        return getLocalName().equals(localName) && (actual == null ? "" : actual).equals(namespace);
+    }
+
+    /** The attribute of this local name, empty if there is none. */
+    public String attribute(String localName) {
+        String value = getAttributeValue(null, localName);
+        return value == null ? "" : value;
+    }
+
+    /**
+     * Notes that an element with texts of this length stays in memory.
+     *
+     * @throws ModelException if the file asks for too many
+     */
+    public void keep(int characters) {
+        keptBytes += BYTES_PER_ELEMENT + characters;
+        if (keptBytes > MAX_KEPT_BYTES) {
+            throw refuse("its state machines are too large", "split them into several files");
+        }
+    }
+
+    @Override
+    public int next() {
+        try {
+            input.startToken();
+            int event = super.next();
+            switch (event) {
+                case START_ELEMENT -> startElement();
+                case END_ELEMENT -> depth--;
+                case DTD -> throw refuse("holds a DOCTYPE, which is not read for safety", "remove it");
+                case PROCESSING_INSTRUCTION -> name(getPITarget());
+                default -> {}
+            }
+            return event;
+        } catch (XMLStreamException notXml) {
+            throw notXml(notXml);
+        }
+    }
+
+    private void startElement() {
+        if (++depth > MAX_DEPTH) {
+            throw refuse("nests elements deeper than " + MAX_DEPTH, EXPORT_AGAIN);
+        }
+        name(getPrefix(), getLocalName());
+        for (int i = 0; i < getAttributeCount(); i++) {
+            name(getAttributePrefix(i), getAttributeLocalName(i));
+        }
+        for (int i = 0; i < getNamespaceCount(); i++) {
+            name(getNamespacePrefix(i), String.valueOf(getNamespaceURI(i)));
+        }
+    }
+
+    private void name(@Nullable String prefix, String localName) {
+        name(prefix == null || prefix.isEmpty() ? localName : prefix + ':' + localName);
+    }
+
+    private void name(String name) {
+        if (names.add(name) && names.size() > MAX_NAMES) {
+            throw refuse("uses more than " + MAX_NAMES + " different names of elements and attributes", EXPORT_AGAIN);
+        }
+    }
+
+    @Override
+    public String getElementText() {
+        try {
+            String text = super.getElementText();
+            depth--;
+            return text;
+        } catch (XMLStreamException notText) {
+            throw notXml(notText);
+        }
+    }
+
+    /** {@code FILE: what (line N): mend}. */
+    public ModelException refuse(String what, String mend) {
+        return new ModelException(message(what, getParent() == null ? 0 : line(), mend));
+    }
+
+    private ModelException notXml(XMLStreamException cause) {
+        Throwable nested = cause.getNestedException();
+        Location location = cause.getLocation();
+        int line = location == null ? 0 : location.getLineNumber();
+        // The parser's own text starts with the position, which the message gives anyway.
+        if (nested instanceof CharacterCodingException) {
+            return new ModelException(
+                    message("holds bytes that are no text in the encoding it announces", line, "save it in UTF-8"),
+                    cause);
+        }
+        String text = String.valueOf(nested == null ? cause.getMessage() : nested.getMessage());
+        String reason = text.substring(text.lastIndexOf("Message: ") < 0 ? 0 : text.lastIndexOf("Message: ") + 9);
+        return new ModelException(message("is damaged or not XML, " + reason, line, EXPORT_AGAIN), cause);
+    }
+
+    private String message(String what, int line, String mend) {
+        return file + ": " + what + (line > 0 ? " (line " + line + ")" : "") + ": " + mend;
+    }
+
+    @Override
+    public void close() {
+        try {
+            input.close();
+        } catch (IOException failed) {
+            throw new UncheckedIOException(failed);
+        }
+    }
+}
