@@ -10,11 +10,12 @@ import java.util.Map;
 import java.util.Queue;
 import java.util.Set;
 import org.evoloop.evolution.Configuration;
+import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.DecisionTable;
 import org.evoloop.evolution.Turn;
 
 /**
- * Every configuration that can be reached, what can happen in it, and the shortest way there.
+ * Every configuration that can be reached without a failure, what can happen in it, and the shortest way there.
  *
  * <p>Threading: immutable.
  */
@@ -49,7 +50,8 @@ public final class PairGraph {
     private List<Turn> arrive(List<Turn> taken, Queue<Configuration> frontier) {
         for (Turn turn : taken) {
             Configuration after = turn.decision().after();
-            if (!after.equals(initial) && arrivals.putIfAbsent(after, turn) == null) {
+            boolean fails = turn.decision() instanceof Decision.Impossible;
+            if (!fails && !after.equals(initial) && arrivals.putIfAbsent(after, turn) == null) {
                 frontier.add(after);
             }
         }
