@@ -1,17 +1,20 @@
 package org.evoloop.evolution;
 
 import java.util.ArrayDeque;
+import java.util.ArrayList;
 import java.util.Collections;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Queue;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.Predicate;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
-import org.jspecify.annotations.Nullable;
+import org.evoloop.statemachine.Transition;
 
 /**
  * The transition hash table: the decision for every event in every configuration that can be reached, made once, so
@@ -27,18 +30,32 @@ import org.jspecify.annotations.Nullable;
  */
 public final class DecisionTable {
     private final ModelPair pair;
+    private final DeviceEvents device;
     private final EventConversion conversion;
+    private final GuardedTriggers originalGuards;
+    private final GuardedTriggers evolvedGuards;
     private final Map<Configuration, Row> rows = new ConcurrentHashMap<>();
     private final Set<Configuration> reachable = new LinkedHashSet<>();
     private final Set<Decision.Impossible> problems = new LinkedHashSet<>();
     private final Set<Decision.Impossible> hazards = new LinkedHashSet<>();
 
-    /** The decisions of one configuration, by event: asked for, or already acted on by the device. */
-    private record Row(Map<Event, Decision> asked, Map<Event, Decision> acted) {}
+    /**
+     * The decisions of one configuration, by event: asked for, or already acted on by the device. Events that neither model
+     * knows there are ignored.
+     */
+    private record Row(Map<Event, Decision> asked, Map<Event, Decision> acted, Decision ignored) {
+        Decision decision(Event event, boolean deviceActed) {
+            Decision decision = (deviceActed ? acted : asked).get(event);
+            return decision == null ? ignored : decision;
+        }
+    }
 
     private DecisionTable(ModelPair pair, DeviceEvents device) {
         this.pair = pair;
+        this.device = device;
         this.conversion = new EventConversion(pair, device);
+        this.originalGuards = new GuardedTriggers(pair.original());
+        this.evolvedGuards = new GuardedTriggers(pair.evolved());
     }
 
     /**
@@ -48,49 +65,87 @@ public final class DecisionTable {
      */
     public static DecisionTable compile(ModelPair pair, DeviceEvents device) {
         DecisionTable table = new DecisionTable(pair, device);
-        table.explore(new ArrayDeque<>(List.of(pair.initial())), device, false, table.problems);
+        table.explore(new ArrayDeque<>(List.of(pair.initial())), false, table.problems);
         Queue<Configuration> interfered = new ArrayDeque<>();
         for (Configuration at : table.reachable) {
-            table.followInterference(at, device, table.hazards, interfered);
+            follow(table.interference(at), table.hazards, interfered);
         }
-        table.explore(interfered, device, true, table.hazards);
+        table.explore(interfered, true, table.hazards);
         return table;
     }
 
-    private void explore(
-            Queue<Configuration> frontier,
-            DeviceEvents device,
-            boolean interference,
-            Set<Decision.Impossible> impossible) {
+    private void explore(Queue<Configuration> frontier, boolean withInterference, Set<Decision.Impossible> impossible) {
         for (Configuration at = frontier.poll(); at != null; at = frontier.poll()) {
             if (reachable.add(at)) {
-                Row row = row(at);
-                for (Event event : pair.evolved().events()) {
-                    follow(row.asked().get(event), impossible, frontier);
-                }
-                if (interference) {
-                    followInterference(at, device, impossible, frontier);
+                follow(expected(at), impossible, frontier);
+                if (withInterference) {
+                    follow(interference(at), impossible, frontier);
                 }
             }
         }
     }
 
-    private void followInterference(
-            Configuration at, DeviceEvents device, Set<Decision.Impossible> impossible, Queue<Configuration> frontier) {
-        for (Event event : device.spontaneous()) {
-            if (pair.original().hasTransition(at.original(), event)) {
-                follow(row(at).acted().get(event), impossible, frontier);
+    private static void follow(List<Turn> turns, Set<Decision.Impossible> impossible, Queue<Configuration> frontier) {
+        for (Turn turn : turns) {
+            if (turn.decision() instanceof Decision.Impossible found) {
+                impossible.add(found);
+            } else {
+                frontier.add(turn.decision().after());
             }
         }
     }
 
-    private static void follow(
-            @Nullable Decision decision, Set<Decision.Impossible> impossible, Queue<Configuration> frontier) {
-        if (decision instanceof Decision.Impossible found) {
-            impossible.add(found);
-        } else if (decision != null) {
-            frontier.add(decision.after());
+    /**
+     * What can happen in {@code at} as it should: events that the new model accepts there, and what the device does of its
+     * own accord.
+     */
+    public List<Turn> expected(Configuration at) {
+        List<Turn> turns = new ArrayList<>();
+        for (Transition transition : pair.evolved().transitionsFrom(at.evolved())) {
+            if (evolvedGuards.shadowOf(transition) == null) {
+                turns.add(turn(at, transition.event(), false));
+            }
         }
+        for (Transition transition : pair.original().transitionsFrom(at.original())) {
+            if (conversion.isDevicesOwn(transition.event().trigger()) && isUnheard(at, transition)) {
+                turns.add(turn(at, transition.event(), false));
+            }
+        }
+        return turns;
+    }
+
+    /** What can happen in {@code at} when the device does by itself what it could have been asked for. */
+    public List<Turn> interference(Configuration at) {
+        List<Turn> turns = new ArrayList<>();
+        for (Transition transition : pair.evolved().transitionsFrom(at.evolved())) {
+            if (isSpontaneous(transition)
+                    && evolvedGuards.shadowOf(transition) == null
+                    && conversion.originalTransition(at.original(), transition.event()) != null) {
+                turns.add(turn(at, transition.event(), true));
+            }
+        }
+        for (Transition transition : pair.original().transitionsFrom(at.original())) {
+            if (isSpontaneous(transition) && isUnheard(at, transition)) {
+                turns.add(turn(at, transition.event(), true));
+            }
+        }
+        return turns;
+    }
+
+    private boolean isSpontaneous(Transition transition) {
+        return device.spontaneous().contains(transition.event().trigger());
+    }
+
+    /** Whether the device may take {@code transition} with the new model not accepting its event. */
+    private boolean isUnheard(Configuration at, Transition transition) {
+        return originalGuards.shadowOf(transition) == null
+                && !pair.evolved().hasTransition(at.evolved(), transition.event())
+                && !pair.evolved()
+                        .hasTransition(at.evolved(), transition.event().trigger());
+    }
+
+    private Turn turn(Configuration at, Event event, boolean deviceActed) {
+        return new Turn(event, deviceActed, decide(at, event, deviceActed));
     }
 
     private Row row(Configuration at) {
@@ -100,24 +155,48 @@ public final class DecisionTable {
 
     /** The conversion remembers its searches, which is not thread-safe. */
     private synchronized Row decideAll(Configuration at) {
-        Row row = new Row(new HashMap<>(), new HashMap<>());
-        for (Event event : pair.evolved().events()) {
-            row.asked().put(event, conversion.decide(at, event, false));
-            row.acted().put(event, conversion.decide(at, event, true));
-        }
+        Row row = new Row(new HashMap<>(), new HashMap<>(), new Decision.NotAcceptable(at, at, List.of()));
+        pair.evolved().transitionsFrom(at.evolved()).forEach(known -> decide(at, known.event(), row));
+        pair.original().transitionsFrom(at.original()).forEach(known -> decide(at, known.event(), row));
         return row;
+    }
+
+    private void decide(Configuration at, Event event, Row row) {
+        row.asked().computeIfAbsent(event, key -> conversion.decide(at, key, false));
+        row.acted().computeIfAbsent(event, key -> conversion.decide(at, key, true));
     }
 
     /**
      * What {@code event} means in {@code at}.
      *
+     * @param event with the guards under which it comes, see {@link #resolve}
      * @param deviceActed whether the device has already acted on it
-     * @return {@link Decision.NotAcceptable} without steps for an event that neither model knows
+     * @return {@link Decision.NotAcceptable} without steps for an event that neither model knows there
      */
     public Decision decide(Configuration at, Event event, boolean deviceActed) {
-        Row row = row(at);
-        Decision decision = (deviceActed ? row.acted() : row.asked()).get(event);
-        return decision == null ? new Decision.NotAcceptable(at, at, List.of()) : decision;
+        return row(at).decision(event, deviceActed);
+    }
+
+    /**
+     * Under which guards {@code trigger} comes: those of the new model, else, when the device may have taken it by itself,
+     * those of the original.
+     *
+     * @param trigger an event without guards, as a monitor tells it
+     * @param holds whether the condition of this text holds now; false for one that cannot be asked
+     * @return what to {@link #decide} on; {@code trigger} itself where no guard is drawn for it
+     */
+    public Event resolve(Configuration at, Event trigger, Predicate<String> holds) {
+        Event heard = evolvedGuards.resolve(at.evolved(), trigger, holds);
+        if (heard != null && pair.evolved().hasTransition(at.evolved(), heard)) {
+            return heard;
+        }
+        Event taken = originalGuards.resolve(at.original(), trigger, holds);
+        return taken == null ? trigger : taken;
+    }
+
+    /** Whether {@code step} is where its trigger leads now. */
+    public boolean isOpen(Step step, Predicate<String> holds) {
+        return !step.conditional() || step.event().equals(originalGuards.resolve(step.source(), step.trigger(), holds));
     }
 
     /**
@@ -135,6 +214,26 @@ public final class DecisionTable {
     /** Every configuration that can be reached, first reached first. */
     public Set<Configuration> configurations() {
         return Collections.unmodifiableSet(reachable);
+    }
+
+    /**
+     * Effects of the new model that the converter has to see to, in the order in which they are drawn: those that the device
+     * does not know, and those that it does not do by itself on the way of some decision.
+     */
+    public Set<String> effects() {
+        Set<String> drawn = new LinkedHashSet<>();
+        pair.evolved().transitions().forEach(transition -> drawn.addAll(transition.effects()));
+        if (drawn.isEmpty()) {
+            return drawn;
+        }
+        Set<String> missing = new HashSet<>(drawn);
+        pair.original().transitions().forEach(transition -> transition.effects().forEach(missing::remove));
+        for (Configuration at : reachable) {
+            expected(at).forEach(turn -> missing.addAll(turn.decision().effects()));
+            interference(at).forEach(turn -> missing.addAll(turn.decision().effects()));
+        }
+        drawn.retainAll(missing);
+        return drawn;
     }
 
     /** Decisions that lead to a state of the device to which no plan leads; an evolution must have none. */

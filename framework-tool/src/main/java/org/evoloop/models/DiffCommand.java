@@ -1,0 +1,59 @@
+package org.evoloop.models;
+
+import java.util.List;
+import java.util.concurrent.Callable;
+import org.evoloop.evolution.ModelPair;
+import org.evoloop.models.diagram.SvgWriter;
+import org.evoloop.models.evolution.DifferenceDiagram;
+import org.evoloop.models.evolution.DifferenceJson;
+import org.evoloop.models.evolution.DifferenceText;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** Two models side by side. */
+@Command(
+        name = "diff",
+        description = "Says what a new model keeps, adds, reroutes and removes.",
+        mixinStandardHelpOptions = true)
+@SuppressWarnings("NullAway.Init") // picocli sets the fields
+final class DiffCommand implements Callable<Integer> {
+    /** How a difference can be told. */
+    enum Format {
+        TEXT,
+        JSON,
+        SVG
+    }
+
+    @Spec
+    private CommandSpec spec;
+
+    @Parameters(index = "0", paramLabel = "ORIGINAL", description = "What the device does: FILE#NAME.")
+    private String original;
+
+    @Parameters(index = "1", paramLabel = "NEW", description = "What its owner wants: FILE#NAME.")
+    private String evolved;
+
+    @Option(
+            names = "--format",
+            defaultValue = "TEXT",
+            description = "One of ${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE}).")
+    private Format format;
+
+    @Override
+    public Integer call() {
+        ModelPair pair = ModelReader.pair(original, evolved);
+        String shown = switch (format) {
+            case TEXT -> DifferenceText.write(pair);
+            case JSON -> DifferenceJson.write(pair);
+            case SVG ->
+                SvgWriter.write(
+                        "From " + pair.original().name() + " to "
+                                + pair.evolved().name(),
+                        List.of(DifferenceDiagram.of(pair)));
+        };
+        return Output.print(spec, shown);
+    }
+}

@@ -1,0 +1,44 @@
+package org.evoloop.models;
+
+import java.util.concurrent.Callable;
+import org.evoloop.models.flat.AstahWriter;
+import org.evoloop.models.flat.TransitionTable;
+import org.evoloop.statemachine.StateMachine;
+import org.evoloop.xmi.ModelReference;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** The flat machine that a drawn one is equivalent to. */
+@Command(
+        name = "flatten",
+        description = "Gives the flat machine that accepts the same events with the same actions.",
+        mixinStandardHelpOptions = true)
+@SuppressWarnings("NullAway.Init") // picocli sets the fields
+final class FlattenCommand implements Callable<Integer> {
+    /** How a flat machine can be told. */
+    enum Format {
+        TABLE,
+        XMI
+    }
+
+    @Spec
+    private CommandSpec spec;
+
+    @Parameters(paramLabel = "FILE#NAME", description = "The file, and which of its machines.")
+    private String reference;
+
+    @Option(
+            names = "--format",
+            defaultValue = "TABLE",
+            description = "One of ${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE}); xmi is Astah's and reads back.")
+    private Format format;
+
+    @Override
+    public Integer call() {
+        StateMachine machine = ModelReference.parse(reference).load();
+        return Output.print(spec, format == Format.XMI ? AstahWriter.write(machine) : TransitionTable.write(machine));
+    }
+}

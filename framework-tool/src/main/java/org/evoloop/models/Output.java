@@ -1,0 +1,17 @@
+package org.evoloop.models;
+
+import java.io.PrintWriter;
+import picocli.CommandLine.Model.CommandSpec;
+
+/** Where results go: to the standard output, and nothing else goes there. */
+final class Output {
+    private Output() {}
+
+    /** Prints {@code result} and returns the exit status of a command that has done its work. */
+    static int print(CommandSpec spec, String result) {
+        PrintWriter out = spec.commandLine().getOut();
+        out.print(result);
+        out.flush();
+        return 0;
+    }
+}

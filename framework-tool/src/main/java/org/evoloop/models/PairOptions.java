@@ -1,0 +1,118 @@
+package org.evoloop.models;
+
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.function.Function;
+import java.util.stream.Collectors;
+import org.evoloop.evolution.DeviceEvents;
+import org.evoloop.evolution.ModelPair;
+import org.evoloop.evolution.check.Element;
+import org.evoloop.models.checking.Drawing;
+import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.State;
+import org.evoloop.statemachine.StateMachine;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** The two models of an evolution, and what their author knows of the device. */
+@SuppressWarnings("NullAway.Init") // picocli sets the fields
+final class PairOptions {
+    @Parameters(index = "0", paramLabel = "ORIGINAL", description = "What the device does: FILE#NAME.")
+    private String original;
+
+    @Parameters(index = "1", paramLabel = "NEW", description = "What its owner wants: FILE#NAME.")
+    private String evolved;
+
+    @Option(
+            names = "--sendable",
+            split = ",",
+            paramLabel = "EVENT",
+            description =
+                    "Events that can be sent to the device, with commas between; unless told otherwise all events of"
+                            + " the original model but time triggers.")
+    private List<String> sendable = List.of();
+
+    @Option(
+            names = "--device-only",
+            split = ",",
+            paramLabel = "EVENT",
+            description = "Events that only the device raises, such as that it has finished: they cannot be sent.")
+    private List<String> deviceOnly = List.of();
+
+    @Option(
+            names = "--cost",
+            paramLabel = "EVENT=N",
+            description = "Makes ways avoid an event: the way with the least sum is taken (1 unless told otherwise).")
+    private Map<String, Integer> costs = Map.of();
+
+    @Option(
+            names = "--do-not-pass",
+            split = ",",
+            paramLabel = "STATE",
+            description = "States of the device through which no way may lead.")
+    private List<String> doNotPass = List.of();
+
+    String original() {
+        return original;
+    }
+
+    String evolved() {
+        return evolved;
+    }
+
+    /** Reads both models. */
+    ModelPair read() {
+        return ModelReader.pair(original, evolved);
+    }
+
+    /** Where the parts of both models stand in their files. */
+    Function<Element, String> places() {
+        Drawing originalDrawing = ModelReader.drawing(original);
+        Drawing evolvedDrawing = ModelReader.drawing(evolved);
+        return element -> (element.side() == Element.Side.ORIGINAL ? originalDrawing : evolvedDrawing).place(element);
+    }
+
+    /** What passes between converter and device. @throws IllegalArgumentException for a name that the model lacks */
+    DeviceEvents device(StateMachine device) {
+        Set<Event> known = device.triggers();
+        Set<Event> sent = new LinkedHashSet<>(events("--sendable", sendable, known));
+        if (sendable.isEmpty()) {
+            known.stream().filter(event -> event.timeTrigger().isEmpty()).forEach(sent::add);
+        }
+        sent.removeAll(events("--device-only", deviceOnly, known));
+        Map<Event, Integer> eventCosts = new LinkedHashMap<>();
+        costs.forEach((name, cost) -> eventCosts.put(event("--cost", name, known), cost));
+        Set<State> notPassed =
+                doNotPass.stream().map(name -> state(name, device)).collect(Collectors.toSet());
+        return new DeviceEvents(sent, Set.of())
+                .withCosts(eventCosts)
+                .withDoNotPass(notPassed)
+                .withBoundGuards(device.guards());
+    }
+
+    private static List<Event> events(String option, List<String> names, Set<Event> known) {
+        return names.stream().map(name -> event(option, name, known)).toList();
+    }
+
+    private static Event event(String option, String name, Set<Event> known) {
+        Event event = new Event(name.strip());
+        if (!known.contains(event)) {
+            throw new IllegalArgumentException(option + ": " + name + " is no event of the original model; there is "
+                    + known.stream().map(Event::name).collect(Collectors.joining(", ")));
+        }
+        return event;
+    }
+
+    private static State state(String name, StateMachine device) {
+        State state = new State(name.strip());
+        if (!device.hasState(state)) {
+            throw new IllegalArgumentException(
+                    "--do-not-pass: " + name + " is no state of the original model; there is "
+                            + device.states().stream().map(State::name).collect(Collectors.joining(", ")));
+        }
+        return state;
+    }
+}

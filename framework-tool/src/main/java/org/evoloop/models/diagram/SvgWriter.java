@@ -1,0 +1,160 @@
+package org.evoloop.models.diagram;
+
+import java.util.EnumSet;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.evoloop.models.diagram.Diagram.Tone;
+import org.evoloop.models.diagram.Layout.Box;
+import org.evoloop.models.diagram.Layout.Point;
+import org.evoloop.models.diagram.Layout.Wire;
+
+/**
+ * Writes diagrams as one SVG picture: a frame each, and a legend if a part has a tone of its own. The text is the same
+ * for the same diagrams, on every machine.
+ */
+public final class SvgWriter {
+    private static final double GAP = Shelves.GAP;
+    private static final double LEGEND_LINE = 24;
+    private static final double LEGEND_WIDTH = 330;
+    private static final double CORNER = 7;
+
+    private static final String STYLE = """
+            .paper { fill: #fff }
+            .border { fill: none; stroke: #bbb }
+            .line { fill: none; stroke-linejoin: round }
+            .separator { stroke-dasharray: 9 6 }
+            .name { text-anchor: middle; font-weight: bold }
+            .middle { text-anchor: middle }
+            .heading { font-size: 17px; font-weight: bold; fill: #333 }
+            .label { paint-order: stroke; stroke: #fff; stroke-width: 4px; stroke-linejoin: round }
+            """;
+
+    /** Stands behind the colours, which it overrules. */
+    private static final String FRAME_STYLE = ".state .frame, .pseudostate .hollow { fill: #fff }\n";
+
+    private final Svg svg = new Svg();
+
+    private SvgWriter() {}
+
+    /** The picture of {@code diagrams}, beside and below each other. */
+    public static String write(String title, List<Diagram> diagrams) {
+        return new SvgWriter().picture(title, diagrams);
+    }
+
+    private String picture(String title, List<Diagram> diagrams) {
+        List<Layout> layouts = diagrams.stream().map(ElkLayout::of).toList();
+        Shelves shelves = Shelves.of(layouts);
+        Set<Tone> tones = tones(diagrams);
+        double legend = tones.equals(EnumSet.of(Tone.PLAIN)) ? 0 : tones.size() * LEGEND_LINE + GAP;
+        double width = legend == 0 ? shelves.width() : Math.max(shelves.width(), LEGEND_WIDTH);
+        double height = shelves.height() + legend;
+        head(title, width, height, tones);
+        svg.rectangle("paper", 0, 0, width, height, 0);
+        for (int i = 0; i < layouts.size(); i++) {
+            machine(diagrams.get(i), layouts.get(i), shelves.places().get(i));
+        }
+        if (legend > 0) {
+            legend(tones, shelves.height());
+        }
+        return svg.raw("</svg>\n").toString();
+    }
+
+    private void head(String title, double width, double height, Set<Tone> tones) {
+        svg.raw("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + Svg.pair(width, height) + "\" width=\""
+                + Svg.number(width) + "\" height=\"" + Svg.number(height)
+                + "\" font-family=\"DejaVu Sans, Verdana, Arial, sans-serif\" font-size=\""
+                + Svg.number(TextSize.FONT_SIZE) + "\">\n");
+        svg.raw("<title>" + Svg.escape(title) + "</title>\n<style>\n").raw(STYLE);
+        tones.forEach(tone -> svg.raw(Palette.of(tone).css()));
+        svg.raw(FRAME_STYLE).raw("</style>\n<defs>\n");
+        tones.forEach(tone -> svg.raw(Palette.of(tone).marker()));
+        svg.raw("</defs>\n");
+    }
+
+    private static Set<Tone> tones(List<Diagram> diagrams) {
+        Set<Tone> tones = EnumSet.of(Tone.PLAIN);
+        for (Diagram diagram : diagrams) {
+            diagram.nodes().forEach(node -> collect(node, tones));
+            diagram.edges().forEach(edge -> tones.add(edge.tone()));
+        }
+        return tones;
+    }
+
+    private static void collect(Diagram.Node node, Set<Tone> tones) {
+        tones.add(node.tone());
+        node.children().forEach(child -> collect(child, tones));
+    }
+
+    private void machine(Diagram diagram, Layout layout, Point at) {
+        svg.group("machine", at.x(), at.y());
+        svg.rectangle("border", 0, 0, Shelves.frameWidth(layout), Shelves.frameHeight(layout), 4);
+        svg.text("heading", 12, 23, diagram.title());
+        svg.group("drawing", 0, Shelves.HEADING);
+        Map<String, Box> boxes = new HashMap<>();
+        layout.boxes().forEach(box -> boxes.put(box.node().key(), box));
+        NodePainter painter = new NodePainter(svg, boxes);
+        layout.boxes().forEach(painter::paint);
+        layout.wires().forEach(wire -> way(wire, boxes));
+        layout.wires().forEach(this::label);
+        svg.endGroup().endGroup();
+    }
+
+    private void way(Wire wire, Map<String, Box> boxes) {
+        Box source = boxes.get(wire.edge().source());
+        Box target = boxes.get(wire.edge().target());
+        if (source != null && target != null) {
+            svg.group("transition " + Palette.of(wire.edge().tone()).cssClass());
+            svg.path("line way", path(Ends.onOutlines(wire.points(), source, target)))
+                    .endGroup();
+        }
+    }
+
+    /** Through {@code points}, with round corners. */
+    private static String path(List<Point> points) {
+        Point start = points.get(0);
+        StringBuilder path = new StringBuilder("M" + Svg.pair(start.x(), start.y()));
+        for (int i = 1; i < points.size() - 1; i++) {
+            Point corner = points.get(i);
+            Point before = towards(corner, points.get(i - 1));
+            Point after = towards(corner, points.get(i + 1));
+            path.append(" L").append(Svg.pair(before.x(), before.y()));
+            path.append(" Q").append(Svg.pair(corner.x(), corner.y()));
+            path.append(' ').append(Svg.pair(after.x(), after.y()));
+        }
+        Point end = points.get(points.size() - 1);
+        return path.append(" L").append(Svg.pair(end.x(), end.y())).toString();
+    }
+
+    /** A little from {@code corner} towards {@code next}, at most half the way. */
+    private static Point towards(Point corner, Point next) {
+        double length = Math.hypot(next.x() - corner.x(), next.y() - corner.y());
+        double part = length == 0 ? 0 : Math.min(CORNER, length / 2) / length;
+        return new Point(corner.x() + (next.x() - corner.x()) * part, corner.y() + (next.y() - corner.y()) * part);
+    }
+
+    private void label(Wire wire) {
+        if (wire.label().isEmpty()) {
+            return;
+        }
+        svg.group("event " + Palette.of(wire.edge().tone()).cssClass());
+        double baseline = wire.at().y() + TextSize.ASCENT;
+        for (String line : wire.label()) {
+            svg.text("label", wire.at().x(), baseline, line);
+            baseline += TextSize.LINE_HEIGHT;
+        }
+        svg.endGroup();
+    }
+
+    private void legend(Set<Tone> tones, double top) {
+        double y = top + LEGEND_LINE / 2;
+        for (Tone tone : tones) {
+            Palette palette = Palette.of(tone);
+            svg.group("legend " + palette.cssClass());
+            svg.path("line way", "M" + Svg.pair(GAP, y) + " L" + Svg.pair(GAP + 46, y));
+            svg.text("meaning", GAP + 58, y + 4.5, palette.meaning()).endGroup();
+            y += LEGEND_LINE;
+        }
+    }
+}

@@ -1,0 +1,74 @@
+package org.evoloop.models.evolution;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Collectors;
+import org.evoloop.models.evolution.EvolutionPlan.Line;
+import org.evoloop.statemachine.Event;
+
+/** A plan for people. */
+public final class PlanText {
+    private PlanText() {}
+
+    public static String write(EvolutionPlan plan) {
+        List<String> lines = new ArrayList<>();
+        lines.add("plan from " + plan.pair().original() + " to " + plan.pair().evolved());
+        lines.add("assumed: the converter can send " + names(plan) + "; all else the device does by itself");
+        if (!plan.device().doNotPass().isEmpty()) {
+            lines.add("not to be passed: "
+                    + plan.device().doNotPass().stream()
+                            .sorted()
+                            .map(Object::toString)
+                            .collect(Collectors.joining(", ")));
+        }
+        plan.device().costs().keySet().stream()
+                .sorted()
+                .forEach(event -> lines.add(
+                        "cost of " + event + ": " + plan.device().costs().get(event)));
+        lines.add("(device, system)");
+        plan.lines().forEach(line -> lines.add(line(line)));
+        plan.unreached().forEach(transition -> lines.add("never taken: " + DifferenceText.label(transition)));
+        return String.join("\n", lines) + "\n";
+    }
+
+    private static String names(EvolutionPlan plan) {
+        String names =
+                plan.device().sendable().stream().sorted().map(Event::name).collect(Collectors.joining(", "));
+        return names.isEmpty() ? "nothing" : names;
+    }
+
+    private static String line(Line line) {
+        return line.at() + "  " + DifferenceText.label(line.transition()) + ":  " + what(line);
+    }
+
+    private static String what(Line line) {
+        String sent = line.sent().stream().map(step -> step.trigger().name()).collect(Collectors.joining(", "));
+        return switch (line.kind()) {
+            case SAME_EVENT -> "same event " + sent;
+            case PATH -> "path " + sent + way(line);
+            case BY_DEVICE -> "the device has done it";
+            case NOTHING ->
+                "nothing to send, the device is in " + line.transition().target();
+            case NEW_FUNCTION ->
+                (line.transition().internal() ? "stays in new function " : "new function ")
+                        + line.transition().target();
+            case IMPOSSIBLE -> "IMPOSSIBLE: " + line.reason();
+        };
+    }
+
+    /** {@code Clean --Clean--> On --Spot--> Spot}. */
+    private static String way(Line line) {
+        StringBuilder way = new StringBuilder(line.sent().get(0).source().name());
+        line.sent()
+                .forEach(step ->
+                        way.append(" --").append(step.event()).append("--> ").append(step.target()));
+        return " (" + way + ")" + (line.isMarked() ? "  ! ON THE WAY: " + effects(line) : "");
+    }
+
+    private static String effects(Line line) {
+        return line.passed().stream()
+                .filter(passed -> !passed.effects().isEmpty())
+                .map(passed -> "in " + passed.state() + " the device does " + String.join("; ", passed.effects()))
+                .collect(Collectors.joining(", "));
+    }
+}

@@ -1,0 +1,144 @@
+package org.evoloop.models.flat;
+
+import java.io.StringWriter;
+import java.net.URLEncoder;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import javax.xml.stream.XMLOutputFactory;
+import javax.xml.stream.XMLStreamException;
+import javax.xml.stream.XMLStreamWriter;
+import org.evoloop.models.chart.ArcLabel;
+
+/** The elements of Astah's dialect, one a line; names of UML's elements are URL-encoded, as Astah does. */
+final class AstahElements {
+    private static final String UML = "org.omg.xmi.namespace.UML";
+    private static final String JUDE = "http://objectclub.esm.co.jp/Jude/namespace/";
+
+    private final StringWriter text = new StringWriter();
+    private final XMLStreamWriter xml;
+
+    AstahElements() {
+        try {
+            xml = XMLOutputFactory.newFactory().createXMLStreamWriter(text);
+        } catch (XMLStreamException broken) {
+            throw new IllegalStateException("no XML writer", broken);
+        }
+    }
+
+    /** A step of the writer; memory does not refuse to be written to. */
+    @FunctionalInterface
+    private interface Step {
+        void run() throws XMLStreamException;
+    }
+
+    private AstahElements write(Step step) {
+        try {
+            step.run();
+        } catch (XMLStreamException broken) {
+            throw new IllegalStateException("cannot write XML", broken);
+        }
+        return this;
+    }
+
+    /** All that stands before the first machine. */
+    void head() {
+        write(() -> {
+            xml.writeStartDocument("UTF-8", "1.0");
+            xml.writeCharacters("\n");
+            xml.writeStartElement("XMI");
+            xml.writeAttribute("xmi.version", "1.1");
+            xml.writeNamespace("JUDE", JUDE);
+            xml.writeNamespace("UML", UML);
+            xml.writeStartElement("XMI.header");
+            xml.writeStartElement("XMI.documentation");
+            xml.writeStartElement("XMI.exporter");
+            xml.writeCharacters("Jomt XMI writer");
+        });
+        close(3);
+        write(() -> xml.writeStartElement("XMI.content"));
+        open("Model", "model", "").open("Namespace.ownedElement");
+    }
+
+    /** All that stands behind the last machine, with the diagram that names it. */
+    String foot(String machineId, String diagramName) {
+        close(2);
+        write(() -> {
+            xml.writeStartElement("XMI.extension");
+            xml.writeStartElement("JUDE", "StateChartDiagram", JUDE);
+            xml.writeAttribute("xmi.id", "diagram");
+            xml.writeAttribute("name", diagramName);
+            xml.writeStartElement("JUDE", "StateChartDiagram.semanticModel", JUDE);
+        });
+        reference("StateMachine", machineId);
+        close(5);
+        write(() -> {
+            xml.writeEndDocument();
+            xml.close();
+        });
+        return text.toString();
+    }
+
+    /** Opens a role: an element that only holds others. */
+    AstahElements open(String role) {
+        return write(() -> {
+            xml.writeCharacters("\n");
+            xml.writeStartElement("UML", role, UML);
+        });
+    }
+
+    /** Opens an element of its own. */
+    AstahElements open(String element, String id, String name) {
+        return open(element).write(() -> {
+            xml.writeAttribute("xmi.id", id);
+            xml.writeAttribute("name", URLEncoder.encode(name, StandardCharsets.UTF_8));
+        });
+    }
+
+    AstahElements close(int levels) {
+        return write(() -> {
+            for (int level = 0; level < levels; level++) {
+                xml.writeEndElement();
+            }
+        });
+    }
+
+    private void reference(String element, String id) {
+        write(() -> {
+            xml.writeEmptyElement("UML", element, UML);
+            xml.writeAttribute("xmi.idref", id);
+        });
+    }
+
+    void pseudostate(String id, String kind) {
+        open("Pseudostate", id, "")
+                .write(() -> xml.writeAttribute("kind", kind))
+                .close(1);
+    }
+
+    /** A transition; what is empty is not there. */
+    void transition(String id, String source, String target, String trigger, String guard, List<String> effects) {
+        open("Transition", id, ArcLabel.of(trigger, guard, effects));
+        if (!effects.isEmpty()) {
+            open("Transition.effect");
+            for (int i = 0; i < effects.size(); i++) {
+                open("Action", id + "-a" + i, effects.get(i)).close(1);
+            }
+            close(1);
+        }
+        if (!guard.isEmpty()) {
+            open("Transition.guard").open("Guard", id + "-g", guard).close(2);
+        }
+        if (!trigger.isEmpty()) {
+            open("Transition.trigger").open("Event", id + "-e", trigger).close(2);
+        }
+        end("Transition.source", source);
+        end("Transition.target", target);
+        close(1);
+    }
+
+    private void end(String role, String vertex) {
+        open(role);
+        reference("StateVertex", vertex);
+        close(1);
+    }
+}

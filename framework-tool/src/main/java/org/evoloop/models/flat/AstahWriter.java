@@ -1,0 +1,96 @@
+package org.evoloop.models.flat;
+
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import org.evoloop.statemachine.State;
+import org.evoloop.statemachine.StateMachine;
+import org.evoloop.statemachine.Transition;
+
+/**
+ * Writes a flat machine in the dialect of Astah (XMI 1.1 of UML 1.4) so that the same machine is read back.
+ *
+ * <p>UML has one guard a transition. Several go one behind the other, with junctions between.
+ */
+public final class AstahWriter {
+    private static final String MACHINE = "machine";
+    private static final String INITIAL = "initial";
+
+    private final StateMachine machine;
+    private final List<Transition> transitions;
+    private final AstahElements xml = new AstahElements();
+    private final Map<State, String> ids = new HashMap<>();
+
+    private AstahWriter(StateMachine machine) {
+        this.machine = machine;
+        this.transitions = machine.transitions();
+        machine.states().forEach(state -> ids.put(state, "s" + ids.size()));
+    }
+
+    /** The document. */
+    public static String write(StateMachine machine) {
+        return new AstahWriter(machine).document();
+    }
+
+    private String document() {
+        xml.head();
+        xml.open("StateMachine", MACHINE, machine.name());
+        xml.open("StateMachine.top").open("CompositeState", "top", "").open("CompositeState.subvertex");
+        xml.pseudostate(INITIAL, "initial");
+        machine.states().forEach(this::state);
+        for (int number = 0; number < transitions.size(); number++) {
+            for (int guard = 1; guard < transitions.get(number).event().guards().size(); guard++) {
+                xml.pseudostate(junction(number, guard), "junction");
+            }
+        }
+        xml.close(3);
+        xml.open("StateMachine.transitions");
+        xml.transition("start", INITIAL, id(machine.initial()), "", "", List.of());
+        for (int number = 0; number < transitions.size(); number++) {
+            if (!transitions.get(number).internal()) {
+                transition(number);
+            }
+        }
+        xml.close(2);
+        return xml.foot(MACHINE, machine.name());
+    }
+
+    private void state(State state) {
+        xml.open("CompositeState", id(state), state.name());
+        for (int number = 0; number < transitions.size(); number++) {
+            Transition transition = transitions.get(number);
+            if (transition.internal() && transition.source().equals(state)) {
+                xml.open("State.internalTransition");
+                // Nothing can stand between the parts of what leads nowhere.
+                String guard = String.join(" and ", transition.event().guards());
+                String id = id(state);
+                xml.transition("t" + number, id, id, transition.event().name(), guard, transition.effects());
+                xml.close(1);
+            }
+        }
+        xml.close(1);
+    }
+
+    private void transition(int number) {
+        Transition transition = transitions.get(number);
+        List<String> guards = transition.event().guards();
+        int last = Math.max(guards.size() - 1, 0);
+        for (int segment = 0; segment <= last; segment++) {
+            xml.transition(
+                    "t" + number + "-" + segment,
+                    segment == 0 ? id(transition.source()) : junction(number, segment),
+                    segment == last ? id(transition.target()) : junction(number, segment + 1),
+                    segment == 0 ? transition.event().name() : "",
+                    guards.isEmpty() ? "" : guards.get(segment),
+                    segment == last ? transition.effects() : List.of());
+        }
+    }
+
+    private static String junction(int number, int guard) {
+        return "j" + number + "-" + guard;
+    }
+
+    private String id(State state) {
+        return ids.getOrDefault(state, "");
+    }
+}

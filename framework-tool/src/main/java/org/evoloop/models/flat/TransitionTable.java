@@ -1,0 +1,50 @@
+package org.evoloop.models.flat;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.evoloop.statemachine.StateMachine;
+import org.evoloop.statemachine.Transition;
+
+/** A flat machine as a table, a line for each transition; of one state and event the first whose guard holds counts. */
+public final class TransitionTable {
+    private static final List<String> HEAD = List.of("state", "event", "guard", "effects", "next state");
+
+    private TransitionTable() {}
+
+    public static String write(StateMachine machine) {
+        List<List<String>> rows = new ArrayList<>();
+        rows.add(HEAD);
+        machine.transitions().forEach(transition -> rows.add(row(transition)));
+        int[] widths = new int[HEAD.size()];
+        for (List<String> row : rows) {
+            for (int column = 0; column < widths.length; column++) {
+                widths[column] = Math.max(widths[column], width(row.get(column)));
+            }
+        }
+        StringBuilder text = new StringBuilder();
+        text.append(machine).append(", starts in ").append(machine.initial()).append('\n');
+        for (List<String> row : rows) {
+            StringBuilder line = new StringBuilder();
+            for (int column = 0; column < widths.length; column++) {
+                String cell = row.get(column);
+                line.append(cell).append(" ".repeat(widths[column] - width(cell) + 2));
+            }
+            text.append(line.toString().stripTrailing()).append('\n');
+        }
+        return text.toString();
+    }
+
+    private static List<String> row(Transition transition) {
+        return List.of(
+                transition.source().name(),
+                transition.event().name(),
+                String.join("] [", transition.event().guards()),
+                String.join("; ", transition.effects()),
+                transition.target() + (transition.internal() ? " (internal)" : ""));
+    }
+
+    /** In columns of a terminal, where Chinese, Japanese and Korean characters take two. */
+    private static int width(String cell) {
+        return cell.codePoints().map(point -> point >= 0x1100 ? 2 : 1).sum();
+    }
+}
