@@ -101,7 +101,8 @@ final class CheckCommand implements Callable<Integer> {
         List<Diagram> diagrams = findings.stream()
                 .flatMap(finding -> FindingDiagram.of(pair, finding).stream())
                 .toList();
-        return SvgWriter.write("Check of " + pair.original().name() + " and " + pair.evolved().name(), diagrams);
+        return SvgWriter.write(
+                "Check of " + pair.original().name() + " and " + pair.evolved().name(), diagrams);
     }
 
     private CheckInput input(ModelPair pair) {

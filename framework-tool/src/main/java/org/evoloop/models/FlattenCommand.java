@@ -39,7 +39,6 @@ final class FlattenCommand implements Callable<Integer> {
     @Override
     public Integer call() {
         StateMachine machine = ModelReference.parse(reference).load();
-        return Output.print(
-                spec, format == Format.XMI ? AstahWriter.write(machine) : TransitionTable.write(machine));
+        return Output.print(spec, format == Format.XMI ? AstahWriter.write(machine) : TransitionTable.write(machine));
     }
 }

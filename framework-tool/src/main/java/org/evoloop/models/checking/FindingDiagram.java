@@ -45,7 +45,8 @@ public final class FindingDiagram {
             }
         }
         return ChartDiagram.of(
-                FlatChart.of(machine.withName(machine.name() + ": " + finding.rule().id())),
+                FlatChart.of(
+                        machine.withName(machine.name() + ": " + finding.rule().id())),
                 vertex -> vertices.contains(vertex.key()) ? Tone.MARKED : Tone.PLAIN,
                 arc -> arcs.contains(arc) ? Tone.MARKED : Tone.PLAIN);
     }

@@ -110,7 +110,9 @@ final class AstahElements {
     }
 
     void pseudostate(String id, String kind) {
-        open("Pseudostate", id, "").write(() -> xml.writeAttribute("kind", kind)).close(1);
+        open("Pseudostate", id, "")
+                .write(() -> xml.writeAttribute("kind", kind))
+                .close(1);
     }
 
     /** A transition; what is empty is not there. */
