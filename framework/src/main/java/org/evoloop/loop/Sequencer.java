@@ -26,7 +26,7 @@ final class Sequencer<O> {
 
     private final Backlog<O> backlog;
     private LoopState state = LoopState.NEW;
-    private boolean everOpen;
+    private volatile boolean everOpen;
     private boolean paused;
     private boolean breakingOff;
     private boolean stepping;
@@ -69,6 +69,9 @@ final class Sequencer<O> {
 
     /** Waits until the loop has been opened for the first time. */
     void awaitFirstOpening() throws InterruptedException {
+        if (everOpen) {
+            return;
+        }
         lock.lockInterruptibly();
         try {
             while (!everOpen) {
