@@ -86,10 +86,12 @@ final class Assembly {
                 requireOriginal(pair, monitor.name() + " names as the device's own", events, problems);
             }
         }
-        DecisionTable table = DecisionTable.compile(pair, new DeviceEvents(sendable, spontaneous));
+        DecisionTable table =
+                DecisionTable.compile(pair, knowledge.bindings().refine(new DeviceEvents(sendable, spontaneous)));
         for (Decision.Impossible impossible : table.problems()) {
             problems.add("no plan in " + impossible.before() + ": " + impossible.reason());
         }
+        problems.addAll(knowledge.bindings().unboundEffects(table));
         if (!problems.isEmpty()) {
             throw new ModelException("the device cannot become what '"
                     + pair.evolved().name() + "' asks for:\n  " + String.join("\n  ", problems));
@@ -98,8 +100,9 @@ final class Assembly {
     }
 
     private static void requireOriginal(ModelPair pair, String who, Set<Event> events, List<String> problems) {
+        Set<Event> triggers = pair.original().triggers();
         for (Event event : events) {
-            if (!pair.original().events().contains(event)) {
+            if (!triggers.contains(event)) {
                 problems.add(who + " " + event + ", which is not an event of the original model '"
                         + pair.original().name() + "'");
             }

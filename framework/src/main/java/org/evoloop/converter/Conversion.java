@@ -5,6 +5,7 @@ import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Step;
 import org.evoloop.function.Visit;
+import org.evoloop.loop.Failure;
 import org.evoloop.statemachine.Event;
 import org.jspecify.annotations.Nullable;
 
@@ -22,6 +23,7 @@ public final class Conversion {
     private int taken;
     private boolean begun;
     private boolean over;
+    private String failedEffects = "";
 
     Conversion(ConverterCore core, Occurrence occurrence, Decision decision) {
         this.core = core;
@@ -45,7 +47,7 @@ public final class Conversion {
         return steps.stream()
                 .skip(taken)
                 .filter(step -> !step.byDevice())
-                .map(Step::event)
+                .map(Step::trigger)
                 .findFirst()
                 .orElse(null);
     }
@@ -58,25 +60,50 @@ public final class Conversion {
     void performWith(EventExecute execute) throws Exception {
         begin();
         for (Step step = nextStep(); step != null; step = nextStep()) {
-            if (!step.byDevice() && !execute.events().contains(step.event())) {
-                if (core.dispatchable(step.event())) {
+            if (!step.byDevice() && !execute.events().contains(step.trigger())) {
+                if (core.dispatchable(step.trigger())) {
                     return;
                 }
-                throw new IllegalStateException("no execute component can send " + step.event() + " any more");
+                throw new IllegalStateException("no execute component can send " + step.trigger() + " any more");
             }
             core.transcribe(decision, step);
             if (!step.byDevice()) {
                 execute.awaitReady(step);
+                core.requireOpen(step);
                 execute.send(step);
             }
             took(step);
         }
+        runEffects(execute);
         Visit entered = end();
         try {
             execute.settled(core.configuration());
         } finally {
             core.startFunction(entered);
         }
+    }
+
+    /** In order; one that fails keeps none of the others from being run, since the device has obeyed. */
+    private void runEffects(EventExecute execute) throws Exception {
+        for (String effect : decision.effects()) {
+            synchronized (this) {
+                requireOngoing();
+            }
+            try {
+                core.knowledge().bindings().run(effect);
+            } catch (InterruptedException stop) {
+                throw stop;
+            } catch (Exception cause) {
+                Failure<Occurrence> failure = new Failure<>(execute.name(), "effect " + effect, 0, occurrence, cause);
+                core.effectFailed(failure);
+                failedEffects += (failedEffects.isEmpty() ? "" : "; ") + failure;
+            }
+        }
+    }
+
+    /** What went wrong with the effects; empty if nothing did. */
+    String failedEffects() {
+        return failedEffects;
     }
 
     private synchronized @Nullable Step nextStep() throws InterruptedException {
@@ -117,16 +144,8 @@ public final class Conversion {
         return ongoing;
     }
 
-    /** Whether the new model leaves the state in which the event occurred, be it towards itself. */
-    boolean leavesState() {
-        return decision instanceof Decision.ExistingFunction
-                || decision instanceof Decision.NewFunction
-                || (decision instanceof Decision.Resynchronization
-                        && !decision.before().evolved().equals(decision.after().evolved()));
-    }
-
     /** Whether the state in which the event occurred has been left, even if nothing came of it. */
     synchronized boolean hasLeftState() {
-        return begun && leavesState();
+        return begun && decision.leavesState();
     }
 }

@@ -20,6 +20,7 @@ import org.evoloop.loop.LoopListener;
 import org.evoloop.loop.MapeLoop;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
+import org.evoloop.statemachine.Transition;
 import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -130,7 +131,9 @@ final class ConverterCore implements VisitHost, LoopListener<Occurrence> {
         transcript.observed(occurrence);
         Decision decision = found != null
                 ? knowledge.table().find(before, found)
-                : knowledge.table().decide(before, occurrence.event(), occurrence.deviceActed());
+                : knowledge
+                        .table()
+                        .decide(before, knowledge.resolve(before, occurrence.event()), occurrence.deviceActed());
         transcript.analyzed(decision);
         return decision;
     }
@@ -182,21 +185,32 @@ final class ConverterCore implements VisitHost, LoopListener<Occurrence> {
 
     void begins(Conversion conversion) {
         latency.record(config.clock().nanoTime() - conversion.occurrence().observedNanos());
-        if (conversion.leavesState()) {
+        if (conversion.decision().leavesState()) {
             // Before the first command leaves: a function that still moved the device would contradict it.
             functions.end();
         }
     }
 
+    /** @throws IllegalStateException if a guard of the original model leads the step elsewhere now */
+    void requireOpen(Step step) {
+        if (!knowledge.isOpen(step)) {
+            throw new IllegalStateException("the guards of the original model do not let " + step + " be taken now");
+        }
+    }
+
+    void effectFailed(Failure<Occurrence> failure) {
+        failures.log(failure);
+    }
+
     void transcribe(Decision decision, Step step) {
         if (decision instanceof Decision.ExistingFunction) {
-            transcript.step(step.event());
+            transcript.step(step.trigger());
         }
     }
 
     void took(Step step) {
         if (!step.byDevice()) {
-            transcript.command(step.event());
+            transcript.command(step.trigger());
         }
         knowledge.move(knowledge.configuration().withOriginal(step.target()));
     }
@@ -208,18 +222,12 @@ final class ConverterCore implements VisitHost, LoopListener<Occurrence> {
         Configuration after = decision.after();
         knowledge.move(after);
         Visit entered = null;
-        if (conversion.leavesState()) {
-            entered = enter(
-                    after.evolved(),
-                    knowledge
-                            .getTransition(
-                                    decision.before().evolved(),
-                                    conversion.occurrence().event())
-                            .map(BoundTransition::action)
-                            .orElse(NewFunction.none()));
-        }
-        if (decision instanceof Decision.NewFunction) {
-            transcript.starts(after.evolved());
+        if (decision.leavesState()) {
+            Transition transition = decision.transition();
+            entered = enter(after.evolved(), transition == null ? NewFunction.none() : knowledge.action(transition));
+            if (decision instanceof Decision.NewFunction) {
+                transcript.starts(after.evolved());
+            }
         }
         transcript.executed(after);
         record(conversion, after);
@@ -237,6 +245,9 @@ final class ConverterCore implements VisitHost, LoopListener<Occurrence> {
         if (decision instanceof Decision.NotAcceptable) {
             outcome = Outcome.IGNORED;
             detail = "not acceptable in " + decision.before().evolved();
+        } else if (!conversion.failedEffects().isEmpty()) {
+            outcome = Outcome.FAILED;
+            detail = conversion.failedEffects();
         } else if (decision instanceof Decision.Impossible impossible) {
             outcome = Outcome.FAILED;
             detail = impossible.reason();
@@ -247,7 +258,7 @@ final class ConverterCore implements VisitHost, LoopListener<Occurrence> {
             detail = "new function of " + after.evolved();
         } else if (!decision.steps().isEmpty()) {
             List<String> steps = new ArrayList<>();
-            decision.steps().forEach(step -> steps.add(step.event() + (step.byDevice() ? " (by the device)" : "")));
+            decision.steps().forEach(step -> steps.add(step.trigger() + (step.byDevice() ? " (by the device)" : "")));
             detail = String.join(", ", steps);
         }
         history.record(conversion.occurrence(), decision.before(), after, outcome, detail);

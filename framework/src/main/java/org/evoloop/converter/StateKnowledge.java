@@ -7,9 +7,13 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.BooleanSupplier;
+import java.util.function.Predicate;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.DecisionTable;
+import org.evoloop.evolution.DeviceEvents;
 import org.evoloop.evolution.ModelPair;
+import org.evoloop.evolution.Step;
 import org.evoloop.function.NewFunction;
 import org.evoloop.loop.Knowledge;
 import org.evoloop.statemachine.Event;
@@ -27,7 +31,9 @@ public class StateKnowledge extends Knowledge {
     private final ModelPair pair;
     private final Map<State, NewFunction> functions = new HashMap<>();
     private final Map<State, Map<Event, Duration>> timers = new HashMap<>();
-    private final Map<Transition, NewFunction> actions = new HashMap<>();
+    private final Map<Ends, NewFunction> actions = new HashMap<>();
+    private final Bindings bindings;
+    private final Predicate<String> holds;
     private volatile Configuration current;
     private volatile @Nullable DecisionTable table;
 
@@ -36,6 +42,24 @@ public class StateKnowledge extends Knowledge {
         pair.requireValid();
         this.pair = pair;
         this.current = pair.initial();
+        this.bindings = new Bindings(pair);
+        this.holds = bindings::holds;
+    }
+
+    /** A transition by what its author calls it: its event with or without its guards. */
+    private record Ends(State source, String event, State target) {
+        boolean match(Transition transition) {
+            return source.equals(transition.source())
+                    && target.equals(transition.target())
+                    && (event.equals(transition.event().name())
+                            || event.equals(transition.event().toString()));
+        }
+
+        /** For messages: {@code Off --Clean--> On}. */
+        @Override
+        public String toString() {
+            return source + " --" + event + "--> " + target;
+        }
     }
 
     /** Registers the functions and timers of new states; called once, when the converter is built. */
@@ -55,15 +79,54 @@ public class StateKnowledge extends Knowledge {
     }
 
     /**
+     * Says when the guard of this text holds, in either model. It is asked on the analyze component's thread when an event
+     * comes that the new model guards with it, and on an execute component's before an event is sent over a transition of
+     * the original model that it guards. One that throws makes that event fail.
+     *
+     * @param text as drawn, without brackets
+     */
+    protected final void guard(String text, BooleanSupplier condition) {
+        bindings.guard(text, condition);
+    }
+
+    /**
+     * Says what the effect of this text does. It is run when a transition of the new model that names it is taken, after the
+     * device has obeyed and before the next state is entered; not where the device does it by itself, because a transition
+     * of the original model on the way names it too. One that throws is reported and the event has failed, but the
+     * transition is taken and its other effects are run.
+     *
+     * @param text as drawn
+     */
+    protected final void effect(String text, Effect action) {
+        bindings.effect(text, action);
+    }
+
+    /**
+     * Makes ways of several events avoid {@code event}.
+     *
+     * @param event of the original model
+     * @param cost 1 for an event of which nothing is said; the way with the least sum is taken
+     * @throws IllegalArgumentException if {@code cost} is not from 1 to {@value DeviceEvents#MAX_COST}
+     */
+    protected final void cost(String event, int cost) {
+        bindings.cost(event, cost);
+    }
+
+    /** Lets no way of several events lead through {@code state} of the original model; it may begin and end there. */
+    protected final void doNotPass(String state) {
+        bindings.doNotPass(state);
+    }
+
+    /**
      * Registers what runs when one transition of the new model is taken, in place of the function of its target.
      *
      * @param source the current state (the paper's s0)
      * @param target the next state (s1), a new one
      * @param action the function to be called
-     * @param event the incoming event
+     * @param event the incoming event; with its guards, as in {@code press [hot]}, if only that transition is meant
      */
     public final void putTransition(String source, String target, NewFunction action, String event) {
-        actions.put(new Transition(new State(source), new Event(event), new State(target)), action);
+        actions.put(new Ends(new State(source), event, new State(target)), action);
     }
 
     /** The transition of the new model that {@code event} triggers in {@code source}, with its function. */
@@ -73,20 +136,28 @@ public class StateKnowledge extends Knowledge {
                 .map(transition -> new BoundTransition(source, event, transition.target(), action(transition)));
     }
 
-    private NewFunction action(Transition transition) {
-        NewFunction action = actions.get(transition);
-        return action != null ? action : functionOf(transition.target());
-    }
-
-    final NewFunction functionOf(State state) {
-        return functions.getOrDefault(state, NewFunction.none());
+    /** What runs when {@code transition} of the new model is taken. */
+    final NewFunction action(Transition transition) {
+        NewFunction action = null;
+        if (!actions.isEmpty()) {
+            State source = transition.source();
+            State target = transition.target();
+            action = actions.get(new Ends(source, transition.event().toString(), target));
+            if (action == null) {
+                action = actions.get(new Ends(source, transition.event().name(), target));
+            }
+        }
+        return action != null ? action : functions.getOrDefault(transition.target(), NewFunction.none());
     }
 
     /** Every event that is raised by itself in {@code state}, and after how long. */
     final Map<Event, Duration> timersOf(State state) {
         Map<Event, Duration> all = new LinkedHashMap<>(timers.getOrDefault(state, Map.of()));
         for (Transition transition : pair.evolved().transitionsFrom(state)) {
-            transition.event().timeTrigger().ifPresent(delay -> all.put(transition.event(), delay));
+            transition
+                    .event()
+                    .timeTrigger()
+                    .ifPresent(delay -> all.put(transition.event().trigger(), delay));
         }
         return all;
     }
@@ -124,6 +195,20 @@ public class StateKnowledge extends Knowledge {
         return compiled;
     }
 
+    /** {@code trigger} with the guards under which it comes now. */
+    final Event resolve(Configuration at, Event trigger) {
+        return table().resolve(at, trigger, holds);
+    }
+
+    /** Whether the guards of the original model let {@code step} be taken now. */
+    final boolean isOpen(Step step) {
+        return table().isOpen(step, holds);
+    }
+
+    final Bindings bindings() {
+        return bindings;
+    }
+
     final void use(DecisionTable next) {
         table = next;
     }
@@ -139,7 +224,7 @@ public class StateKnowledge extends Knowledge {
             }
         }
         timers.forEach((state, byEvent) -> byEvent.forEach((event, delay) -> {
-            if (!pair.evolved().hasTransition(state, event)) {
+            if (!pair.evolved().hasTrigger(state, event)) {
                 problems.add(
                         "a timer raises " + event + " in " + state + ", where the new model has no transition for it");
             }
@@ -147,11 +232,12 @@ public class StateKnowledge extends Knowledge {
                 problems.add("the timer that raises " + event + " in " + state + " has the negative delay " + delay);
             }
         }));
-        for (Transition transition : actions.keySet()) {
-            if (!pair.evolved().transitions().contains(transition)) {
-                problems.add("an action is registered for " + transition + ", which the new model does not have");
-            } else if (!pair.isNew(transition.target())) {
-                problems.add("an action is registered for " + transition + ", but its target is a state of the device");
+        List<Transition> transitions = pair.evolved().transitions();
+        for (Ends ends : actions.keySet()) {
+            if (transitions.stream().noneMatch(ends::match)) {
+                problems.add("an action is registered for " + ends + ", which the new model does not have");
+            } else if (!pair.isNew(ends.target())) {
+                problems.add("an action is registered for " + ends + ", but its target is a state of the device");
             }
         }
         for (State state : pair.evolved().states()) {
@@ -160,15 +246,18 @@ public class StateKnowledge extends Knowledge {
                         + "NewFunction.none() if nothing has to run");
             }
         }
+        problems.addAll(bindings.problems());
         return problems;
     }
 
     private boolean isCovered(State state) {
         List<Transition> entries = pair.evolved().transitions().stream()
-                .filter(transition -> transition.target().equals(state))
+                .filter(transition -> transition.target().equals(state) && !transition.internal())
                 .toList();
         return functions.containsKey(state)
                 || !timersOf(state).isEmpty()
-                || (!entries.isEmpty() && actions.keySet().containsAll(entries));
+                || (!entries.isEmpty()
+                        && entries.stream()
+                                .allMatch(entry -> actions.keySet().stream().anyMatch(ends -> ends.match(entry))));
     }
 }

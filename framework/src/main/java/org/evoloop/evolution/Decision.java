@@ -1,6 +1,9 @@
 package org.evoloop.evolution;
 
 import java.util.List;
+import org.evoloop.statemachine.State;
+import org.evoloop.statemachine.Transition;
+import org.jspecify.annotations.Nullable;
 
 /**
  * What an event means: the outcome of the paper's Algorithm 1 for one configuration and one occurrence.
@@ -19,6 +22,31 @@ public sealed interface Decision {
     /** The transitions of the original model on the way. */
     List<Step> steps();
 
+    /** What the new model takes, or would if it were possible; null if it takes nothing. */
+    default @Nullable Transition transition() {
+        return null;
+    }
+
+    /** Effects of the new model's transition that the converter has to see to: those that the device does not do itself. */
+    default List<String> effects() {
+        return List.of();
+    }
+
+    /** Whether the new model leaves its state, be it towards itself; an internal transition does not. */
+    default boolean leavesState() {
+        Transition taken = transition();
+        return taken != null && !taken.internal();
+    }
+
+    /** States of the device through which the plan leads, without those in which it begins and ends. */
+    default List<State> passed() {
+        return steps().stream()
+                .filter(step -> !step.byDevice())
+                .skip(1)
+                .map(Step::source)
+                .toList();
+    }
+
     /**
      * The new model has no transition for the event, so it stays where it is. If the device has acted all the same, the
      * one step says how.
@@ -26,7 +54,9 @@ public sealed interface Decision {
     record NotAcceptable(Configuration before, Configuration after, List<Step> steps) implements Decision {}
 
     /** The new model's next state is one that the device has; the steps take the device there. */
-    record ExistingFunction(Configuration before, Configuration after, List<Step> steps) implements Decision {
+    record ExistingFunction(
+            Configuration before, Configuration after, List<Step> steps, Transition transition, List<String> effects)
+            implements Decision {
 
         /** Whether the device needs more than one step: a way through its functions that it does not offer as one. */
         public boolean isDetour() {
@@ -35,12 +65,19 @@ public sealed interface Decision {
     }
 
     /** The next state is new: its function starts here, and nothing is sent. */
-    record NewFunction(Configuration before, Configuration after, List<Step> steps) implements Decision {}
+    record NewFunction(
+            Configuration before, Configuration after, List<Step> steps, Transition transition, List<String> effects)
+            implements Decision {}
 
     /** The device was found elsewhere than its model was; both models follow, and nothing is sent. */
     record Resynchronization(Configuration before, Configuration after, List<Step> steps) implements Decision {
         Resynchronization(Configuration before, Configuration after) {
             this(before, after, List.of());
+        }
+
+        @Override
+        public boolean leavesState() {
+            return !before.evolved().equals(after.evolved());
         }
     }
 
@@ -49,5 +86,13 @@ public sealed interface Decision {
      *
      * @param reason for people, with both states and the events that can be sent
      */
-    record Impossible(Configuration before, Configuration after, List<Step> steps, String reason) implements Decision {}
+    record Impossible(Configuration before, Configuration after, List<Step> steps, Transition transition, String reason)
+            implements Decision {
+
+        /** The event comes to nothing. */
+        @Override
+        public boolean leavesState() {
+            return false;
+        }
+    }
 }

@@ -4,11 +4,13 @@ import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Queue;
 import java.util.Set;
+import java.util.function.Predicate;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.Transition;
@@ -27,36 +29,35 @@ import org.evoloop.statemachine.Transition;
  */
 public final class DecisionTable {
     private final ModelPair pair;
+    private final DeviceEvents device;
     private final EventConversion conversion;
+    private final GuardedTriggers originalGuards;
+    private final GuardedTriggers evolvedGuards;
     private final Map<Configuration, Integer> situations = new HashMap<>();
     private final List<Configuration> configurations = new ArrayList<>();
-    private final Map<Event, Integer> events = new HashMap<>();
-    private final Map<String, Integer> eventNames = new HashMap<>();
-    private final Decision.NotAcceptable[] unchanged;
+    private final Map<Event, Integer> numbers = new HashMap<>();
+    private final Map<String, Integer> numbersByName = new HashMap<>();
     private final DecisionCells asked;
     private final DecisionCells acted;
+    private final List<Decision> ignored = new ArrayList<>();
     private final Set<Decision.Impossible> problems = new LinkedHashSet<>();
     private final Set<Decision.Impossible> hazards = new LinkedHashSet<>();
 
     private DecisionTable(ModelPair pair, DeviceEvents device) {
         this.pair = pair;
+        this.device = device;
         this.conversion = new EventConversion(pair, device);
-        for (Event event : pair.evolved().events()) {
-            eventNames.putIfAbsent(event.toString(), events.size());
-            events.put(event, events.size());
-        }
-        asked = new DecisionCells(events.size());
-        acted = new DecisionCells(events.size());
-        explore(new ArrayDeque<>(List.of(pair.initial())), device, false, problems);
-        Queue<Configuration> interfered = new ArrayDeque<>();
-        for (Configuration at : List.copyOf(configurations)) {
-            followInterference(at, device, hazards, interfered);
-        }
-        explore(interfered, device, true, hazards);
-        unchanged = configurations.stream()
-                .map(at -> new Decision.NotAcceptable(at, at, List.of()))
-                .toArray(Decision.NotAcceptable[]::new);
-        asked.link(decision -> situation(decision.after()));
+        this.originalGuards = new GuardedTriggers(pair.original());
+        this.evolvedGuards = new GuardedTriggers(pair.evolved());
+        pair.evolved().events().forEach(this::giveNumber);
+        pair.original().events().forEach(this::giveNumber);
+        this.asked = new DecisionCells(numbers.size());
+        this.acted = new DecisionCells(numbers.size());
+    }
+
+    private void giveNumber(Event event) {
+        numbersByName.putIfAbsent(event.toString(), numbers.size());
+        numbers.putIfAbsent(event, numbers.size());
     }
 
     /**
@@ -65,66 +66,114 @@ public final class DecisionTable {
      * @param pair a valid pair, see {@link ModelPair#requireValid()}
      */
     public static DecisionTable compile(ModelPair pair, DeviceEvents device) {
-        return new DecisionTable(pair, device);
+        DecisionTable table = new DecisionTable(pair, device);
+        table.explore(new ArrayDeque<>(List.of(pair.initial())), false, table.problems);
+        Queue<Configuration> interfered = new ArrayDeque<>();
+        for (Configuration at : table.configurations) {
+            follow(table.interference(at), table.hazards, interfered);
+        }
+        table.explore(interfered, true, table.hazards);
+        table.asked.link(decision -> table.situation(decision.after()));
+        return table;
     }
 
-    private void explore(
-            Queue<Configuration> frontier,
-            DeviceEvents device,
-            boolean interference,
-            Set<Decision.Impossible> impossible) {
+    private void explore(Queue<Configuration> frontier, boolean withInterference, Set<Decision.Impossible> impossible) {
         for (Configuration at = frontier.poll(); at != null; at = frontier.poll()) {
             if (situations.putIfAbsent(at, configurations.size()) == null) {
-                int situation = configurations.size();
-                configurations.add(at);
-                for (Transition transition : pair.evolved().transitionsFrom(at.evolved())) {
-                    Decision decision = conversion.decide(at, transition.event(), false);
-                    asked.put(situation, number(transition.event()), decision);
-                    follow(decision, impossible, frontier);
-                }
-                decideWhatTheDeviceTakes(at, situation, impossible, frontier);
-                if (interference) {
-                    followInterference(at, device, impossible, frontier);
+                fill(at);
+                follow(expected(at), impossible, frontier);
+                if (withInterference) {
+                    follow(interference(at), impossible, frontier);
                 }
             }
         }
     }
 
-    /** Only where the device itself has a transition does it matter whether it has acted already. */
-    private void decideWhatTheDeviceTakes(
-            Configuration at, int situation, Set<Decision.Impossible> impossible, Queue<Configuration> frontier) {
+    private static void follow(List<Turn> turns, Set<Decision.Impossible> impossible, Queue<Configuration> frontier) {
+        for (Turn turn : turns) {
+            if (turn.decision() instanceof Decision.Impossible found) {
+                impossible.add(found);
+            } else {
+                frontier.add(turn.decision().after());
+            }
+        }
+    }
+
+    /**
+     * What can happen in {@code at} as it should: events that the new model accepts there, and what the device does of its
+     * own accord.
+     */
+    public List<Turn> expected(Configuration at) {
+        List<Turn> turns = new ArrayList<>();
+        for (Transition transition : pair.evolved().transitionsFrom(at.evolved())) {
+            if (evolvedGuards.shadowOf(transition) == null) {
+                turns.add(turn(at, transition.event(), false));
+            }
+        }
         for (Transition transition : pair.original().transitionsFrom(at.original())) {
-            int event = number(transition.event());
-            if (event < 0) {
-                continue;
+            if (conversion.isDevicesOwn(transition.event().trigger()) && isUnheard(at, transition)) {
+                turns.add(turn(at, transition.event(), false));
             }
-            acted.put(situation, event, conversion.decide(at, transition.event(), true));
-            if (asked.get(situation, event) == null) {
-                Decision decision = conversion.decide(at, transition.event(), false);
-                asked.put(situation, event, decision);
-                follow(decision, impossible, frontier);
+        }
+        return turns;
+    }
+
+    /** What can happen in {@code at} when the device does by itself what it could have been asked for. */
+    public List<Turn> interference(Configuration at) {
+        List<Turn> turns = new ArrayList<>();
+        for (Transition transition : pair.evolved().transitionsFrom(at.evolved())) {
+            if (isSpontaneous(transition)
+                    && evolvedGuards.shadowOf(transition) == null
+                    && conversion.originalTransition(at.original(), transition.event()) != null) {
+                turns.add(turn(at, transition.event(), true));
+            }
+        }
+        for (Transition transition : pair.original().transitionsFrom(at.original())) {
+            if (isSpontaneous(transition) && isUnheard(at, transition)) {
+                turns.add(turn(at, transition.event(), true));
+            }
+        }
+        return turns;
+    }
+
+    private boolean isSpontaneous(Transition transition) {
+        return device.spontaneous().contains(transition.event().trigger());
+    }
+
+    /** Whether the device may take {@code transition} with the new model not accepting its event. */
+    private boolean isUnheard(Configuration at, Transition transition) {
+        return originalGuards.shadowOf(transition) == null
+                && !pair.evolved().hasTransition(at.evolved(), transition.event())
+                && !pair.evolved()
+                        .hasTransition(at.evolved(), transition.event().trigger());
+    }
+
+    private Turn turn(Configuration at, Event event, boolean deviceActed) {
+        return new Turn(event, deviceActed, decide(at, event, deviceActed));
+    }
+
+    /** Decides all that either model knows in {@code at}; whatever else comes there is ignored. */
+    private void fill(Configuration at) {
+        int situation = configurations.size();
+        configurations.add(at);
+        ignored.add(new Decision.NotAcceptable(at, at, List.of()));
+        pair.evolved().transitionsFrom(at.evolved()).forEach(known -> fill(at, situation, known.event()));
+        pair.original().transitionsFrom(at.original()).forEach(known -> fill(at, situation, known.event()));
+    }
+
+    private void fill(Configuration at, int situation, Event event) {
+        int number = number(event);
+        if (asked.get(situation, number) == null) {
+            Decision whenAsked = conversion.decide(at, event, false);
+            asked.put(situation, number, whenAsked);
+            // Where the device itself has no transition, it makes no difference whether it has acted already.
+            if (conversion.originalTransition(at.original(), event) != null) {
+                acted.put(situation, number, conversion.decide(at, event, true));
             }
         }
     }
 
-    private void followInterference(
-            Configuration at, DeviceEvents device, Set<Decision.Impossible> impossible, Queue<Configuration> frontier) {
-        for (Event event : device.spontaneous()) {
-            if (pair.original().hasTransition(at.original(), event)) {
-                follow(decide(at, event, true), impossible, frontier);
-            }
-        }
-    }
-
-    private static void follow(Decision decision, Set<Decision.Impossible> impossible, Queue<Configuration> frontier) {
-        if (decision instanceof Decision.Impossible found) {
-            impossible.add(found);
-        } else {
-            frontier.add(decision.after());
-        }
-    }
-
-    /** The number of the initial situation. */
+    /** The number of the initial situation, for the quick methods. */
     public int initial() {
         return 0;
     }
@@ -135,27 +184,27 @@ public final class DecisionTable {
         return known == null ? DecisionCells.UNKNOWN : known;
     }
 
-    /** The number of an event, for the quick methods; {@code -1} for one that the new model does not know. */
+    /** The number of an event, for the quick methods; {@code -1} for one that neither model knows. */
     public int number(Event event) {
-        Integer known = events.get(event);
-        return known == null ? -1 : known;
+        Integer known = numbers.get(event);
+        return known == null ? DecisionCells.UNKNOWN : known;
     }
 
-    /** The number of the event of this name, as {@link Event#toString} writes it; {@code -1} if there is none. */
+    /** The number of an event by its name, as {@link Event#toString} writes it; {@code -1} if there is none. */
     public int number(String event) {
-        Integer known = eventNames.get(event);
-        return known == null ? -1 : known;
+        Integer known = numbersByName.get(event);
+        return known == null ? DecisionCells.UNKNOWN : known;
     }
 
     /**
-     * What an event that was asked for means; by numbers, nothing is allocated.
+     * What an event that was asked for means; nothing is allocated, and nothing is hashed.
      *
-     * @param situation a {@linkplain #situation number}, not {@code -1}
+     * @param situation a {@linkplain #situation number} other than {@code -1}
      * @param event a {@linkplain #number(Event) number}; {@code -1} is not acceptable anywhere
      */
     public Decision decide(int situation, int event) {
         Decision decision = event < 0 ? null : asked.get(situation, event);
-        return decision == null ? unchanged[situation] : decision;
+        return decision == null ? ignored.get(situation) : decision;
     }
 
     /** The same by the event's name. */
@@ -176,25 +225,45 @@ public final class DecisionTable {
     /**
      * What {@code event} means in {@code at}.
      *
+     * @param event with the guards under which it comes, see {@link #resolve}
      * @param deviceActed whether the device has already acted on it
-     * @return {@link Decision.NotAcceptable} without steps for an event that neither model knows
+     * @return {@link Decision.NotAcceptable} without steps for an event that neither model knows there
      */
     public Decision decide(Configuration at, Event event, boolean deviceActed) {
-        int number = number(event);
-        if (number < 0) {
-            return new Decision.NotAcceptable(at, at, List.of());
-        }
         int situation = situation(at);
         if (situation == DecisionCells.UNKNOWN) {
             return decideNow(at, event, deviceActed);
         }
-        Decision own = deviceActed ? acted.get(situation, number) : null;
-        return own != null ? own : decide(situation, number);
+        int number = number(event);
+        Decision own = deviceActed && number >= 0 ? acted.get(situation, number) : null;
+        return own == null ? decide(situation, number) : own;
     }
 
     /** The conversion remembers its searches, which is not thread-safe. */
     private synchronized Decision decideNow(Configuration at, Event event, boolean deviceActed) {
         return conversion.decide(at, event, deviceActed);
+    }
+
+    /**
+     * Under which guards {@code trigger} comes: those of the new model, else, when the device may have taken it by itself,
+     * those of the original.
+     *
+     * @param trigger an event without guards, as a monitor tells it
+     * @param holds whether the condition of this text holds now; false for one that cannot be asked
+     * @return what to {@link #decide} on; {@code trigger} itself where no guard is drawn for it
+     */
+    public Event resolve(Configuration at, Event trigger, Predicate<String> holds) {
+        Event heard = evolvedGuards.resolve(at.evolved(), trigger, holds);
+        if (heard != null && pair.evolved().hasTransition(at.evolved(), heard)) {
+            return heard;
+        }
+        Event taken = originalGuards.resolve(at.original(), trigger, holds);
+        return taken == null ? trigger : taken;
+    }
+
+    /** Whether {@code step} is where its trigger leads now. */
+    public boolean isOpen(Step step, Predicate<String> holds) {
+        return !step.conditional() || step.event().equals(originalGuards.resolve(step.source(), step.trigger(), holds));
     }
 
     /**
@@ -212,6 +281,26 @@ public final class DecisionTable {
     /** Every configuration that can be reached, first reached first. */
     public Set<Configuration> configurations() {
         return Collections.unmodifiableSet(new LinkedHashSet<>(configurations));
+    }
+
+    /**
+     * Effects of the new model that the converter has to see to, in the order in which they are drawn: those that the device
+     * does not know, and those that it does not do by itself on the way of some decision.
+     */
+    public Set<String> effects() {
+        Set<String> drawn = new LinkedHashSet<>();
+        pair.evolved().transitions().forEach(transition -> drawn.addAll(transition.effects()));
+        if (drawn.isEmpty()) {
+            return drawn;
+        }
+        Set<String> missing = new HashSet<>(drawn);
+        pair.original().transitions().forEach(transition -> transition.effects().forEach(missing::remove));
+        for (Configuration at : configurations) {
+            expected(at).forEach(turn -> missing.addAll(turn.decision().effects()));
+            interference(at).forEach(turn -> missing.addAll(turn.decision().effects()));
+        }
+        drawn.retainAll(missing);
+        return drawn;
     }
 
     /** Decisions that lead to a state of the device to which no plan leads; an evolution must have none. */

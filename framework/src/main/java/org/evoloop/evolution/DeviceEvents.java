@@ -1,21 +1,67 @@
 package org.evoloop.evolution;
 
+import java.util.Map;
 import java.util.Set;
 import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.State;
 
 /**
- * What passes between converter and device.
+ * What passes between converter and device, and which ways through the device's states a plan may take.
  *
  * <p>Threading: immutable.
  *
- * @param sendable events that the converter can send; only these make up a plan
- * @param spontaneous events that the device may take by itself although they can be sent too, such as those of its own
- *     buttons. Events of the original model that cannot be sent are always the device's own
+ * @param sendable events, without guards, that the converter can send; only these make up a plan
+ * @param spontaneous events, without guards, that the device may take by itself although they can be sent too, such as
+ *     those of its own buttons. Events of the original model that cannot be sent are always the device's own
+ * @param costs what sending an event costs, from 1 to {@value #MAX_COST}; 1 for those that are not named
+ * @param doNotPass states of the device in which a way may begin and end, but through which none may lead
+ * @param boundGuards texts of the guards that can be asked; a way never leads over a transition whose guard cannot
  */
-public record DeviceEvents(Set<Event> sendable, Set<Event> spontaneous) {
+public record DeviceEvents(
+        Set<Event> sendable,
+        Set<Event> spontaneous,
+        Map<Event, Integer> costs,
+        Set<State> doNotPass,
+        Set<String> boundGuards) {
+    /** The highest cost of one event. */
+    public static final int MAX_COST = 1_000_000;
 
+    /** @throws IllegalArgumentException if a cost is out of range */
     public DeviceEvents {
         sendable = Set.copyOf(sendable);
         spontaneous = Set.copyOf(spontaneous);
+        costs = Map.copyOf(costs);
+        doNotPass = Set.copyOf(doNotPass);
+        boundGuards = Set.copyOf(boundGuards);
+        costs.forEach((event, cost) -> {
+            if (cost < 1 || cost > MAX_COST) {
+                throw new IllegalArgumentException(
+                        "the cost of " + event + " is " + cost + ", allowed is 1 to " + MAX_COST);
+            }
+        });
+    }
+
+    /** Every event costs the same, every state may be passed, and no guard is bound. */
+    public DeviceEvents(Set<Event> sendable, Set<Event> spontaneous) {
+        this(sendable, spontaneous, Map.of(), Set.of(), Set.of());
+    }
+
+    /** The same with other costs. */
+    public DeviceEvents withCosts(Map<Event, Integer> newCosts) {
+        return new DeviceEvents(sendable, spontaneous, newCosts, doNotPass, boundGuards);
+    }
+
+    /** The same with other states that must not be passed. */
+    public DeviceEvents withDoNotPass(Set<State> states) {
+        return new DeviceEvents(sendable, spontaneous, costs, states, boundGuards);
+    }
+
+    /** The same with other guards that can be asked. */
+    public DeviceEvents withBoundGuards(Set<String> texts) {
+        return new DeviceEvents(sendable, spontaneous, costs, doNotPass, texts);
+    }
+
+    int costOf(Event trigger) {
+        return costs.getOrDefault(trigger, 1);
     }
 }

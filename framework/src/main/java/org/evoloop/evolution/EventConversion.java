@@ -3,16 +3,21 @@ package org.evoloop.evolution;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
+import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.Transition;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The paper's Algorithm 1 as a pure function of the pair, both current states and the occurrence.
  *
  * <p>Where the paper leaves a question open: the original model moves along the events that are really sent (line 9
  * moves it by the incoming event, which it may not know); an occurrence that the device has already acted on moves it
- * first; and an event of the original model that nobody can send can only be one that the device took itself.
+ * first; and an event of the original model that nobody can send can only be one that the device took itself. An event
+ * that comes under a guard is the original's event of the same guard, else the original's event without one.
  *
  * <p>Threading: not thread-safe; its path planner remembers what it has searched.
  */
@@ -20,60 +25,105 @@ final class EventConversion {
     private final ModelPair pair;
     private final DeviceEvents device;
     private final PathPlanner planner;
+    private final Set<Event> originalTriggers;
 
     EventConversion(ModelPair pair, DeviceEvents device) {
         this.pair = pair;
         this.device = device;
-        this.planner = new PathPlanner(pair.original(), device.sendable());
+        this.planner = new PathPlanner(pair.original(), device);
+        this.originalTriggers = pair.original().triggers();
+    }
+
+    /** Whether only the device itself can take {@code trigger}. */
+    boolean isDevicesOwn(Event trigger) {
+        return originalTriggers.contains(trigger) && !device.sendable().contains(trigger);
     }
 
     /** What {@code event} means in {@code before}. */
     Decision decide(Configuration before, Event event, boolean deviceActed) {
         List<Step> steps = new ArrayList<>();
-        boolean taken = deviceActed
-                || (pair.original().events().contains(event)
-                        && !device.sendable().contains(event));
-        Optional<Transition> own = taken ? pair.original().transition(before.original(), event) : Optional.empty();
-        own.ifPresent(transition -> steps.add(new Step(transition.source(), event, transition.target(), true)));
-        State original = own.map(Transition::target).orElse(before.original());
+        boolean taken = deviceActed || isDevicesOwn(event.trigger());
+        Transition own = taken ? originalTransition(before.original(), event) : null;
+        if (own != null) {
+            steps.add(new Step(own, true, false));
+        }
+        State original = own == null ? before.original() : own.target();
 
-        Optional<State> next = pair.evolved().nextState(before.evolved(), event);
+        Optional<Transition> next = pair.evolved().transition(before.evolved(), event);
         if (next.isEmpty()) {
             return new Decision.NotAcceptable(before, before.withOriginal(original), List.copyOf(steps));
         }
-        State target = next.get();
+        Transition transition = next.get();
+        State target = transition.target();
         if (pair.isNew(target)) {
-            return new Decision.NewFunction(before, new Configuration(original, target), List.copyOf(steps));
+            return new Decision.NewFunction(
+                    before,
+                    new Configuration(original, target),
+                    List.copyOf(steps),
+                    transition,
+                    effectsLeft(transition, steps));
         }
         Optional<List<Step>> way = taken ? planner.shortestPath(original, target) : wayFor(original, event, target);
         if (way.isEmpty()) {
             return new Decision.Impossible(
-                    before, before.withOriginal(original), List.copyOf(steps), noWay(original, event, target));
+                    before,
+                    before.withOriginal(original),
+                    List.copyOf(steps),
+                    transition,
+                    noWay(original, event, target));
         }
         steps.addAll(way.get());
-        return new Decision.ExistingFunction(before, new Configuration(target, target), List.copyOf(steps));
+        return new Decision.ExistingFunction(
+                before,
+                new Configuration(target, target),
+                List.copyOf(steps),
+                transition,
+                effectsLeft(transition, steps));
+    }
+
+    /** The original's transition on the same guarded event, else on the event without guards; null if it has neither. */
+    @Nullable
+    Transition originalTransition(State source, Event event) {
+        StateMachine original = pair.original();
+        return original.transition(source, event)
+                .or(() -> original.transition(source, event.trigger()))
+                .orElse(null);
     }
 
     /** The incoming event itself if it leads there, even from a state to itself; else the shortest way. */
     private Optional<List<Step>> wayFor(State original, Event event, State target) {
-        boolean leadsThere = device.sendable().contains(event)
-                && pair.original()
-                        .nextState(original, event)
-                        .filter(target::equals)
-                        .isPresent();
-        return leadsThere
-                ? Optional.of(List.of(new Step(original, event, target, false)))
-                : planner.shortestPath(original, target);
+        Transition same = originalTransition(original, event);
+        Step direct = same == null || !same.target().equals(target) ? null : planner.stepOver(same);
+        return direct == null ? planner.shortestPath(original, target) : Optional.of(List.of(direct));
+    }
+
+    /** What the new model's transition asks for and the device does not do by itself on its way. */
+    private static List<String> effectsLeft(Transition transition, List<Step> steps) {
+        List<String> left = new ArrayList<>(transition.effects());
+        for (Step step : steps) {
+            step.effects().forEach(left::remove);
+        }
+        return List.copyOf(left);
     }
 
     private String noWay(State original, Event event, State target) {
-        return "event " + event + " leads to " + target + ", but with the device in " + original
-                + " no events that can be sent take it there (sendable: "
-                + (device.sendable().isEmpty() ? "none" : names()) + ")";
+        StringBuilder reason = new StringBuilder("event " + event + " leads to " + target + ", but with the device in "
+                + original + " no events that can be sent take it there (sendable: " + names(device.sendable()));
+        if (!device.doNotPass().isEmpty()) {
+            reason.append("; not to be passed: ").append(names(device.doNotPass()));
+        }
+        Set<String> unbound = new TreeSet<>(pair.original().guards());
+        unbound.removeAll(device.boundGuards());
+        if (!unbound.isEmpty()) {
+            reason.append("; guards that cannot be asked: ").append(String.join(", ", unbound));
+        }
+        return reason.append(')').toString();
     }
 
-    private String names() {
-        return String.join(
-                ", ", device.sendable().stream().map(Event::name).sorted().toList());
+    private static String names(Set<?> members) {
+        return members.isEmpty()
+                ? "none"
+                : String.join(
+                        ", ", members.stream().map(Object::toString).sorted().toList());
     }
 }

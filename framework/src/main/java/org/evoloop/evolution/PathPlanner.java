@@ -1,31 +1,40 @@
 package org.evoloop.evolution;
 
 import java.util.ArrayDeque;
-import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Queue;
-import java.util.Set;
-import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.Transition;
+import org.jspecify.annotations.Nullable;
 
 /**
- * Shortest ways through the original model over events that can be sent (the paper's {@code getEvents}). Among ways of
- * equal length the one that the model names first wins, so that the answer never depends on a hash.
+ * The cheapest ways through the original model over events that can be sent (the paper's {@code getEvents}). A way on which
+ * a guard decides is taken only if there is none without; among ways of equal cost the one that is found first, breadth
+ * first in the order in which the model names its transitions, wins, so that the answer never depends on a hash.
  *
  * <p>Threading: not thread-safe; it remembers what it has searched.
  */
 final class PathPlanner {
-    private final StateMachine original;
-    private final Set<Event> sendable;
-    private final Map<State, Map<State, Step>> arrivals = new HashMap<>();
+    /** Searches that are kept: configurations of one state of the device are decided near each other. */
+    private static final int KEPT = 64;
 
-    PathPlanner(StateMachine original, Set<Event> sendable) {
+    private final StateMachine original;
+    private final DeviceEvents device;
+    private final GuardedTriggers guards;
+    private final Map<State, PathSearch> searches = new LinkedHashMap<>(KEPT, 0.75f, true) {
+        @Override
+        protected boolean removeEldestEntry(Map.Entry<State, PathSearch> eldest) {
+            return size() > KEPT;
+        }
+    };
+
+    PathPlanner(StateMachine original, DeviceEvents device) {
         this.original = original;
-        this.sendable = sendable;
+        this.device = device;
+        this.guards = new GuardedTriggers(original);
     }
 
     /** The steps from {@code source} to {@code target}: none if they are the same, empty if there is no way. */
@@ -33,31 +42,38 @@ final class PathPlanner {
         if (source.equals(target)) {
             return Optional.of(List.of());
         }
-        Map<State, Step> lastStepTo = arrivals.computeIfAbsent(source, this::search);
-        Step last = lastStepTo.get(target);
+        PathSearch search = searches.computeIfAbsent(source, from -> new PathSearch(this, from));
+        Step last = search.lastStepTo(target);
         if (last == null) {
             return Optional.empty();
         }
         ArrayDeque<Step> path = new ArrayDeque<>();
-        for (Step step = last; step != null; step = lastStepTo.get(step.source())) {
+        for (Step step = last; step != null; step = search.lastStepTo(step.source())) {
             path.addFirst(step);
         }
         return Optional.of(List.copyOf(path));
     }
 
-    /** Breadth first; for each state that can be reached, the last step of the first way found. */
-    private Map<State, Step> search(State source) {
-        Map<State, Step> lastStepTo = new HashMap<>();
-        Queue<State> frontier = new ArrayDeque<>(List.of(source));
-        for (State at = frontier.poll(); at != null; at = frontier.poll()) {
-            for (Transition transition : original.transitionsFrom(at)) {
-                State next = transition.target();
-                if (sendable.contains(transition.event()) && !next.equals(source) && !lastStepTo.containsKey(next)) {
-                    lastStepTo.put(next, new Step(at, transition.event(), next, false));
-                    frontier.add(next);
-                }
-            }
+    List<Transition> transitionsFrom(State state) {
+        return original.transitionsFrom(state);
+    }
+
+    /** The step over {@code transition} if it can be sent; null if it cannot, or a guard on it cannot be asked. */
+    @Nullable
+    Step stepOver(Transition transition) {
+        if (!device.sendable().contains(transition.event().trigger()) || guards.shadowOf(transition) != null) {
+            return null;
         }
-        return lastStepTo;
+        var conditions = guards.conditionsOf(transition);
+        return device.boundGuards().containsAll(conditions) ? new Step(transition, false, !conditions.isEmpty()) : null;
+    }
+
+    /** What a step costs; a step that a guard decides costs more than any way without. */
+    long costOf(Step step) {
+        return device.costOf(step.trigger()) + (step.conditional() ? PathSearch.CONDITIONAL : 0);
+    }
+
+    boolean mayPass(State state) {
+        return !device.doNotPass().contains(state);
     }
 }

@@ -72,6 +72,20 @@ public final class StateMachine {
         return events;
     }
 
+    /** E without guards: what can be told by a monitor or sent. The same as {@link #events()} where no guard is drawn. */
+    public Set<Event> triggers() {
+        Set<Event> triggers = new LinkedHashSet<>();
+        events.forEach(event -> triggers.add(event.trigger()));
+        return Collections.unmodifiableSet(triggers);
+    }
+
+    /** The texts of all guards. */
+    public Set<String> guards() {
+        Set<String> guards = new LinkedHashSet<>();
+        events.forEach(event -> guards.addAll(event.guards()));
+        return Collections.unmodifiableSet(guards);
+    }
+
     /** T, ordered by source state. */
     public List<Transition> transitions() {
         List<Transition> all = new ArrayList<>();
@@ -93,6 +107,13 @@ public final class StateMachine {
     /** Whether {@code event} is acceptable in {@code source} (the paper's {@code existTransition}). */
     public boolean hasTransition(State source, Event event) {
         return find(source, event) != null;
+    }
+
+    /** Whether {@code trigger} is acceptable in {@code source}, be it under a guard. */
+    public boolean hasTrigger(State source, Event trigger) {
+        return hasTransition(source, trigger)
+                || transitionsFrom(source).stream()
+                        .anyMatch(transition -> transition.event().name().equals(trigger.name()));
     }
 
     /** The transition that {@code event} triggers in {@code source} (the paper's {@code getTransition}). */

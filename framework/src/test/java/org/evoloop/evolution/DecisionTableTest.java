@@ -182,7 +182,7 @@ class DecisionTableTest {
                 .transition("C", "y", "D")
                 .transition("D", "z", "A")
                 .build();
-        PathPlanner planner = new PathPlanner(original, Set.copyOf(original.events()));
+        PathPlanner planner = new PathPlanner(original, new DeviceEvents(Set.copyOf(original.events()), Set.of()));
 
         assertThat(planner.shortestPath(new State("A"), new State("D")).orElseThrow())
                 .extracting(Step::event)

@@ -1,0 +1,66 @@
+package org.evoloop.models;
+
+import java.util.List;
+import java.util.concurrent.Callable;
+import org.evoloop.models.diagram.ChartDiagram;
+import org.evoloop.models.diagram.SvgWriter;
+import org.evoloop.models.format.Dot;
+import org.evoloop.models.format.MachineJson;
+import org.evoloop.models.format.MachineText;
+import org.evoloop.models.format.PlantUml;
+import org.evoloop.statechart.Statechart;
+import org.evoloop.xmi.ModelReference;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** Machines as they were drawn. */
+@Command(
+        name = "show",
+        description = "Shows the state machines of a file as they were drawn.",
+        mixinStandardHelpOptions = true)
+@SuppressWarnings("NullAway.Init") // picocli sets the fields
+final class ShowCommand implements Callable<Integer> {
+    /** How a machine can be shown. */
+    enum Format {
+        TEXT,
+        JSON,
+        DOT,
+        PLANTUML,
+        SVG
+    }
+
+    @Spec
+    private CommandSpec spec;
+
+    @Parameters(
+            paramLabel = "FILE[#NAME]",
+            description = "The file, and which of its machines; without #NAME all of them.")
+    private String reference;
+
+    @Option(
+            names = "--format",
+            defaultValue = "TEXT",
+            description = "One of ${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE}).")
+    private Format format;
+
+    @Override
+    public Integer call() {
+        ModelReference named = ModelReference.parse(reference);
+        List<Statechart> charts = ModelReader.charts(named);
+        String shown = switch (format) {
+            case TEXT -> MachineText.write(charts);
+            case JSON -> MachineJson.write(charts);
+            case DOT -> Dot.write(charts);
+            case PLANTUML -> PlantUml.write(charts);
+            case SVG ->
+                SvgWriter.write(
+                        named.toString(), charts.stream().map(ChartDiagram::of).toList());
+        };
+        spec.commandLine().getOut().print(shown);
+        spec.commandLine().getOut().flush();
+        return 0;
+    }
+}

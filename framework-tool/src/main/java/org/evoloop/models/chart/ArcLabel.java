@@ -1,0 +1,29 @@
+package org.evoloop.models.chart;
+
+import java.util.List;
+import org.evoloop.statechart.Arc;
+
+/** The text at a transition, as UML writes it. */
+public final class ArcLabel {
+    private ArcLabel() {}
+
+    /** {@code trigger, trigger [guard] / effect; effect}, without what is not there. */
+    public static String of(Arc arc) {
+        return of(String.join(", ", arc.triggers()), arc.guard(), arc.effects());
+    }
+
+    /** The same from its parts, each of which may be empty. */
+    public static String of(String triggers, String guard, List<String> effects) {
+        StringBuilder label = new StringBuilder(triggers);
+        if (!guard.isEmpty()) {
+            label.append(label.length() == 0 ? "" : " ")
+                    .append('[')
+                    .append(guard)
+                    .append(']');
+        }
+        if (!effects.isEmpty()) {
+            label.append(label.length() == 0 ? "" : " ").append("/ ").append(String.join("; ", effects));
+        }
+        return label.toString();
+    }
+}

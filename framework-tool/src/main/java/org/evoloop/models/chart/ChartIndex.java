@@ -1,0 +1,167 @@
+package org.evoloop.models.chart;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
+import org.evoloop.statechart.Arc;
+import org.evoloop.statechart.Region;
+import org.evoloop.statechart.Statechart;
+import org.evoloop.statechart.Vertex;
+import org.evoloop.statechart.Vertex.ChartState;
+import org.evoloop.statechart.Vertex.Kind;
+import org.evoloop.statechart.Vertex.Pseudostate;
+
+/**
+ * All parts of a chart in its order, whatever their depth, each with a name that no other part has: a state's own name
+ * if it is the only one of that name, else its path {@code Outer.Inner}; a pseudostate's name, made up from its kind
+ * where it has none or where it is taken.
+ *
+ * <p>Threading: immutable.
+ */
+public final class ChartIndex {
+    private final Map<String, Vertex> vertices = new LinkedHashMap<>();
+    private final Map<String, String> paths = new HashMap<>();
+    private final Map<String, String> parents = new HashMap<>();
+    private final Map<String, String> names = new HashMap<>();
+    private final List<Arc> arcs = new ArrayList<>();
+    private final Set<String> events = new LinkedHashSet<>();
+
+    public ChartIndex(Statechart chart) {
+        chart.regions().forEach(region -> collect(region, "", ""));
+        nameStates();
+        nameOthers();
+        events.addAll(chart.events());
+        arcs.forEach(arc -> events.addAll(arc.triggers()));
+        states().forEach(state -> events.addAll(state.deferred()));
+    }
+
+    private void collect(Region region, String parent, String path) {
+        for (Vertex vertex : region.vertices()) {
+            String ownPath = path.isEmpty() ? vertex.name() : path + "." + vertex.name();
+            add(vertex, parent, ownPath);
+            if (vertex instanceof ChartState state) {
+                arcs.addAll(state.internal());
+                state.connections().forEach(point -> add(point, state.key(), ownPath + "." + point.name()));
+                state.regions().forEach(inner -> collect(inner, state.key(), ownPath));
+            }
+        }
+        arcs.addAll(region.arcs());
+    }
+
+    private void add(Vertex vertex, String parent, String path) {
+        vertices.put(vertex.key(), vertex);
+        parents.put(vertex.key(), parent);
+        paths.put(vertex.key(), path);
+    }
+
+    private void nameStates() {
+        Map<String, Integer> uses = new HashMap<>();
+        states().forEach(state -> uses.merge(state.name(), 1, Integer::sum));
+        Set<String> taken = new HashSet<>();
+        for (ChartState state : states()) {
+            boolean unique = uses.getOrDefault(state.name(), 0) == 1;
+            String wanted = unique ? state.name() : paths.getOrDefault(state.key(), state.name());
+            names.put(state.key(), free(wanted, taken));
+        }
+    }
+
+    private void nameOthers() {
+        Set<String> taken = new HashSet<>(names.values());
+        for (Vertex vertex : vertices.values()) {
+            if (!(vertex instanceof ChartState)) {
+                names.put(vertex.key(), free(vertex.name().isEmpty() ? kind(vertex) : vertex.name(), taken));
+            }
+        }
+    }
+
+    private static String free(String wanted, Set<String> taken) {
+        String name = wanted;
+        for (int number = 2; !taken.add(name); number++) {
+            name = wanted + " " + number;
+        }
+        return name;
+    }
+
+    /** What kind of vertex it is, in UML's words: {@code state}, {@code final}, {@code shallowHistory} and so on. */
+    public static String kind(Vertex vertex) {
+        if (vertex instanceof Pseudostate pseudostate) {
+            String[] words = pseudostate.kind().name().toLowerCase(Locale.ROOT).split("_", -1);
+            StringBuilder kind = new StringBuilder(words[0]);
+            for (int i = 1; i < words.length; i++) {
+                kind.append(Character.toUpperCase(words[i].charAt(0))).append(words[i].substring(1));
+            }
+            return kind.toString();
+        }
+        return vertex instanceof ChartState ? "state" : "final";
+    }
+
+    /** Whether {@code vertex} is an initial pseudostate. */
+    public static boolean isInitial(Vertex vertex) {
+        return vertex instanceof Pseudostate pseudostate && pseudostate.kind() == Kind.INITIAL;
+    }
+
+    /** Every vertex, outer ones before those inside. */
+    public Collection<Vertex> vertices() {
+        return List.copyOf(vertices.values());
+    }
+
+    /** Every state, composite ones too. */
+    public List<ChartState> states() {
+        return vertices.values().stream()
+                .filter(ChartState.class::isInstance)
+                .map(ChartState.class::cast)
+                .toList();
+    }
+
+    /** Every transition, internal ones and those of initial pseudostates too. */
+    public List<Arc> arcs() {
+        return List.copyOf(arcs);
+    }
+
+    /** Every transition but those that only say where a region starts. */
+    public List<Arc> transitions() {
+        return arcs.stream().filter(arc -> !isInitial(vertex(arc.source()))).toList();
+    }
+
+    /** Names of all events, declared ones first. */
+    public List<String> events() {
+        return List.copyOf(events);
+    }
+
+    /** The name of the vertex {@code key}, different from all others. */
+    public String name(String key) {
+        return names.getOrDefault(vertex(key).key(), key);
+    }
+
+    /** The name of the state around the vertex {@code key}; empty at the top. */
+    public String parent(String key) {
+        String parent = parents.getOrDefault(key, "");
+        return parent.isEmpty() ? "" : name(parent);
+    }
+
+    /** The vertex {@code key}. */
+    public Vertex vertex(String key) {
+        Vertex vertex = vertices.get(key);
+        if (vertex == null) {
+            throw new IllegalArgumentException("a transition refers to " + key + ", which is not in the machine");
+        }
+        return vertex;
+    }
+
+    /** Name of the vertex in which {@code region} starts; empty if it has no initial pseudostate that leads anywhere. */
+    public String initial(Region region) {
+        return region.vertices().stream()
+                .filter(ChartIndex::isInitial)
+                .flatMap(initial -> arcs.stream().filter(arc -> arc.source().equals(initial.key())))
+                .findFirst()
+                .map(arc -> name(arc.target()))
+                .orElse("");
+    }
+}

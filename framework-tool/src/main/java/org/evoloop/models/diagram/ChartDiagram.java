@@ -1,0 +1,101 @@
+package org.evoloop.models.diagram;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Function;
+import java.util.stream.Stream;
+import org.evoloop.models.chart.ArcLabel;
+import org.evoloop.models.diagram.Diagram.Edge;
+import org.evoloop.models.diagram.Diagram.Node;
+import org.evoloop.models.diagram.Diagram.Shape;
+import org.evoloop.models.diagram.Diagram.Tone;
+import org.evoloop.statechart.Arc;
+import org.evoloop.statechart.Region;
+import org.evoloop.statechart.Statechart;
+import org.evoloop.statechart.Vertex;
+import org.evoloop.statechart.Vertex.ChartState;
+import org.evoloop.statechart.Vertex.Pseudostate;
+
+/** What is to be drawn of a chart. */
+public final class ChartDiagram {
+    private final Function<Vertex, Tone> vertexTone;
+    private final Function<Arc, Tone> arcTone;
+    private final List<Edge> edges = new ArrayList<>();
+    private int regions;
+
+    private ChartDiagram(Function<Vertex, Tone> vertexTone, Function<Arc, Tone> arcTone) {
+        this.vertexTone = vertexTone;
+        this.arcTone = arcTone;
+    }
+
+    /** The plain diagram of {@code chart}. */
+    public static Diagram of(Statechart chart) {
+        return of(chart, vertex -> Tone.PLAIN, arc -> Tone.PLAIN);
+    }
+
+    /** The diagram of {@code chart} with a tone for each of its parts. */
+    public static Diagram of(Statechart chart, Function<Vertex, Tone> vertexTone, Function<Arc, Tone> arcTone) {
+        ChartDiagram builder = new ChartDiagram(vertexTone, arcTone);
+        List<Node> nodes = chart.regions().size() == 1
+                ? builder.nodes(chart.regions().get(0))
+                : chart.regions().stream().map(builder::region).toList();
+        return new Diagram(chart.name(), nodes, builder.edges);
+    }
+
+    private List<Node> nodes(Region region) {
+        region.arcs().stream().filter(arc -> arc.kind() != Arc.Kind.INTERNAL).forEach(this::edge);
+        return region.vertices().stream().map(this::node).toList();
+    }
+
+    private Node region(Region region) {
+        return new Node("region " + ++regions, Shape.REGION, region.name(), List.of(), nodes(region), Tone.PLAIN);
+    }
+
+    private void edge(Arc arc) {
+        edges.add(new Edge(arc.source(), arc.target(), ArcLabel.of(arc), arcTone.apply(arc)));
+    }
+
+    private Node node(Vertex vertex) {
+        if (vertex instanceof ChartState state) {
+            return state(state);
+        }
+        Shape shape = vertex instanceof Pseudostate pseudostate ? shape(pseudostate.kind()) : Shape.FINAL;
+        return Node.of(vertex.key(), shape, vertex.name(), vertexTone.apply(vertex));
+    }
+
+    private Node state(ChartState state) {
+        List<Node> children = new ArrayList<>();
+        state.connections().forEach(point -> children.add(node(point)));
+        if (state.regions().size() == 1) {
+            children.addAll(nodes(state.regions().get(0)));
+        } else {
+            state.regions().forEach(region -> children.add(region(region)));
+        }
+        return new Node(state.key(), Shape.STATE, state.name(), notes(state), children, vertexTone.apply(state));
+    }
+
+    private static List<String> notes(ChartState state) {
+        return Stream.of(
+                        state.entry().stream().map(behavior -> "entry / " + behavior),
+                        state.doActivities().stream().map(behavior -> "do / " + behavior),
+                        state.exit().stream().map(behavior -> "exit / " + behavior),
+                        state.internal().stream().map(ArcLabel::of),
+                        state.deferred().stream().map(event -> event + " / defer"))
+                .flatMap(lines -> lines)
+                .toList();
+    }
+
+    private static Shape shape(Vertex.Kind kind) {
+        return switch (kind) {
+            case INITIAL -> Shape.INITIAL;
+            case SHALLOW_HISTORY -> Shape.SHALLOW_HISTORY;
+            case DEEP_HISTORY -> Shape.DEEP_HISTORY;
+            case JOIN, FORK -> Shape.BAR;
+            case JUNCTION -> Shape.JUNCTION;
+            case CHOICE -> Shape.CHOICE;
+            case ENTRY_POINT -> Shape.ENTRY_POINT;
+            case EXIT_POINT -> Shape.EXIT_POINT;
+            case TERMINATE -> Shape.TERMINATE;
+        };
+    }
+}

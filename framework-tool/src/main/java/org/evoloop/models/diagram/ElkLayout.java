@@ -1,0 +1,197 @@
+package org.evoloop.models.diagram;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+import org.eclipse.elk.alg.layered.options.LayerConstraint;
+import org.eclipse.elk.alg.layered.options.LayeredMetaDataProvider;
+import org.eclipse.elk.alg.layered.options.LayeredOptions;
+import org.eclipse.elk.alg.layered.options.OrderingStrategy;
+import org.eclipse.elk.core.RecursiveGraphLayoutEngine;
+import org.eclipse.elk.core.data.LayoutMetaDataService;
+import org.eclipse.elk.core.math.ElkPadding;
+import org.eclipse.elk.core.math.KVector;
+import org.eclipse.elk.core.options.CoreOptions;
+import org.eclipse.elk.core.options.Direction;
+import org.eclipse.elk.core.options.EdgeLabelPlacement;
+import org.eclipse.elk.core.options.EdgeRouting;
+import org.eclipse.elk.core.options.HierarchyHandling;
+import org.eclipse.elk.core.options.NodeLabelPlacement;
+import org.eclipse.elk.core.options.SizeConstraint;
+import org.eclipse.elk.core.util.BasicProgressMonitor;
+import org.eclipse.elk.graph.ElkConnectableShape;
+import org.eclipse.elk.graph.ElkEdge;
+import org.eclipse.elk.graph.ElkEdgeSection;
+import org.eclipse.elk.graph.ElkLabel;
+import org.eclipse.elk.graph.ElkNode;
+import org.eclipse.elk.graph.util.ElkGraphUtil;
+import org.evoloop.models.diagram.Diagram.Edge;
+import org.evoloop.models.diagram.Diagram.Node;
+import org.evoloop.models.diagram.Diagram.Shape;
+import org.evoloop.models.diagram.Layout.Box;
+import org.evoloop.models.diagram.Layout.Point;
+import org.evoloop.models.diagram.Layout.Wire;
+
+/** Places a diagram with ELK's layered layout: edges mostly run one way, with right angles, and labels have room. */
+final class ElkLayout {
+    /** What looks best on a screen and on a page. */
+    private static final double WISHED_ASPECT = 1.5;
+
+    static {
+        LayoutMetaDataService.getInstance().registerLayoutMetaDataProviders(new LayeredMetaDataProvider());
+    }
+
+    private final Diagram diagram;
+    private final Direction direction;
+    private final Map<String, ElkNode> nodes = new HashMap<>();
+    private final Map<ElkNode, Node> drawn = new LinkedHashMap<>();
+    private final Map<ElkEdge, Edge> edges = new LinkedHashMap<>();
+
+    private ElkLayout(Diagram diagram, Direction direction) {
+        this.diagram = diagram;
+        this.direction = direction;
+    }
+
+    /** The better of two ways to lay it out, from left to right and from top to bottom. */
+    static Layout of(Diagram diagram) {
+        return Stream.of(Direction.RIGHT, Direction.DOWN)
+                .map(direction -> new ElkLayout(diagram, direction).arrange())
+                .min(Comparator.comparingDouble(layout -> Math.abs(Math.log(layout.aspect() / WISHED_ASPECT))))
+                .orElseThrow();
+    }
+
+    private Layout arrange() {
+        ElkNode root = ElkGraphUtil.createGraph();
+        configure(root);
+        root.setProperty(CoreOptions.PADDING, new ElkPadding(MARGIN));
+        diagram.nodes().forEach(node -> add(root, node));
+        diagram.edges().forEach(this::add);
+        new RecursiveGraphLayoutEngine().layout(root, new BasicProgressMonitor());
+        List<Box> boxes = new ArrayList<>();
+        drawn.forEach((placed, node) ->
+                boxes.add(new Box(node, absoluteX(placed), absoluteY(placed), placed.getWidth(), placed.getHeight())));
+        List<Wire> wires = new ArrayList<>();
+        edges.forEach((placed, edge) -> wires.add(wire(placed, edge)));
+        return new Layout(root.getWidth(), root.getHeight(), boxes, wires);
+    }
+
+    private static final double MARGIN = 16;
+
+    private void configure(ElkNode graph) {
+        graph.setProperty(CoreOptions.ALGORITHM, LayeredOptions.ALGORITHM_ID);
+        graph.setProperty(CoreOptions.HIERARCHY_HANDLING, HierarchyHandling.INCLUDE_CHILDREN);
+        graph.setProperty(CoreOptions.DIRECTION, direction);
+        graph.setProperty(CoreOptions.EDGE_ROUTING, EdgeRouting.ORTHOGONAL);
+        graph.setProperty(CoreOptions.RANDOM_SEED, 1);
+        graph.setProperty(LayeredOptions.CONSIDER_MODEL_ORDER_STRATEGY, OrderingStrategy.NODES_AND_EDGES);
+        graph.setProperty(LayeredOptions.SPACING_NODE_NODE, 36.0);
+        graph.setProperty(LayeredOptions.SPACING_NODE_NODE_BETWEEN_LAYERS, 40.0);
+        graph.setProperty(LayeredOptions.SPACING_EDGE_NODE, 18.0);
+        graph.setProperty(LayeredOptions.SPACING_EDGE_NODE_BETWEEN_LAYERS, 18.0);
+        graph.setProperty(LayeredOptions.SPACING_EDGE_EDGE, 14.0);
+        graph.setProperty(LayeredOptions.SPACING_EDGE_EDGE_BETWEEN_LAYERS, 14.0);
+        graph.setProperty(LayeredOptions.SPACING_EDGE_LABEL, 4.0);
+        graph.setProperty(LayeredOptions.SPACING_LABEL_LABEL, 8.0);
+        graph.setProperty(LayeredOptions.SPACING_NODE_SELF_LOOP, 14.0);
+    }
+
+    private void add(ElkNode parent, Node node) {
+        ElkNode placed = ElkGraphUtil.createNode(parent);
+        nodes.put(node.key(), placed);
+        drawn.put(placed, node);
+        if (node.shape() == Shape.STATE) {
+            placed.setDimensions(NodeSize.textWidth(node), NodeSize.textHeight(node));
+        } else if (node.shape() == Shape.BAR) {
+            double thick = NodeSize.diameter(Shape.BAR);
+            boolean upright = direction == Direction.RIGHT;
+            placed.setDimensions(upright ? thick : 10 * thick, upright ? 10 * thick : thick);
+        } else {
+            placed.setDimensions(NodeSize.diameter(node.shape()), NodeSize.diameter(node.shape()));
+        }
+        if (node.shape() == Shape.INITIAL) {
+            placed.setProperty(LayeredOptions.LAYERING_LAYER_CONSTRAINT, LayerConstraint.FIRST);
+        }
+        if (isPoint(node)) {
+            List<String> name = NodeSize.name(node);
+            ElkLabel label = ElkGraphUtil.createLabel(node.name(), placed);
+            label.setDimensions(TextSize.width(name, false), TextSize.height(name));
+            placed.setProperty(CoreOptions.NODE_LABELS_PLACEMENT, NodeLabelPlacement.outsideBottomCenter());
+        }
+        if (!node.children().isEmpty()) {
+            addChildren(placed, node);
+        }
+    }
+
+    /** Whether its name stands under it. */
+    static boolean isPoint(Node node) {
+        return (node.shape() == Shape.ENTRY_POINT || node.shape() == Shape.EXIT_POINT)
+                && !node.name().isEmpty();
+    }
+
+    private void addChildren(ElkNode placed, Node node) {
+        configure(placed);
+        boolean orthogonal = node.children().stream().anyMatch(child -> child.shape() == Shape.REGION);
+        if (node.shape() == Shape.STATE) {
+            double side = orthogonal ? 2 : MARGIN;
+            placed.setProperty(CoreOptions.PADDING, new ElkPadding(NodeSize.textHeight(node) + side, side, side, side));
+            placed.setProperty(CoreOptions.NODE_SIZE_CONSTRAINTS, SizeConstraint.minimumSize());
+            placed.setProperty(
+                    CoreOptions.NODE_SIZE_MINIMUM, new KVector(NodeSize.textWidth(node), NodeSize.textHeight(node)));
+        } else {
+            placed.setProperty(CoreOptions.PADDING, new ElkPadding(MARGIN));
+        }
+        node.children().forEach(child -> add(placed, child));
+    }
+
+    private void add(Edge edge) {
+        ElkConnectableShape source = known(edge.source());
+        ElkConnectableShape target = known(edge.target());
+        ElkEdge placed = ElkGraphUtil.createSimpleEdge(source, target);
+        edges.put(placed, edge);
+        List<String> lines = NodeSize.label(edge.label());
+        if (!lines.isEmpty()) {
+            ElkLabel label = ElkGraphUtil.createLabel(edge.label(), placed);
+            label.setDimensions(TextSize.width(lines, false), TextSize.height(lines));
+            label.setProperty(CoreOptions.EDGE_LABELS_PLACEMENT, EdgeLabelPlacement.CENTER);
+        }
+    }
+
+    private ElkNode known(String key) {
+        ElkNode node = nodes.get(key);
+        if (node == null) {
+            throw new IllegalArgumentException("an edge refers to " + key + ", which is no node of the diagram");
+        }
+        return node;
+    }
+
+    private Wire wire(ElkEdge placed, Edge edge) {
+        ElkNode origin = placed.getContainingNode();
+        double x = absoluteX(origin);
+        double y = absoluteY(origin);
+        List<Point> points = new ArrayList<>();
+        for (ElkEdgeSection section : placed.getSections()) {
+            points.add(new Point(x + section.getStartX(), y + section.getStartY()));
+            section.getBendPoints().forEach(bend -> points.add(new Point(x + bend.getX(), y + bend.getY())));
+            points.add(new Point(x + section.getEndX(), y + section.getEndY()));
+        }
+        Point at = placed.getLabels().stream()
+                .findFirst()
+                .map(label -> new Point(x + label.getX(), y + label.getY()))
+                .orElse(new Point(x, y));
+        return new Wire(edge, points, NodeSize.label(edge.label()), at);
+    }
+
+    private static double absoluteX(ElkNode node) {
+        ElkNode parent = node.getParent();
+        return parent == null ? 0 : node.getX() + absoluteX(parent);
+    }
+
+    private static double absoluteY(ElkNode node) {
+        ElkNode parent = node.getParent();
+        return parent == null ? 0 : node.getY() + absoluteY(parent);
+    }
+}

@@ -1,0 +1,49 @@
+package org.evoloop.models.diagram;
+
+import java.util.List;
+
+/**
+ * A diagram with everything in its place, in pixels from its left upper corner.
+ *
+ * <p>Threading: immutable.
+ *
+ * @param boxes outer ones before those inside
+ */
+record Layout(double width, double height, List<Box> boxes, List<Wire> wires) {
+    Layout {
+        boxes = List.copyOf(boxes);
+        wires = List.copyOf(wires);
+    }
+
+    /** How much wider than high. */
+    double aspect() {
+        return width / height;
+    }
+
+    record Point(double x, double y) {}
+
+    /** A node and its left upper corner. */
+    record Box(Diagram.Node node, double x, double y, double width, double height) {
+        double centreX() {
+            return x + width / 2;
+        }
+
+        double centreY() {
+            return y + height / 2;
+        }
+    }
+
+    /**
+     * An edge.
+     *
+     * @param points from its source to its target, with right angles between
+     * @param label the lines of its label
+     * @param at the left upper corner of the label
+     */
+    record Wire(Diagram.Edge edge, List<Point> points, List<String> label, Point at) {
+        Wire {
+            points = List.copyOf(points);
+            label = List.copyOf(label);
+        }
+    }
+}

@@ -1,0 +1,64 @@
+package org.evoloop.models.diagram;
+
+import java.util.Locale;
+import org.evoloop.models.diagram.Diagram.Tone;
+
+/** The colours of each tone, and what the legend says of it. */
+enum Palette {
+    PLAIN(Tone.PLAIN, "#333", "#ffffee", "1.5", "", "kept"),
+    ADDED(Tone.ADDED, "#0b62a8", "#e4f0fb", "2", "", "added by the new model"),
+    REROUTED(Tone.REROUTED, "#a85b00", "#fff1dc", "2", "7 4", "rerouted: where it leads now"),
+    FORMER(Tone.FORMER, "#aaa", "#f6f6f6", "1.2", "", "rerouted: where it led before"),
+    REMOVED(Tone.REMOVED, "#b3261e", "#fdecea", "1.5", "", "removed"),
+    MARKED(Tone.MARKED, "#a3159a", "#fbe6fa", "3", "", "on the way of the counter-example");
+
+    private final Tone tone;
+    private final String line;
+    private final String fill;
+    private final String strokeWidth;
+    private final String dashes;
+    private final String meaning;
+
+    Palette(Tone tone, String line, String fill, String strokeWidth, String dashes, String meaning) {
+        this.tone = tone;
+        this.line = line;
+        this.fill = fill;
+        this.strokeWidth = strokeWidth;
+        this.dashes = dashes;
+        this.meaning = meaning;
+    }
+
+    static Palette of(Tone tone) {
+        return valueOf(tone.name());
+    }
+
+    /** The class attribute of its parts. */
+    String cssClass() {
+        return tone.name().toLowerCase(Locale.ROOT);
+    }
+
+    /** For the legend. */
+    String meaning() {
+        return meaning;
+    }
+
+    String css() {
+        String dashed = dashes.isEmpty() ? "" : "; stroke-dasharray: " + dashes;
+        return """
+                .%1$s .box { stroke: %2$s; fill: %3$s; stroke-width: %4$s }
+                .%1$s .line { stroke: %2$s; stroke-width: %4$s%5$s }
+                .%1$s .way { marker-end: url(#arrow-%1$s) }
+                .%1$s .solid { stroke: %2$s; fill: %2$s }
+                .%1$s text { fill: %2$s }
+                """.formatted(cssClass(), line, fill, strokeWidth, dashed);
+    }
+
+    /** The head of its arrows; UML's are open. */
+    String marker() {
+        return """
+                <marker id="arrow-%s" viewBox="0 0 10 10" refX="9" refY="5" markerWidth="10" markerHeight="10" \
+                markerUnits="userSpaceOnUse" orient="auto">\
+                <path d="M0 1 L9 5 L0 9" fill="none" stroke="%s" stroke-width="1.6"/></marker>
+                """.formatted(cssClass(), line);
+    }
+}

@@ -1,0 +1,119 @@
+package org.evoloop.converter;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.function.BooleanSupplier;
+import org.evoloop.evolution.DecisionTable;
+import org.evoloop.evolution.DeviceEvents;
+import org.evoloop.evolution.ModelPair;
+import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.State;
+import org.evoloop.statemachine.StateMachine;
+import org.evoloop.statemachine.Transition;
+
+/**
+ * What the names in the models stand for, and which ways through the device's states are welcome.
+ *
+ * <p>Threading: filled before the converter is built, read from any thread after.
+ */
+final class Bindings {
+    private final ModelPair pair;
+    private final Map<String, BooleanSupplier> guards = new HashMap<>();
+    private final Map<String, Effect> effects = new HashMap<>();
+    private final Map<Event, Integer> costs = new LinkedHashMap<>();
+    private final Set<State> doNotPass = new HashSet<>();
+
+    Bindings(ModelPair pair) {
+        this.pair = pair;
+    }
+
+    void guard(String text, BooleanSupplier condition) {
+        guards.put(text, condition);
+    }
+
+    void effect(String text, Effect effect) {
+        effects.put(text, effect);
+    }
+
+    void cost(String event, int cost) {
+        if (cost < 1 || cost > DeviceEvents.MAX_COST) {
+            throw new IllegalArgumentException(
+                    "the cost of " + event + " is " + cost + ", allowed is 1 to " + DeviceEvents.MAX_COST);
+        }
+        costs.put(new Event(event), cost);
+    }
+
+    void doNotPass(String state) {
+        doNotPass.add(new State(state));
+    }
+
+    /** Whether the guard of this text holds now; false if nothing is bound to it. */
+    boolean holds(String text) {
+        BooleanSupplier condition = guards.get(text);
+        return condition != null && condition.getAsBoolean();
+    }
+
+    /** @throws IllegalStateException if nothing is bound to {@code text} */
+    void run(String text) throws Exception {
+        Effect effect = effects.get(text);
+        if (effect == null) {
+            throw new IllegalStateException("nothing is bound to it; call effect in registerNewFunctions");
+        }
+        effect.run();
+    }
+
+    /** The same with the ways that are welcome and the guards that can be asked. */
+    DeviceEvents refine(DeviceEvents device) {
+        return device.withCosts(costs).withDoNotPass(doNotPass).withBoundGuards(guards.keySet());
+    }
+
+    /** What is wrong with what was bound, a line each. */
+    List<String> problems() {
+        List<String> problems = new ArrayList<>();
+        Set<String> drawnGuards = new HashSet<>(pair.original().guards());
+        drawnGuards.addAll(pair.evolved().guards());
+        for (String text : guards.keySet()) {
+            if (!drawnGuards.contains(text)) {
+                problems.add("guard [" + text + "] is bound, but drawn in neither model");
+            }
+        }
+        for (String text : pair.evolved().guards()) {
+            if (!guards.containsKey(text)) {
+                problems.add("guard [" + text + "] of the new model is not bound: call guard in registerNewFunctions");
+            }
+        }
+        for (String text : effects.keySet()) {
+            if (!draws(pair.evolved(), text)) {
+                problems.add("effect " + text + " is bound, but the new model does not draw it");
+            }
+        }
+        for (Event event : costs.keySet()) {
+            if (!pair.original().triggers().contains(event)) {
+                problems.add("a cost is given to " + event + ", which is not an event of the original model");
+            }
+        }
+        for (State state : doNotPass) {
+            if (!pair.original().hasState(state)) {
+                problems.add(state + " is not to be passed, but is not a state of the original model");
+            }
+        }
+        return problems;
+    }
+
+    private static boolean draws(StateMachine machine, String effect) {
+        return machine.transitions().stream().map(Transition::effects).anyMatch(drawn -> drawn.contains(effect));
+    }
+
+    /** Effects that decisions of {@code table} need and nothing is bound to, a line each. */
+    List<String> unboundEffects(DecisionTable table) {
+        return table.effects().stream()
+                .filter(text -> !effects.containsKey(text))
+                .map(text -> "effect " + text + " of the new model is not bound: call effect in registerNewFunctions")
+                .toList();
+    }
+}

@@ -1,0 +1,18 @@
+package org.evoloop.converter;
+
+/**
+ * A behavior that the new model names on its transitions, see {@link StateKnowledge#effect}.
+ *
+ * <p>Threading: run on the thread of the execute component that carries the transition out.
+ */
+@FunctionalInterface
+public interface Effect {
+
+    /**
+     * Does it; returns when it is done.
+     *
+     * @throws InterruptedException if the thread is told to stop meanwhile
+     * @throws Exception any failure: it is reported, and the event has failed although the transition is taken
+     */
+    void run() throws Exception;
+}

@@ -1,0 +1,101 @@
+package org.evoloop.evolution;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.function.Predicate;
+import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.State;
+import org.evoloop.statemachine.StateMachine;
+import org.evoloop.statemachine.Transition;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Which transition counts where guards decide: of those of one state with the same trigger, the first as drawn whose
+ * guards all hold.
+ *
+ * <p>Threading: immutable. Nothing is allocated for states and triggers without guards.
+ */
+public final class GuardedTriggers {
+    /** Only triggers that carry a guard somewhere in the state; the transitions in the order in which they are tried. */
+    private final Map<State, Map<Event, List<Transition>>> guarded = new HashMap<>();
+
+    public GuardedTriggers(StateMachine machine) {
+        if (machine.events().stream().allMatch(event -> event.guards().isEmpty())) {
+            return;
+        }
+        for (State state : machine.states()) {
+            Map<Event, List<Transition>> byTrigger = new HashMap<>();
+            for (Transition transition : machine.transitionsFrom(state)) {
+                byTrigger
+                        .computeIfAbsent(transition.event().trigger(), trigger -> new ArrayList<>())
+                        .add(transition);
+            }
+            byTrigger
+                    .values()
+                    .removeIf(all -> all.stream()
+                            .allMatch(transition -> transition.event().guards().isEmpty()));
+            if (!byTrigger.isEmpty()) {
+                guarded.put(state, byTrigger);
+            }
+        }
+    }
+
+    /**
+     * The event, with its guards, that {@code trigger} is in {@code state} now.
+     *
+     * @param holds whether the condition of this text holds
+     * @return {@code trigger} itself where no guard is drawn for it; null if a guard is drawn and nothing holds
+     */
+    public @Nullable Event resolve(State state, Event trigger, Predicate<String> holds) {
+        Map<Event, List<Transition>> byTrigger = guarded.get(state);
+        List<Transition> candidates = byTrigger == null ? null : byTrigger.get(trigger);
+        if (candidates == null) {
+            return trigger;
+        }
+        for (Transition candidate : candidates) {
+            if (candidate.event().guards().stream().allMatch(holds)) {
+                return candidate.event();
+            }
+        }
+        return null;
+    }
+
+    /** The guards that decide whether {@code transition} counts: its own, and those of the ones tried before it. */
+    Set<String> conditionsOf(Transition transition) {
+        Set<String> conditions = new LinkedHashSet<>();
+        for (Transition tried : candidatesWith(transition)) {
+            conditions.addAll(tried.event().guards());
+            if (tried.equals(transition)) {
+                break;
+            }
+        }
+        return conditions;
+    }
+
+    /**
+     * The transition that is tried before {@code transition} and always counts when that would; null if there is none, so
+     * that {@code transition} can be taken.
+     */
+    public @Nullable Transition shadowOf(Transition transition) {
+        Set<String> own = new HashSet<>(transition.event().guards());
+        for (Transition tried : candidatesWith(transition)) {
+            if (tried.equals(transition)) {
+                return null;
+            }
+            if (own.containsAll(tried.event().guards())) {
+                return tried;
+            }
+        }
+        return null;
+    }
+
+    private List<Transition> candidatesWith(Transition transition) {
+        return guarded.getOrDefault(transition.source(), Map.of())
+                .getOrDefault(transition.event().trigger(), List.of());
+    }
+}

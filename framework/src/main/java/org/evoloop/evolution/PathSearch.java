@@ -1,0 +1,72 @@
+package org.evoloop.evolution;
+
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.Map;
+import java.util.PriorityQueue;
+import java.util.Set;
+import org.evoloop.statemachine.State;
+import org.evoloop.statemachine.Transition;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Dijkstra's search from one state, as far as it has been asked for: it stops at the target and goes on from there when a
+ * farther one is wanted.
+ */
+final class PathSearch {
+    /** More than a way of a million of the dearest events. */
+    static final long CONDITIONAL = 1L << 40;
+
+    private final PathPlanner planner;
+    private final State source;
+    private final Map<State, Arrival> arrivals = new HashMap<>();
+    private final Set<State> settled = new HashSet<>();
+    private final PriorityQueue<Arrival> frontier =
+            new PriorityQueue<>(Comparator.comparingLong(Arrival::cost).thenComparingInt(Arrival::order));
+    private int found;
+
+    /** @param order counts what was found; of arrivals of equal cost the first one counts */
+    private record Arrival(
+            State state, long cost, int order, @Nullable Step lastStep) {}
+
+    PathSearch(PathPlanner planner, State source) {
+        this.planner = planner;
+        this.source = source;
+        arrive(source, 0, null);
+    }
+
+    /** The last step of the cheapest way to {@code target}; null for the source itself and if there is no way. */
+    @Nullable
+    Step lastStepTo(State target) {
+        while (!settled.contains(target) && !frontier.isEmpty()) {
+            Arrival at = frontier.remove();
+            if (settled.add(at.state())) {
+                expand(at);
+            }
+        }
+        Arrival arrival = settled.contains(target) ? arrivals.get(target) : null;
+        return arrival == null ? null : arrival.lastStep();
+    }
+
+    private void expand(Arrival at) {
+        if (!at.state().equals(source) && !planner.mayPass(at.state())) {
+            return;
+        }
+        for (Transition transition : planner.transitionsFrom(at.state())) {
+            Step step = settled.contains(transition.target()) ? null : planner.stepOver(transition);
+            if (step != null) {
+                arrive(step.target(), at.cost() + planner.costOf(step), step);
+            }
+        }
+    }
+
+    private void arrive(State state, long cost, @Nullable Step lastStep) {
+        Arrival known = arrivals.get(state);
+        if (known == null || cost < known.cost()) {
+            Arrival arrival = new Arrival(state, cost, found++, lastStep);
+            arrivals.put(state, arrival);
+            frontier.add(arrival);
+        }
+    }
+}
