@@ -28,23 +28,22 @@ public final class CpuWindows implements InternalProfiler {
     /** Shorter windows would measure the clock. */
     private static final long WINDOW_NANOS = 10_000_000;
 
-    private long windowNanos;
-    private long windowOperations;
+    private long begunNanos = -1;
+    private long operations;
     private double minimum = Double.POSITIVE_INFINITY;
 
-    /** The processor time of the calling thread. */
-    static long threadNanos() {
-        return THREADS.getCurrentThreadCpuTime();
-    }
-
-    /** Adds a piece of work to the present window. */
-    void record(long nanos, int operations) {
-        windowNanos += nanos;
-        windowOperations += operations;
-        if (windowNanos >= WINDOW_NANOS) {
-            minimum = Math.min(minimum, (double) windowNanos / windowOperations);
-            windowNanos = 0;
-            windowOperations = 0;
+    /** So many operations were done by the calling thread since the last call. */
+    void lap(long more) {
+        long now = THREADS.getCurrentThreadCpuTime();
+        operations += more;
+        long spent = now - begunNanos;
+        if (begunNanos < 0) {
+            begunNanos = now;
+            operations = 0;
+        } else if (spent >= WINDOW_NANOS) {
+            minimum = Math.min(minimum, (double) spent / operations);
+            begunNanos = now;
+            operations = 0;
         }
     }
 
@@ -56,8 +55,7 @@ public final class CpuWindows implements InternalProfiler {
     @Override
     public void beforeIteration(BenchmarkParams benchmark, IterationParams iteration) {
         SHARED.minimum = Double.POSITIVE_INFINITY;
-        SHARED.windowNanos = 0;
-        SHARED.windowOperations = 0;
+        SHARED.begunNanos = -1;
     }
 
     @Override

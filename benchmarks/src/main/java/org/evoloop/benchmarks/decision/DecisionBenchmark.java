@@ -4,7 +4,6 @@ import java.util.concurrent.TimeUnit;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
 import org.openjdk.jmh.annotations.Mode;
-import org.openjdk.jmh.annotations.OperationsPerInvocation;
 import org.openjdk.jmh.annotations.OutputTimeUnit;
 import org.openjdk.jmh.annotations.Param;
 import org.openjdk.jmh.annotations.Scope;
@@ -20,8 +19,6 @@ import org.openjdk.jmh.annotations.TearDown;
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.NANOSECONDS)
 public class DecisionBenchmark {
-    static final int EVENTS = 20_000;
-
     @Param({"EVOLOOP", "STATELESS4J", "COLA", "SQUIRREL", "COMMONS_SCXML", "SPRING", "HASH_MAP"})
     public Library library = Library.EVOLOOP;
 
@@ -43,15 +40,13 @@ public class DecisionBenchmark {
     }
 
     @Benchmark
-    @OperationsPerInvocation(EVENTS)
     public long byName() {
-        long begun = CpuWindows.threadNanos();
-        for (int event = 0; event < EVENTS; event++) {
-            walker.fire(way[position]);
-            position = position + 1 == way.length ? 0 : position + 1;
+        if (fired % library.lap() == 0) {
+            CpuWindows.SHARED.lap(library.lap());
         }
-        CpuWindows.SHARED.record(CpuWindows.threadNanos() - begun, EVENTS);
-        fired += EVENTS;
+        walker.fire(way[position]);
+        position = position + 1 == way.length ? 0 : position + 1;
+        fired++;
         return walker.actions();
     }
 

@@ -1,6 +1,7 @@
 package org.evoloop.benchmarks.decision;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.evoloop.evolution.Decision;
@@ -8,10 +9,10 @@ import org.evoloop.evolution.DecisionTable;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
 import org.openjdk.jmh.annotations.Mode;
-import org.openjdk.jmh.annotations.OperationsPerInvocation;
 import org.openjdk.jmh.annotations.OutputTimeUnit;
 import org.openjdk.jmh.annotations.Param;
 import org.openjdk.jmh.annotations.Scope;
+import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 
 /** One event by its number, and the limit: a table of numbers and an array of actions. */
@@ -32,8 +33,9 @@ public class HandleBenchmark {
     private Runnable[] does = {};
     private int width;
     private int state;
+    private long laps;
 
-    @org.openjdk.jmh.annotations.Setup
+    @Setup
     public void build() {
         Walk walk = Walk.of(states);
         table = EvoloopWalker.table(walk);
@@ -44,7 +46,7 @@ public class HandleBenchmark {
 
     private void buildLimit(Walk walk) {
         List<String> events = new ArrayList<>(walk.events());
-        events.sort(java.util.Comparator.comparingInt(table::number));
+        events.sort(Comparator.comparingInt(table::number));
         width = events.size();
         targets = new int[walk.states().size() * width];
         does = new Runnable[targets.length];
@@ -57,33 +59,31 @@ public class HandleBenchmark {
     }
 
     @Benchmark
-    @OperationsPerInvocation(DecisionBenchmark.EVENTS)
     public long byNumber() {
-        long begun = CpuWindows.threadNanos();
-        for (int event = 0; event < DecisionBenchmark.EVENTS; event++) {
-            int number = way[position];
-            Decision decision = table.decide(situation, number);
-            if (!(decision instanceof Decision.NotAcceptable)) {
-                situation = table.after(situation, number);
-                actions++;
-            }
-            position = position + 1 == way.length ? 0 : position + 1;
+        lap();
+        int number = way[position];
+        Decision decision = table.decide(situation, number);
+        if (!(decision instanceof Decision.NotAcceptable)) {
+            situation = table.after(situation, number);
+            actions++;
         }
-        CpuWindows.SHARED.record(CpuWindows.threadNanos() - begun, DecisionBenchmark.EVENTS);
+        position = position + 1 == way.length ? 0 : position + 1;
         return actions;
     }
 
     @Benchmark
-    @OperationsPerInvocation(DecisionBenchmark.EVENTS)
     public long intTable() {
-        long begun = CpuWindows.threadNanos();
-        for (int event = 0; event < DecisionBenchmark.EVENTS; event++) {
-            int cell = state * width + way[position];
-            does[cell].run();
-            state = targets[cell];
-            position = position + 1 == way.length ? 0 : position + 1;
-        }
-        CpuWindows.SHARED.record(CpuWindows.threadNanos() - begun, DecisionBenchmark.EVENTS);
+        lap();
+        int cell = state * width + way[position];
+        does[cell].run();
+        state = targets[cell];
+        position = position + 1 == way.length ? 0 : position + 1;
         return actions;
+    }
+
+    private void lap() {
+        if (++laps % Library.QUICK_LAP == 0) {
+            CpuWindows.SHARED.lap(Library.QUICK_LAP);
+        }
     }
 }

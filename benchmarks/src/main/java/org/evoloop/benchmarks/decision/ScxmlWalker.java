@@ -3,19 +3,21 @@ package org.evoloop.benchmarks.decision;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Objects;
+import org.apache.commons.scxml.Context;
+import org.apache.commons.scxml.Evaluator;
 import org.apache.commons.scxml.SCXMLExecutor;
 import org.apache.commons.scxml.SCXMLListener;
 import org.apache.commons.scxml.TriggerEvent;
 import org.apache.commons.scxml.env.SimpleContext;
 import org.apache.commons.scxml.env.SimpleDispatcher;
 import org.apache.commons.scxml.env.SimpleErrorReporter;
-import org.apache.commons.scxml.env.jsp.ELEvaluator;
 import org.apache.commons.scxml.model.ModelException;
 import org.apache.commons.scxml.model.SCXML;
 import org.apache.commons.scxml.model.State;
 import org.apache.commons.scxml.model.Transition;
 import org.apache.commons.scxml.model.TransitionTarget;
 import org.jspecify.annotations.Nullable;
+import org.w3c.dom.Node;
 
 /** commons-scxml 0.9, its model made without a file. */
 final class ScxmlWalker extends Walker {
@@ -40,7 +42,7 @@ final class ScxmlWalker extends Walker {
             Objects.requireNonNull(states.get(move.source())).addTransition(transition);
         }
         document.setInitialTarget(states.get(walk.initial()));
-        executor = new SCXMLExecutor(new ELEvaluator(), new SimpleDispatcher(), new SimpleErrorReporter());
+        executor = new SCXMLExecutor(new NoExpressions(), new SimpleDispatcher(), new SimpleErrorReporter());
         executor.setStateMachine(document);
         executor.setRootContext(new SimpleContext());
         executor.addListener(document, new Counter());
@@ -70,6 +72,29 @@ final class ScxmlWalker extends Walker {
         @Override
         public void onTransition(TransitionTarget from, TransitionTarget to, @Nullable Transition transition) {
             act();
+        }
+    }
+
+    /** The walks have no guards. */
+    private static final class NoExpressions implements Evaluator {
+        @Override
+        public Object eval(Context context, String expression) {
+            return expression;
+        }
+
+        @Override
+        public Boolean evalCond(Context context, String expression) {
+            return Boolean.TRUE;
+        }
+
+        @Override
+        public Node evalLocation(Context context, String expression) {
+            throw new UnsupportedOperationException(expression);
+        }
+
+        @Override
+        public Context newContext(@Nullable Context parent) {
+            return new SimpleContext(parent);
         }
     }
 }

@@ -1,5 +1,6 @@
 package org.evoloop.benchmarks.ring;
 
+import java.util.Locale;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedTransferQueue;
@@ -47,6 +48,15 @@ interface HandOff {
         };
 
         abstract HandOff make();
+
+        /** For the table: {@code LinkedTransferQueue}. */
+        String label() {
+            StringBuilder label = new StringBuilder();
+            for (String word : name().split("_")) {
+                label.append(word.charAt(0)).append(word.substring(1).toLowerCase(Locale.ROOT));
+            }
+            return label.toString();
+        }
 
         private static HandOff queue(BlockingQueue<Object> queue) {
             return new HandOff() {
