@@ -5,6 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import org.evoloop.benchmarks.report.Figures;
 import org.evoloop.benchmarks.report.Fork;
 import org.evoloop.benchmarks.report.Row;
 import org.evoloop.benchmarks.report.Suite;
@@ -37,8 +38,7 @@ public final class LoadingSuite implements Suite {
             readSeconds = Math.min(readSeconds, read.cpuSeconds());
             emptySeconds = Math.min(emptySeconds, nothing.cpuSeconds());
         }
-        Map<String, Double> warm =
-                Fork.of(LargePair.class, List.of(), quick ? "5" : "15").figures();
+        Figures warm = Fork.of(LargePair.class, List.of(), quick ? "5" : "15").figures();
         return List.of(
                 new Row(
                         "read and compile " + Files.size(Path.of(file)) / 1000 + " kB, cold, processor time",
@@ -61,9 +61,8 @@ public final class LoadingSuite implements Suite {
     }
 
     private static double coreKilobytes() throws IOException {
-        Path home =
-                ModelFiles.find("models", LoadingSuite.class).toAbsolutePath().getParent();
-        try (var jars = Files.newDirectoryStream(home.resolve("framework/target"), "framework-*-core.jar")) {
+        Path built = Path.of(System.getProperty("evoloop.home", ""), "framework", "target");
+        try (var jars = Files.newDirectoryStream(built, "framework-*-core.jar")) {
             for (Path jar : jars) {
                 return Files.size(jar) / 1000.0;
             }

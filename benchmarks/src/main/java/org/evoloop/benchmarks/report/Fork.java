@@ -4,9 +4,7 @@ import java.io.File;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.concurrent.TimeUnit;
 
 /**
@@ -44,15 +42,8 @@ public final class Fork {
      * @return the lines of a name and a number that it printed
      * @throws IOException if it does not end well
      */
-    public Map<String, Double> figures() throws IOException, InterruptedException {
-        Map<String, Double> figures = new HashMap<>();
-        for (String line : run(command).lines().toList()) {
-            int space = line.lastIndexOf(' ');
-            if (space > 0) {
-                figures.put(line.substring(0, space), Double.valueOf(line.substring(space + 1)));
-            }
-        }
-        return figures;
+    public Figures figures() throws IOException, InterruptedException {
+        return Figures.parse(run(command));
     }
 
     /** The processor time of the whole process, from its start to its end, in seconds: what it and the kernel did. */
@@ -70,10 +61,10 @@ public final class Fork {
         List<String> timed = new ArrayList<>(List.of(
                 "bash", "-c", "export LC_ALL=C; TIMEFORMAT='" + format + "'; time \"$@\" >/dev/null 2>&1", "-"));
         timed.addAll(command);
-        String[] numbers = run(timed).trim().split(" ");
-        double[] seconds = new double[numbers.length];
-        for (int index = 0; index < numbers.length; index++) {
-            seconds[index] = Double.parseDouble(numbers[index]);
+        List<String> numbers = List.of(run(timed).trim().split(" ", -1));
+        double[] seconds = new double[numbers.size()];
+        for (int index = 0; index < numbers.size(); index++) {
+            seconds[index] = Double.parseDouble(numbers.get(index));
         }
         return seconds;
     }

@@ -52,7 +52,7 @@ interface HandOff {
         /** For the table: {@code LinkedTransferQueue}. */
         String label() {
             StringBuilder label = new StringBuilder();
-            for (String word : name().split("_")) {
+            for (String word : name().split("_", -1)) {
                 label.append(word.charAt(0)).append(word.substring(1).toLowerCase(Locale.ROOT));
             }
             return label.toString();

@@ -7,6 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.HdrHistogram.Histogram;
+import org.evoloop.benchmarks.report.Figures;
 import org.evoloop.benchmarks.report.Fork;
 import org.evoloop.benchmarks.report.Row;
 import org.evoloop.benchmarks.report.Suite;
@@ -28,13 +29,12 @@ public final class RingSuite implements Suite {
 
     @Override
     public List<Row> measure(boolean quick) throws Exception {
-        Map<String, Double> found =
-                Fork.of(RingSuite.class, List.of(), quick ? "3" : "9").figures();
+        Figures found = Fork.of(RingSuite.class, List.of(), quick ? "3" : "9").figures();
         Map<String, Double> p50 = new LinkedHashMap<>();
         Map<String, Double> p99 = new LinkedHashMap<>();
         for (HandOff.Kind kind : HandOff.Kind.values()) {
-            p50.put(kind.label(), found.getOrDefault(kind + " p50", Double.NaN));
-            p99.put(kind.label(), found.getOrDefault(kind + " p99", Double.NaN));
+            p50.put(kind.label(), found.get(kind + " p50"));
+            p99.put(kind.label(), found.get(kind + " p99"));
         }
         return List.of(
                 row("the whole loop, 4 threads, median", found.get(LOOP + " p50"), 1.3, p50),

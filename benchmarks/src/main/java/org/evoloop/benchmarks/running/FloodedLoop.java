@@ -83,7 +83,7 @@ final class FloodedLoop implements AutoCloseable {
         clock.close();
     }
 
-    private final class Teller extends Monitor<Told> {
+    private static final class Teller extends Monitor<Told> {
         private final int index;
         private long number;
 

@@ -7,6 +7,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import org.HdrHistogram.Histogram;
+import org.evoloop.benchmarks.report.Figures;
 import org.evoloop.benchmarks.report.Fork;
 import org.evoloop.benchmarks.report.Row;
 import org.evoloop.benchmarks.report.Suite;
@@ -24,7 +25,7 @@ public final class RunningSuite implements Suite {
 
     @Override
     public List<Row> measure(boolean quick) throws Exception {
-        Map<String, Double> found =
+        Figures found =
                 Fork.of(RunningSuite.class, List.of(), quick ? "1" : "6").figures();
         return List.of(
                 new Row("the loop without threads, a cycle", "us", found.get("step"), Row.Goal.atMost(0.2)),
