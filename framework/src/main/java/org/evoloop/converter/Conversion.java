@@ -43,13 +43,14 @@ public final class Conversion {
 
     /** The event to send next; null if none is left. */
     synchronized @Nullable Event nextToSend() {
+        // By index, here and on: an iterator or a stream would be garbage in every event.
         List<Step> steps = decision.steps();
-        return steps.stream()
-                .skip(taken)
-                .filter(step -> !step.byDevice())
-                .map(Step::trigger)
-                .findFirst()
-                .orElse(null);
+        for (int index = taken; index < steps.size(); index++) {
+            if (!steps.get(index).byDevice()) {
+                return steps.get(index).trigger();
+            }
+        }
+        return null;
     }
 
     synchronized boolean isOver() {
@@ -85,7 +86,8 @@ public final class Conversion {
 
     /** In order; one that fails keeps none of the others from being run, since the device has obeyed. */
     private void runEffects(EventExecute execute) throws Exception {
-        for (String effect : decision.effects()) {
+        for (int index = 0; index < decision.effects().size(); index++) {
+            String effect = decision.effects().get(index);
             synchronized (this) {
                 requireOngoing();
             }

@@ -1,7 +1,8 @@
 package org.evoloop.converter;
 
-import java.util.ArrayList;
+import java.time.Duration;
 import java.util.List;
+import java.util.Map;
 import org.evoloop.converter.HistoryEntry.Outcome;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
@@ -119,7 +120,7 @@ final class ConverterCore implements VisitHost, LoopListener<Occurrence> {
         Configuration before = knowledge.configuration();
         Visit current = visit;
         if (occurrence.visit() != Occurrence.ANY_VISIT && (current == null || occurrence.visit() != current.number())) {
-            history.record(occurrence, before, before, Outcome.STALE, "the state that raised it has been left");
+            history.record(occurrence, before, before, Outcome.STALE, null, "the state that raised it has been left");
             return null;
         }
         State found = occurrence.found();
@@ -169,7 +170,8 @@ final class ConverterCore implements VisitHost, LoopListener<Occurrence> {
             return null;
         }
         Event next = conversion.nextToSend();
-        for (Execute<Conversion> execute : inOrder) {
+        for (int index = 0; index < inOrder.size(); index++) {
+            Execute<Conversion> execute = inOrder.get(index);
             if (next != null
                     && execute instanceof EventExecute sender
                     && sender.events().contains(next)) {
@@ -180,7 +182,12 @@ final class ConverterCore implements VisitHost, LoopListener<Occurrence> {
     }
 
     boolean dispatchable(Event event) {
-        return executes.stream().anyMatch(execute -> execute.events().contains(event));
+        for (EventExecute execute : executes) {
+            if (execute.events().contains(event)) {
+                return true;
+            }
+        }
+        return false;
     }
 
     void begins(Conversion conversion) {
@@ -240,28 +247,16 @@ final class ConverterCore implements VisitHost, LoopListener<Occurrence> {
 
     private void record(Conversion conversion, Configuration after) {
         Decision decision = conversion.decision();
-        Outcome outcome = Outcome.HANDLED;
-        String detail = "";
-        if (decision instanceof Decision.NotAcceptable) {
-            outcome = Outcome.IGNORED;
-            detail = "not acceptable in " + decision.before().evolved();
-        } else if (!conversion.failedEffects().isEmpty()) {
-            outcome = Outcome.FAILED;
-            detail = conversion.failedEffects();
-        } else if (decision instanceof Decision.Impossible impossible) {
-            outcome = Outcome.FAILED;
-            detail = impossible.reason();
-            LOG.warn("{} in {}: {}", conversion.occurrence(), decision.before(), detail);
-        } else if (decision instanceof Decision.Resynchronization) {
-            detail = "the device was found in " + after.original();
-        } else if (decision instanceof Decision.NewFunction) {
-            detail = "new function of " + after.evolved();
-        } else if (!decision.steps().isEmpty()) {
-            List<String> steps = new ArrayList<>();
-            decision.steps().forEach(step -> steps.add(step.trigger() + (step.byDevice() ? " (by the device)" : "")));
-            detail = String.join(", ", steps);
+        if (decision instanceof Decision.Impossible impossible) {
+            LOG.warn("{} in {}: {}", conversion.occurrence(), decision.before(), impossible.reason());
         }
-        history.record(conversion.occurrence(), decision.before(), after, outcome, detail);
+        boolean failed = decision instanceof Decision.Impossible
+                || !conversion.failedEffects().isEmpty();
+        Outcome outcome = decision instanceof Decision.NotAcceptable
+                ? Outcome.IGNORED
+                : failed ? Outcome.FAILED : Outcome.HANDLED;
+        history.record(
+                conversion.occurrence(), decision.before(), after, outcome, decision, conversion.failedEffects());
     }
 
     // Visits
@@ -271,17 +266,16 @@ final class ConverterCore implements VisitHost, LoopListener<Occurrence> {
         functions.begin(entered);
         visit = entered;
         function = toRun;
-        knowledge
-                .timersOf(state)
-                .forEach((event, delay) -> entered.after(
-                        delay,
-                        () -> loop.offer(new Occurrence(
-                                event,
-                                Source.TIMER,
-                                false,
-                                entered.number(),
-                                config.clock().nanoTime()))));
+        Map<Event, Duration> timers = knowledge.timersOf(state);
+        if (!timers.isEmpty()) {
+            timers.forEach((event, delay) -> entered.after(delay, () -> ring(entered, event)));
+        }
         return entered;
+    }
+
+    private void ring(Visit raising, Event event) {
+        loop.offer(new Occurrence(
+                event, Source.TIMER, false, raising.number(), config.clock().nanoTime()));
     }
 
     /** Runs the function of a new state that was entered, if it has not been left meanwhile. */
@@ -372,14 +366,14 @@ final class ConverterCore implements VisitHost, LoopListener<Occurrence> {
 
     private void endInFailure(
             Occurrence occurrence, Configuration before, Configuration now, Failure<Occurrence> failure) {
-        history.record(occurrence, before, now, Outcome.FAILED, failure.toString());
+        history.record(occurrence, before, now, Outcome.FAILED, null, failure.toString());
         transcript.brokenOff(now);
     }
 
     @Override
     public void dropped(Occurrence occurrence, boolean first) {
         Configuration now = knowledge.configuration();
-        history.record(occurrence, now, now, Outcome.DROPPED, "the queue was full");
+        history.record(occurrence, now, now, Outcome.DROPPED, null, "the queue was full");
         if (first) {
             LOG.warn(
                     "the queue of {} events is full: {} is lost; what follows is counted and shown by status",

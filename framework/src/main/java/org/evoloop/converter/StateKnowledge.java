@@ -36,6 +36,7 @@ public class StateKnowledge extends Knowledge {
     private final Predicate<String> holds;
     private volatile Configuration current;
     private volatile @Nullable DecisionTable table;
+    private volatile Map<State, Map<Event, Duration>> allTimers = Map.of();
 
     /** @throws org.evoloop.statemachine.ModelException if the pair violates Condition 1 or 2 */
     public StateKnowledge(ModelPair pair) {
@@ -152,6 +153,10 @@ public class StateKnowledge extends Knowledge {
 
     /** Every event that is raised by itself in {@code state}, and after how long. */
     final Map<Event, Duration> timersOf(State state) {
+        return allTimers.getOrDefault(state, Map.of());
+    }
+
+    private Map<Event, Duration> findTimersOf(State state) {
         Map<Event, Duration> all = new LinkedHashMap<>(timers.getOrDefault(state, Map.of()));
         for (Transition transition : pair.evolved().transitionsFrom(state)) {
             transition
@@ -211,6 +216,9 @@ public class StateKnowledge extends Knowledge {
 
     final void use(DecisionTable next) {
         table = next;
+        Map<State, Map<Event, Duration>> found = new HashMap<>();
+        pair.evolved().states().forEach(state -> found.put(state, findTimersOf(state)));
+        allTimers = found;
     }
 
     /** What is wrong with what was registered, a line each. */
@@ -255,7 +263,7 @@ public class StateKnowledge extends Knowledge {
                 .filter(transition -> transition.target().equals(state) && !transition.internal())
                 .toList();
         return functions.containsKey(state)
-                || !timersOf(state).isEmpty()
+                || !findTimersOf(state).isEmpty()
                 || (!entries.isEmpty()
                         && entries.stream()
                                 .allMatch(entry -> actions.keySet().stream().anyMatch(ends -> ends.match(entry))));

@@ -32,6 +32,9 @@ final class Transcript {
     synchronized void observed(Occurrence occurrence) {
         inEvent = true;
         gap = begun;
+        if (isOff()) {
+            return;
+        }
         line("----   " + (occurrence.source().isButton() ? "button_event" : "internal_event") + " : "
                 + occurrence.event() + "   -----");
         line("");
@@ -40,6 +43,9 @@ final class Transcript {
     }
 
     synchronized void analyzed(Decision decision) {
+        if (isOff()) {
+            return;
+        }
         line("Analyze");
         states(decision.before());
         line(" mode: " + mode(decision));
@@ -67,15 +73,21 @@ final class Transcript {
     }
 
     synchronized void step(Event event) {
-        line(" MAPE-K loop will send this event : " + event);
+        if (!isOff()) {
+            line(" MAPE-K loop will send this event : " + event);
+        }
     }
 
     synchronized void command(Event event) {
-        line(" " + event + " command");
+        if (!isOff()) {
+            line(" " + event + " command");
+        }
     }
 
     synchronized void starts(State state) {
-        line(" Operate existing functions for " + state + " in the another thread");
+        if (!isOff()) {
+            line(" Operate existing functions for " + state + " in the another thread");
+        }
     }
 
     /** The event's last lines; what was said meanwhile follows. */
@@ -94,8 +106,10 @@ final class Transcript {
 
     private void closeEvent() {
         inEvent = false;
-        later.forEach(this::line);
-        later.clear();
+        if (!later.isEmpty()) {
+            later.forEach(this::line);
+            later.clear();
+        }
     }
 
     /** Something that does not belong to the event in the loop. */
@@ -108,8 +122,16 @@ final class Transcript {
     }
 
     private void states(Configuration configuration) {
+        if (isOff()) {
+            return;
+        }
         line(" original_current_state: " + configuration.original());
         line(" new_current_state: " + configuration.evolved());
+    }
+
+    /** Asked before a line is put into words: without a reader it costs nothing. */
+    private static boolean isOff() {
+        return !LOG.isInfoEnabled();
     }
 
     private void line(String line) {

@@ -10,7 +10,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Queue;
 import java.util.Set;
-import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Predicate;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
@@ -18,7 +17,7 @@ import org.evoloop.statemachine.Transition;
 
 /**
  * The transition hash table: the decision for every event in every configuration that can be reached, made once, so
- * that deciding at run time is a look-up.
+ * that deciding at run time is a look-up. Situations and events have numbers, which make it a quick one.
  *
  * <p>Reached means by events as they should go: asked for by a controller, a timer or a function, or taken by the device
  * where its model says that it can. What the device may do although it could have been asked, such as act on its own
@@ -34,21 +33,15 @@ public final class DecisionTable {
     private final EventConversion conversion;
     private final GuardedTriggers originalGuards;
     private final GuardedTriggers evolvedGuards;
-    private final Map<Configuration, Row> rows = new ConcurrentHashMap<>();
-    private final Set<Configuration> reachable = new LinkedHashSet<>();
+    private final Map<Configuration, Integer> situations = new HashMap<>();
+    private final List<Configuration> configurations = new ArrayList<>();
+    private final Map<Event, Integer> numbers = new HashMap<>();
+    private final Map<String, Integer> numbersByName = new HashMap<>();
+    private final DecisionCells asked;
+    private final DecisionCells acted;
+    private final List<Decision> ignored = new ArrayList<>();
     private final Set<Decision.Impossible> problems = new LinkedHashSet<>();
     private final Set<Decision.Impossible> hazards = new LinkedHashSet<>();
-
-    /**
-     * The decisions of one configuration, by event: asked for, or already acted on by the device. Events that neither model
-     * knows there are ignored.
-     */
-    private record Row(Map<Event, Decision> asked, Map<Event, Decision> acted, Decision ignored) {
-        Decision decision(Event event, boolean deviceActed) {
-            Decision decision = (deviceActed ? acted : asked).get(event);
-            return decision == null ? ignored : decision;
-        }
-    }
 
     private DecisionTable(ModelPair pair, DeviceEvents device) {
         this.pair = pair;
@@ -56,6 +49,15 @@ public final class DecisionTable {
         this.conversion = new EventConversion(pair, device);
         this.originalGuards = new GuardedTriggers(pair.original());
         this.evolvedGuards = new GuardedTriggers(pair.evolved());
+        pair.evolved().events().forEach(this::giveNumber);
+        pair.original().events().forEach(this::giveNumber);
+        this.asked = new DecisionCells(numbers.size());
+        this.acted = new DecisionCells(numbers.size());
+    }
+
+    private void giveNumber(Event event) {
+        numbersByName.putIfAbsent(event.toString(), numbers.size());
+        numbers.putIfAbsent(event, numbers.size());
     }
 
     /**
@@ -67,16 +69,18 @@ public final class DecisionTable {
         DecisionTable table = new DecisionTable(pair, device);
         table.explore(new ArrayDeque<>(List.of(pair.initial())), false, table.problems);
         Queue<Configuration> interfered = new ArrayDeque<>();
-        for (Configuration at : table.reachable) {
+        for (Configuration at : table.configurations) {
             follow(table.interference(at), table.hazards, interfered);
         }
         table.explore(interfered, true, table.hazards);
+        table.asked.link(decision -> table.situation(decision.after()));
         return table;
     }
 
     private void explore(Queue<Configuration> frontier, boolean withInterference, Set<Decision.Impossible> impossible) {
         for (Configuration at = frontier.poll(); at != null; at = frontier.poll()) {
-            if (reachable.add(at)) {
+            if (situations.putIfAbsent(at, configurations.size()) == null) {
+                fill(at);
                 follow(expected(at), impossible, frontier);
                 if (withInterference) {
                     follow(interference(at), impossible, frontier);
@@ -148,22 +152,74 @@ public final class DecisionTable {
         return new Turn(event, deviceActed, decide(at, event, deviceActed));
     }
 
-    private Row row(Configuration at) {
-        Row known = rows.get(at);
-        return known != null ? known : rows.computeIfAbsent(at, this::decideAll);
+    /** Decides all that either model knows in {@code at}; whatever else comes there is ignored. */
+    private void fill(Configuration at) {
+        int situation = configurations.size();
+        configurations.add(at);
+        ignored.add(new Decision.NotAcceptable(at, at, List.of()));
+        pair.evolved().transitionsFrom(at.evolved()).forEach(known -> fill(at, situation, known.event()));
+        pair.original().transitionsFrom(at.original()).forEach(known -> fill(at, situation, known.event()));
     }
 
-    /** The conversion remembers its searches, which is not thread-safe. */
-    private synchronized Row decideAll(Configuration at) {
-        Row row = new Row(new HashMap<>(), new HashMap<>(), new Decision.NotAcceptable(at, at, List.of()));
-        pair.evolved().transitionsFrom(at.evolved()).forEach(known -> decide(at, known.event(), row));
-        pair.original().transitionsFrom(at.original()).forEach(known -> decide(at, known.event(), row));
-        return row;
+    private void fill(Configuration at, int situation, Event event) {
+        int number = number(event);
+        if (asked.get(situation, number) == null) {
+            Decision whenAsked = conversion.decide(at, event, false);
+            asked.put(situation, number, whenAsked);
+            // Where the device itself has no transition, it makes no difference whether it has acted already.
+            if (conversion.originalTransition(at.original(), event) != null) {
+                acted.put(situation, number, conversion.decide(at, event, true));
+            }
+        }
     }
 
-    private void decide(Configuration at, Event event, Row row) {
-        row.asked().computeIfAbsent(event, key -> conversion.decide(at, key, false));
-        row.acted().computeIfAbsent(event, key -> conversion.decide(at, key, true));
+    /** The number of the initial situation, for the quick methods. */
+    public int initial() {
+        return 0;
+    }
+
+    /** The number of a configuration, for the quick methods; {@code -1} if it is not one of {@link #configurations}. */
+    public int situation(Configuration at) {
+        Integer known = situations.get(at);
+        return known == null ? DecisionCells.UNKNOWN : known;
+    }
+
+    /** The number of an event, for the quick methods; {@code -1} for one that neither model knows. */
+    public int number(Event event) {
+        Integer known = numbers.get(event);
+        return known == null ? DecisionCells.UNKNOWN : known;
+    }
+
+    /** The number of an event by its name, as {@link Event#toString} writes it; {@code -1} if there is none. */
+    public int number(String event) {
+        Integer known = numbersByName.get(event);
+        return known == null ? DecisionCells.UNKNOWN : known;
+    }
+
+    /**
+     * What an event that was asked for means; nothing is allocated, and nothing is hashed.
+     *
+     * @param situation a {@linkplain #situation number} other than {@code -1}
+     * @param event a {@linkplain #number(Event) number}; {@code -1} is not acceptable anywhere
+     */
+    public Decision decide(int situation, int event) {
+        Decision decision = event < 0 ? null : asked.get(situation, event);
+        return decision == null ? ignored.get(situation) : decision;
+    }
+
+    /** The same by the event's name. */
+    public Decision decide(int situation, String event) {
+        return decide(situation, number(event));
+    }
+
+    /** The situation in which {@link #decide(int, int)} ends; {@code -1} if it is not one of {@link #configurations}. */
+    public int after(int situation, int event) {
+        return event < 0 || asked.get(situation, event) == null ? situation : asked.after(situation, event);
+    }
+
+    /** The same by the event's name. */
+    public int after(int situation, String event) {
+        return after(situation, number(event));
     }
 
     /**
@@ -174,7 +230,18 @@ public final class DecisionTable {
      * @return {@link Decision.NotAcceptable} without steps for an event that neither model knows there
      */
     public Decision decide(Configuration at, Event event, boolean deviceActed) {
-        return row(at).decision(event, deviceActed);
+        int situation = situation(at);
+        if (situation == DecisionCells.UNKNOWN) {
+            return decideNow(at, event, deviceActed);
+        }
+        int number = number(event);
+        Decision own = deviceActed && number >= 0 ? acted.get(situation, number) : null;
+        return own == null ? decide(situation, number) : own;
+    }
+
+    /** The conversion remembers its searches, which is not thread-safe. */
+    private synchronized Decision decideNow(Configuration at, Event event, boolean deviceActed) {
+        return conversion.decide(at, event, deviceActed);
     }
 
     /**
@@ -208,12 +275,12 @@ public final class DecisionTable {
     public Decision.Resynchronization find(Configuration at, State original) {
         Configuration kept = at.withOriginal(original);
         return new Decision.Resynchronization(
-                at, reachable.contains(kept) ? kept : new Configuration(original, original));
+                at, situations.containsKey(kept) ? kept : new Configuration(original, original));
     }
 
     /** Every configuration that can be reached, first reached first. */
     public Set<Configuration> configurations() {
-        return Collections.unmodifiableSet(reachable);
+        return Collections.unmodifiableSet(new LinkedHashSet<>(configurations));
     }
 
     /**
@@ -228,7 +295,7 @@ public final class DecisionTable {
         }
         Set<String> missing = new HashSet<>(drawn);
         pair.original().transitions().forEach(transition -> transition.effects().forEach(missing::remove));
-        for (Configuration at : reachable) {
+        for (Configuration at : configurations) {
             expected(at).forEach(turn -> missing.addAll(turn.decision().effects()));
             interference(at).forEach(turn -> missing.addAll(turn.decision().effects()));
         }

@@ -40,7 +40,7 @@ public final class FunctionRunner {
         }
         hasFunction = true;
         host.notice("***  Start to run new functions. ***");
-        if (!host.threads()) {
+        if (!host.threads() || function == NewFunction.none()) {
             current.run(function);
             return;
         }

@@ -5,7 +5,6 @@ import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
-import java.util.concurrent.CountDownLatch;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.evoloop.time.Clock;
@@ -21,10 +20,12 @@ public final class Visit {
     private final State state;
     private final long number;
     private final VisitHost host;
-    private final CountDownLatch ended = new CountDownLatch(1);
     private final Object lock = new Object();
-    private final List<Clock.Timer> timers = new ArrayList<>();
-    private final Deque<Runnable> endings = new ArrayDeque<>();
+    private volatile boolean ended;
+
+    // Made when they are needed: most visits need neither.
+    private @Nullable List<Clock.Timer> timers;
+    private @Nullable Deque<Runnable> endings;
     private boolean running;
     private @Nullable Event last;
     private boolean finished;
@@ -58,12 +59,16 @@ public final class Visit {
 
     /** Whether the state has not been left yet. */
     public boolean isActive() {
-        return ended.getCount() > 0;
+        return !ended;
     }
 
     /** Waits until the state is left, which a function's own thread learns by an interrupt. */
     public void awaitEnd() throws InterruptedException {
-        ended.await();
+        synchronized (lock) {
+            while (!ended) {
+                lock.wait();
+            }
+        }
     }
 
     /** Waits for {@code duration}. @throws InterruptedException if the state is left first */
@@ -117,7 +122,9 @@ public final class Visit {
     public void after(Duration delay, Runnable task) {
         synchronized (lock) {
             if (isActive()) {
-                timers.add(host.clock().schedule(delay, () -> {
+                List<Clock.Timer> all = timers == null ? new ArrayList<>() : timers;
+                timers = all;
+                all.add(host.clock().schedule(delay, () -> {
                     if (isActive()) {
                         task.run();
                     }
@@ -140,7 +147,9 @@ public final class Visit {
     public void onEnd(Runnable ending) {
         synchronized (lock) {
             if (isActive()) {
-                endings.push(ending);
+                Deque<Runnable> all = endings == null ? new ArrayDeque<>() : endings;
+                endings = all;
+                all.push(ending);
                 return;
             }
         }
@@ -182,15 +191,22 @@ public final class Visit {
 
     /** The state is left: timers are called off and endings run. Idempotent. */
     void end() {
-        List<Runnable> todo;
+        List<Clock.Timer> toCancel;
+        Deque<Runnable> toRun;
         synchronized (lock) {
-            ended.countDown();
-            timers.forEach(Clock.Timer::cancel);
-            timers.clear();
-            todo = List.copyOf(endings);
-            endings.clear();
+            ended = true;
+            lock.notifyAll();
+            toCancel = timers;
+            timers = null;
+            toRun = endings;
+            endings = null;
         }
-        todo.forEach(this::runEnding);
+        if (toCancel != null) {
+            toCancel.forEach(Clock.Timer::cancel);
+        }
+        if (toRun != null) {
+            toRun.forEach(this::runEnding);
+        }
     }
 
     private void runEnding(Runnable ending) {

@@ -17,34 +17,47 @@ import org.evoloop.time.Clock;
  * @param stepLimit how long an analyze, plan or execute component may work on one occurrence before it is interrupted, at
  *     least 1 ms, in the clock's time
  * @param joinLimit how long to wait for a thread that was told to stop, 1 ms to 1 min, in real time
+ * @param waiting how a component's thread waits for its turn
  * @param threads false for a loop without threads, which is driven by {@link MapeLoop#observe} and {@link MapeLoop#step}
  */
 public record LoopConfig(
-        String name, Clock clock, int queueCapacity, Duration stepLimit, Duration joinLimit, boolean threads) {
+        String name,
+        Clock clock,
+        int queueCapacity,
+        Duration stepLimit,
+        Duration joinLimit,
+        WaitStrategy waiting,
+        boolean threads) {
 
     /** 8 waiting occurrences, 30 s a step, 2 s to stop, with threads. */
     public static LoopConfig defaults(String name, Clock clock) {
-        return new LoopConfig(name, clock, 8, Duration.ofSeconds(30), Duration.ofSeconds(2), true);
+        return new LoopConfig(
+                name, clock, 8, Duration.ofSeconds(30), Duration.ofSeconds(2), WaitStrategy.YIELD_THEN_PARK, true);
     }
 
     /** The same with room for {@code capacity} waiting occurrences. */
     public LoopConfig withQueueCapacity(int capacity) {
-        return new LoopConfig(name, clock, capacity, stepLimit, joinLimit, threads);
+        return new LoopConfig(name, clock, capacity, stepLimit, joinLimit, waiting, threads);
     }
 
     /** The same with another limit for one step, in the clock's time. */
     public LoopConfig withStepLimit(Duration limit) {
-        return new LoopConfig(name, clock, queueCapacity, limit, joinLimit, threads);
+        return new LoopConfig(name, clock, queueCapacity, limit, joinLimit, waiting, threads);
     }
 
     /** The same with another limit for threads that were told to stop, in real time. */
     public LoopConfig withJoinLimit(Duration limit) {
-        return new LoopConfig(name, clock, queueCapacity, stepLimit, limit, threads);
+        return new LoopConfig(name, clock, queueCapacity, stepLimit, limit, waiting, threads);
+    }
+
+    /** The same with another way to wait for one's turn. */
+    public LoopConfig withWaiting(WaitStrategy strategy) {
+        return new LoopConfig(name, clock, queueCapacity, stepLimit, joinLimit, strategy, threads);
     }
 
     /** The same without threads. */
     public LoopConfig withoutThreads() {
-        return new LoopConfig(name, clock, queueCapacity, stepLimit, joinLimit, false);
+        return new LoopConfig(name, clock, queueCapacity, stepLimit, joinLimit, waiting, false);
     }
 
     /** Every option that is out of range, with its value and what is allowed. */
@@ -59,6 +72,13 @@ public record LoopConfig(
         if (joinLimit.compareTo(Duration.ofMillis(1)) < 0 || joinLimit.compareTo(Duration.ofMinutes(1)) > 0) {
             found.add("joinLimit is " + joinLimit + ", allowed is 1 ms to 1 min");
         }
+        if (outOfRange(waiting.looks()) || outOfRange(waiting.yields())) {
+            found.add("waiting is '" + waiting + "', allowed are 0 to 10000 looks and yields");
+        }
         return found;
+    }
+
+    private static boolean outOfRange(int rounds) {
+        return rounds < 0 || rounds > 10_000;
     }
 }

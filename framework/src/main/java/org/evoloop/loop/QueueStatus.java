@@ -12,22 +12,4 @@ package org.evoloop.loop;
  * @param dropped how many were lost because the queue was full
  * @param refused how many came while the loop was closed, or still waited when it closed
  */
-public record QueueStatus(int depth, int capacity, int highest, long taken, long dropped, long refused) {
-    static final QueueStatus EMPTY = new QueueStatus(0, 0, 0, 0, 0, 0);
-
-    QueueStatus plusTaken(int nowWaiting) {
-        return new QueueStatus(depth, capacity, Math.max(highest, nowWaiting), taken + 1, dropped, refused);
-    }
-
-    QueueStatus plusDropped() {
-        return new QueueStatus(depth, capacity, highest, taken, dropped + 1, refused);
-    }
-
-    QueueStatus plusRefused(int more) {
-        return new QueueStatus(depth, capacity, highest, taken, dropped, refused + more);
-    }
-
-    QueueStatus withDepth(int nowWaiting, int ofCapacity) {
-        return new QueueStatus(nowWaiting, ofCapacity, highest, taken, dropped, refused);
-    }
-}
+public record QueueStatus(int depth, int capacity, int highest, long taken, long dropped, long refused) {}

@@ -85,9 +85,10 @@ final class Roster<O, A, P> {
     private void dispatch(long cycle, @Nullable P planned, @Nullable Execute<P> last) {
         Execute<P> next = planned == null ? null : dispatch.next(planned, executeOrder, last);
         StageWorker<P> worker = null;
-        for (ExecuteEntry<P> entry : executes) {
-            if (entry.component() == next) {
-                worker = entry.worker();
+        // By index: an iterator would be garbage in every cycle.
+        for (int index = 0; index < executes.size(); index++) {
+            if (executes.get(index).component() == next) {
+                worker = executes.get(index).worker();
             }
         }
         sequencer.passOn(cycle, planned, worker);

@@ -1,8 +1,6 @@
 package org.evoloop.loop;
 
 import java.time.Duration;
-import java.util.ArrayDeque;
-import java.util.Queue;
 import java.util.concurrent.TimeoutException;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
@@ -16,6 +14,8 @@ import org.jspecify.annotations.Nullable;
  * up has another number than the current one, so whatever its component still returns is ignored.
  */
 final class Sequencer<O> {
+    private static final int TRIES = 10;
+
     private final LoopConfig config;
     private final LoopListener<O> listener;
     private final Predicate<O> neverDropped;
@@ -24,9 +24,9 @@ final class Sequencer<O> {
     private final Condition quiet = lock.newCondition();
     private final Condition room = lock.newCondition();
 
-    private final Queue<O> queue = new ArrayDeque<>();
+    private final Backlog<O> backlog;
     private LoopState state = LoopState.NEW;
-    private boolean everOpen;
+    private volatile boolean everOpen;
     private boolean paused;
     private boolean breakingOff;
     private boolean stepping;
@@ -36,46 +36,69 @@ final class Sequencer<O> {
     private @Nullable StageWorker<?> busy;
     private long busySinceNanos;
     private boolean watched;
-    private boolean dropping;
-    private QueueStatus counts = QueueStatus.EMPTY;
+
+    /** Whose slot was filled under the lock; woken when that is given back. */
+    private @Nullable StageWorker<?> given;
 
     Sequencer(LoopConfig config, LoopListener<O> listener, Predicate<O> neverDropped) {
         this.config = config;
         this.listener = listener;
         this.neverDropped = neverDropped;
+        this.backlog = new Backlog<>(config.queueCapacity());
+    }
+
+    private void acquire() {
+        // Whoever holds it gives it back at once: a thread that slept for it would come much later.
+        for (int tries = 0; tries < TRIES; tries++) {
+            if (lock.tryLock()) {
+                return;
+            }
+            Worker.giveWay();
+        }
+        lock.lock();
+    }
+
+    private void release() {
+        StageWorker<?> next = given;
+        given = null;
+        lock.unlock();
+        if (next != null) {
+            next.wake();
+        }
     }
 
     /** Waits until the loop has been opened for the first time. */
     void awaitFirstOpening() throws InterruptedException {
+        if (everOpen) {
+            return;
+        }
         lock.lockInterruptibly();
         try {
             while (!everOpen) {
                 opened.await();
             }
         } finally {
-            lock.unlock();
+            release();
         }
     }
 
     /** Queues an occurrence; false if the loop is closed, or the queue full and the occurrence one that may be lost. */
     boolean offer(O offered) {
         boolean first;
-        lock.lock();
+        acquire();
         try {
             if (state != LoopState.RUNNING) {
-                counts = counts.plusRefused(1);
+                backlog.refuse();
                 return false;
             }
-            if (hasRoom() || neverDropped.test(offered)) {
-                dropping = false;
-                enqueue(offered);
+            if (backlog.hasRoom(busy == null) || neverDropped.test(offered)) {
+                backlog.add(offered);
+                begin();
                 return true;
             }
-            first = !dropping;
-            dropping = true;
-            counts = counts.plusDropped();
+            first = backlog.drop();
         } finally {
-            lock.unlock();
+            release();
         }
         listener.dropped(offered, first);
         return false;
@@ -86,29 +109,19 @@ final class Sequencer<O> {
         lock.lockInterruptibly();
         try {
             // Without threads nobody would make room.
-            while (config.threads() && state == LoopState.RUNNING && !hasRoom()) {
+            while (config.threads() && state == LoopState.RUNNING && !backlog.hasRoom(busy == null)) {
                 room.await();
             }
             if (state != LoopState.RUNNING) {
-                counts = counts.plusRefused(1);
+                backlog.refuse();
                 return false;
             }
-            enqueue(offered);
+            backlog.add(offered);
+            begin();
             return true;
         } finally {
-            lock.unlock();
+            release();
         }
-    }
-
-    /** Whether one more may come; an idle loop has room for the one that it takes at once, even without any queue. */
-    private boolean hasRoom() {
-        return queue.size() < Math.max(config.queueCapacity(), busy == null ? 1 : 0);
-    }
-
-    private void enqueue(O offered) {
-        queue.add(offered);
-        counts = counts.plusTaken(queue.size());
-        begin();
     }
 
     /** Starts the next cycle if there is something to do and nothing in the way; the lock is held. */
@@ -116,7 +129,7 @@ final class Sequencer<O> {
         StageWorker<O> first = analyze;
         boolean mayBegin =
                 busy == null && !breakingOff && !paused && state == LoopState.RUNNING && (config.threads() || stepping);
-        O next = mayBegin && first != null ? queue.poll() : null;
+        O next = mayBegin && first != null ? backlog.poll() : null;
         if (next != null && first != null) {
             room.signal();
             cycle++;
@@ -129,6 +142,7 @@ final class Sequencer<O> {
         busy = worker;
         busySinceNanos = config.clock().nanoTime();
         worker.give(cycle, input);
+        given = worker;
         if (!watched && config.threads()) {
             watched = true;
             config.clock().schedule(config.stepLimit(), this::watch);
@@ -138,7 +152,7 @@ final class Sequencer<O> {
     /** Hands the result of a stage on; a null result or nobody to take it ends the cycle. */
     <I> void passOn(long fromCycle, @Nullable I result, @Nullable StageWorker<I> next) {
         Failure<O> failure = null;
-        lock.lock();
+        acquire();
         try {
             if (fromCycle != cycle || busy == null) {
                 return;
@@ -151,7 +165,7 @@ final class Sequencer<O> {
                 hand(next, result);
             }
         } finally {
-            lock.unlock();
+            release();
         }
         goOn(next, failure);
     }
@@ -181,12 +195,12 @@ final class Sequencer<O> {
     private void goOn(@Nullable Worker worker, @Nullable Failure<O> failure) {
         if (failure != null && worker != null) {
             report(worker, failure);
-            lock.lock();
+            acquire();
             try {
                 breakingOff = false;
                 endCycle();
             } finally {
-                lock.unlock();
+                release();
             }
         }
     }
@@ -194,14 +208,14 @@ final class Sequencer<O> {
     /** A stage threw; the cycle ends unless it was given up before. */
     void failed(Worker worker, long inCycle, Throwable cause) {
         O about;
-        lock.lock();
+        acquire();
         try {
             if (inCycle != cycle || busy == null) {
                 return;
             }
             about = occurrence;
         } finally {
-            lock.unlock();
+            release();
         }
         report(worker, phase(worker), inCycle, about, cause);
         passOn(inCycle, null, null);
@@ -224,7 +238,7 @@ final class Sequencer<O> {
     private void watch() {
         StageWorker<?> late = null;
         Failure<O> failure = null;
-        lock.lock();
+        acquire();
         try {
             if (busy == null) {
                 watched = false;
@@ -239,7 +253,7 @@ final class Sequencer<O> {
             }
             config.clock().schedule(Duration.ofNanos(left), this::watch);
         } finally {
-            lock.unlock();
+            release();
         }
         goOn(late, failure);
     }
@@ -258,7 +272,7 @@ final class Sequencer<O> {
         StageWorker<?> late = null;
         Failure<O> failure = null;
         boolean interrupted = false;
-        lock.lock();
+        acquire();
         try {
             paused = true;
             interrupted = awaitQuiet();
@@ -273,7 +287,7 @@ final class Sequencer<O> {
         } finally {
             paused = false;
             begin();
-            lock.unlock();
+            release();
             // Also after a change that was refused: what was given up for it must be reported, or nothing else begins.
             if (late != null) {
                 late.letReturn();
@@ -300,7 +314,7 @@ final class Sequencer<O> {
 
     /** Moves to another state; waiting monitors and putters look again. The change itself is up to the caller. */
     void become(LoopState next) {
-        lock.lock();
+        acquire();
         try {
             state = next;
             room.signalAll();
@@ -308,12 +322,11 @@ final class Sequencer<O> {
                 everOpen = true;
                 opened.signalAll();
             } else {
-                counts = counts.plusRefused(queue.size());
-                queue.clear();
+                backlog.refuseAll();
             }
             begin();
         } finally {
-            lock.unlock();
+            release();
         }
     }
 
@@ -329,33 +342,33 @@ final class Sequencer<O> {
     }
 
     private void pause(boolean nowPaused) {
-        lock.lock();
+        acquire();
         try {
             paused = nowPaused;
             begin();
         } finally {
-            lock.unlock();
+            release();
         }
     }
 
     void setAnalyze(@Nullable StageWorker<O> worker) {
-        lock.lock();
+        acquire();
         try {
             analyze = worker;
         } finally {
-            lock.unlock();
+            release();
         }
     }
 
     /** Runs one cycle on the caller's thread; false if nothing waited. */
     boolean step() {
-        lock.lock();
+        acquire();
         try {
             stepping = true;
             begin();
         } finally {
             stepping = false;
-            lock.unlock();
+            release();
         }
         boolean worked = false;
         for (StageWorker<?> turn = turn(); turn != null; turn = turn()) {
@@ -366,11 +379,11 @@ final class Sequencer<O> {
     }
 
     private @Nullable StageWorker<?> turn() {
-        lock.lock();
+        acquire();
         try {
             return busy;
         } finally {
-            lock.unlock();
+            release();
         }
     }
 
@@ -380,20 +393,20 @@ final class Sequencer<O> {
     }
 
     LoopState state() {
-        lock.lock();
+        acquire();
         try {
             return state;
         } finally {
-            lock.unlock();
+            release();
         }
     }
 
     QueueStatus queueStatus() {
-        lock.lock();
+        acquire();
         try {
-            return counts.withDepth(queue.size(), config.queueCapacity());
+            return backlog.status();
         } finally {
-            lock.unlock();
+            release();
         }
     }
 }

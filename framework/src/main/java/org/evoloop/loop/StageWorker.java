@@ -20,43 +20,48 @@ final class StageWorker<I> extends Worker {
         void failed(Worker worker, long cycle, Throwable cause);
     }
 
-    // A thread that yields a few times before it parks is often still awake when its turn comes.
-    private static final int YIELDS = 10;
-
     private final Work<I> work;
     private final Failed failed;
+    private final WaitStrategy waiting;
     private @Nullable I input;
     private long cycle;
     private volatile boolean full;
+    private volatile boolean asleep;
     private volatile boolean working;
 
     StageWorker(Component component, LoopConfig config, Work<I> work, Failed failed) {
         super(component, config);
         this.work = work;
         this.failed = failed;
+        this.waiting = config.waiting();
     }
 
-    /** Puts a piece of work into the slot, which must be empty. */
+    /** Puts a piece of work into the slot, which must be empty; {@link #wake} has to follow. */
     void give(long givenCycle, I givenInput) {
         cycle = givenCycle;
         input = givenInput;
         full = true;
-        unpark();
+    }
+
+    /** Wakes the thread if it sleeps. */
+    void wake() {
+        if (asleep) {
+            unpark();
+        }
     }
 
     @Override
     void work() throws InterruptedException {
-        for (int yields = 0; !full; yields++) {
+        for (int round = 0; !full; round++) {
             if (isRetired()) {
                 return;
             }
-            if (yields < YIELDS) {
+            if (round < waiting.looks()) {
+                Thread.onSpinWait();
+            } else if (round < waiting.looks() + waiting.yields()) {
                 giveWay();
             } else {
-                LockSupport.park(this);
-                if (Thread.interrupted()) {
-                    throw new InterruptedException();
-                }
+                sleep();
             }
         }
         // An interrupt that is still pending was meant for work that was given up, unless the thread itself shall end.
@@ -64,6 +69,18 @@ final class StageWorker<I> extends Worker {
             return;
         }
         runGiven();
+    }
+
+    private void sleep() throws InterruptedException {
+        asleep = true;
+        // Whoever fills the slot looks at the flag afterwards, so one of the two sees the other.
+        if (!full && !isRetired()) {
+            LockSupport.park(this);
+        }
+        asleep = false;
+        if (Thread.interrupted()) {
+            throw new InterruptedException();
+        }
     }
 
     /** Does the work in the slot, on the caller's thread. */

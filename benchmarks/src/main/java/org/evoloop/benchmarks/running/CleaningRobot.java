@@ -1,4 +1,4 @@
-package org.evoloop.benchmarks;
+package org.evoloop.benchmarks.running;
 
 import java.time.Duration;
 import java.util.List;

@@ -1,4 +1,4 @@
-package org.evoloop.benchmarks;
+package org.evoloop.benchmarks.running;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

@@ -1,4 +1,4 @@
-package org.evoloop.benchmarks;
+package org.evoloop.benchmarks.running;
 
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.statemachine.StateMachine;

@@ -1,4 +1,4 @@
-package org.evoloop.benchmarks;
+package org.evoloop.benchmarks.running;
 
 import java.util.concurrent.locks.LockSupport;
 import org.jspecify.annotations.Nullable;

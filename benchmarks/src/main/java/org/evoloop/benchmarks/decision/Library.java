@@ -1,0 +1,62 @@
+package org.evoloop.benchmarks.decision;
+
+/** The libraries that are compared. */
+public enum Library {
+    EVOLOOP {
+        @Override
+        Walker walk(Walk walk) {
+            return new EvoloopWalker(walk);
+        }
+    },
+    STATELESS4J {
+        @Override
+        Walker walk(Walk walk) {
+            return new Stateless4jWalker(walk);
+        }
+    },
+    COLA {
+        @Override
+        Walker walk(Walk walk) {
+            return new ColaWalker(walk);
+        }
+    },
+    SQUIRREL {
+        @Override
+        Walker walk(Walk walk) {
+            return new SquirrelWalker(walk);
+        }
+    },
+    COMMONS_SCXML {
+        @Override
+        Walker walk(Walk walk) {
+            return new ScxmlWalker(walk);
+        }
+    },
+    SPRING {
+        @Override
+        Walker walk(Walk walk) {
+            return new SpringWalker(walk);
+        }
+    },
+    HASH_MAP {
+        @Override
+        Walker walk(Walk walk) {
+            return new HashMapWalker(walk);
+        }
+    };
+
+    /** A machine of this library, at the beginning of the way. */
+    abstract Walker walk(Walk walk);
+
+    /** After so many events of a quick library the processor time is read. */
+    static final int QUICK_LAP = 1 << 14;
+
+    /** After so many events the processor time is read: as seldom as it costs nothing, as often as it takes no time. */
+    int lap() {
+        return switch (this) {
+            case SPRING -> 4;
+            case SQUIRREL, COMMONS_SCXML -> 1 << 10;
+            default -> QUICK_LAP;
+        };
+    }
+}

@@ -1,0 +1,72 @@
+package org.evoloop.benchmarks.loading;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import org.evoloop.benchmarks.report.Figures;
+import org.evoloop.benchmarks.report.Fork;
+import org.evoloop.benchmarks.report.Row;
+import org.evoloop.benchmarks.report.Suite;
+import org.evoloop.xmi.ModelFiles;
+
+/** Reading and compiling in a process that has just begun and in one that is warm, and the size of the jar. */
+public final class LoadingSuite implements Suite {
+    /** As {@code ./evoloop} starts programs. */
+    static final List<String> SHIPPED_OPTIONS = List.of("-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1");
+
+    @Override
+    public String name() {
+        return "loading";
+    }
+
+    @Override
+    public List<Row> measure(boolean quick) throws Exception {
+        int times = quick ? 3 : 10;
+        String file =
+                ModelFiles.find("models/cleaning-robot.xml", LoadingSuite.class).toString();
+        Fork read = Fork.of(ReadPair.class, SHIPPED_OPTIONS, file);
+        Fork dom = Fork.of(ParseDom.class, SHIPPED_OPTIONS, file);
+        Fork nothing = Fork.java("-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1", "-version");
+        double domSeconds = Double.POSITIVE_INFINITY;
+        double readSeconds = Double.POSITIVE_INFINITY;
+        double emptySeconds = Double.POSITIVE_INFINITY;
+        // By turns, so that a busy moment of the machine hits all of them.
+        for (int time = 0; time < times; time++) {
+            domSeconds = Math.min(domSeconds, dom.cpuSeconds());
+            readSeconds = Math.min(readSeconds, read.cpuSeconds());
+            emptySeconds = Math.min(emptySeconds, nothing.cpuSeconds());
+        }
+        Figures warm = Fork.of(LargePair.class, List.of(), quick ? "5" : "15").figures();
+        return List.of(
+                new Row(
+                        "read and compile " + Files.size(Path.of(file)) / 1000 + " kB, cold, processor time",
+                        "s",
+                        readSeconds,
+                        Row.Goal.atMostTimes(3, "JDK DOM parse", domSeconds),
+                        Map.of("empty JVM", emptySeconds)),
+                new Row(
+                        "the same, resident memory",
+                        "MB",
+                        read.figures().get("rss"),
+                        Row.Goal.atMost(55),
+                        Map.of("JDK DOM parse", dom.figures().get("rss"))),
+                new Row(
+                        "10,000 states, 100,000 transitions, file to decisions",
+                        "ms",
+                        warm.get("large"),
+                        Row.Goal.atMost(300)),
+                new Row("the framework's jar without XMI", "kB", coreKilobytes(), Row.Goal.atMost(150)));
+    }
+
+    private static double coreKilobytes() throws IOException {
+        Path built = Path.of(System.getProperty("evoloop.home", ""), "framework", "target");
+        try (var jars = Files.newDirectoryStream(built, "framework-*-core.jar")) {
+            for (Path jar : jars) {
+                return Files.size(jar) / 1000.0;
+            }
+        }
+        throw new IOException("there is no framework/target/framework-*-core.jar; run ./evoloop setup and build");
+    }
+}

@@ -1,0 +1,26 @@
+package org.evoloop.benchmarks.loading;
+
+import java.io.File;
+import javax.xml.parsers.DocumentBuilderFactory;
+
+/** Parses a file with the JDK's DOM parser and does nothing with it: the least that another reader could do. */
+public final class ParseDom {
+    private ParseDom() {}
+
+    /**
+     * Prints the process's greatest resident memory in MB.
+     *
+     * @param arguments the file
+     */
+    public static void main(String[] arguments) throws Exception {
+        int elements = DocumentBuilderFactory.newInstance()
+                .newDocumentBuilder()
+                .parse(new File(arguments[0]))
+                .getElementsByTagName("*")
+                .getLength();
+        if (elements == 0) {
+            throw new IllegalStateException("nothing was parsed");
+        }
+        System.out.println("rss " + ReadPair.residentMegabytes());
+    }
+}

@@ -1,0 +1,55 @@
+package org.evoloop.benchmarks.loading;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.HashSet;
+import java.util.Set;
+import org.evoloop.evolution.DecisionTable;
+import org.evoloop.evolution.DeviceEvents;
+import org.evoloop.evolution.ModelPair;
+import org.evoloop.statemachine.Event;
+import org.evoloop.xmi.XmiFile;
+
+/** Reads a pair from a file and compiles its decisions. */
+public final class ReadPair {
+    private ReadPair() {}
+
+    /**
+     * Prints the process's greatest resident memory in MB.
+     *
+     * @param arguments the file; it holds "original" and "new"
+     */
+    public static void main(String[] arguments) throws IOException {
+        DecisionTable table = compile(Path.of(arguments[0]));
+        if (table.configurations().isEmpty()) {
+            throw new IllegalStateException("nothing was compiled");
+        }
+        System.out.println("rss " + residentMegabytes());
+    }
+
+    static DecisionTable compile(Path path) {
+        XmiFile file = XmiFile.read(path);
+        return compile(new ModelPair(file.pick("original"), file.pick("new")));
+    }
+
+    static DecisionTable compile(Path original, Path evolved) {
+        return compile(new ModelPair(
+                XmiFile.read(original).only(), XmiFile.read(evolved).only()));
+    }
+
+    private static DecisionTable compile(ModelPair pair) {
+        Set<Event> sendable = new HashSet<>(pair.original().events());
+        sendable.remove(new Event("endSpot"));
+        return DecisionTable.compile(pair, new DeviceEvents(sendable, Set.of()));
+    }
+
+    static double residentMegabytes() throws IOException {
+        for (String line : Files.readAllLines(Path.of("/proc/self/status"))) {
+            if (line.startsWith("VmHWM:")) {
+                return Double.parseDouble(line.replaceAll("[^0-9]", "")) / 1024;
+            }
+        }
+        throw new IOException("/proc/self/status tells no VmHWM");
+    }
+}

@@ -1,0 +1,81 @@
+package org.evoloop.benchmarks.report;
+
+import java.io.File;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+
+/**
+ * A JVM of its own to measure in, so that nothing that was measured before has warmed it up or filled its caches. What it
+ * found it prints as lines of a name and a number.
+ */
+public final class Fork {
+    private static final long LIMIT_MINUTES = 20;
+
+    private final List<String> command = new ArrayList<>();
+
+    private Fork() {
+        command.add(new File(System.getProperty("java.home"), "bin/java").getPath());
+    }
+
+    /** A JVM that runs {@code main}, with this program's class path. */
+    public static Fork of(Class<?> main, List<String> jvmOptions, String... arguments) {
+        Fork fork = new Fork();
+        fork.command.addAll(jvmOptions);
+        fork.command.addAll(List.of("-cp", System.getProperty("java.class.path"), main.getName()));
+        fork.command.addAll(List.of(arguments));
+        return fork;
+    }
+
+    /** A JVM with these arguments alone. */
+    public static Fork java(String... arguments) {
+        Fork fork = new Fork();
+        fork.command.addAll(List.of(arguments));
+        return fork;
+    }
+
+    /**
+     * Runs it to its end.
+     *
+     * @return the lines of a name and a number that it printed
+     * @throws IOException if it does not end well
+     */
+    public Figures figures() throws IOException, InterruptedException {
+        return Figures.parse(run(command));
+    }
+
+    /** The processor time of the whole process, from its start to its end, in seconds: what it and the kernel did. */
+    public double cpuSeconds() throws IOException, InterruptedException {
+        double[] userAndSystem = times("%U %S");
+        return userAndSystem[0] + userAndSystem[1];
+    }
+
+    /** From start to end, in seconds. */
+    public double wallSeconds() throws IOException, InterruptedException {
+        return times("%R")[0];
+    }
+
+    private double[] times(String format) throws IOException, InterruptedException {
+        List<String> timed = new ArrayList<>(List.of(
+                "bash", "-c", "export LC_ALL=C; TIMEFORMAT='" + format + "'; time \"$@\" >/dev/null 2>&1", "-"));
+        timed.addAll(command);
+        List<String> numbers = List.of(run(timed).trim().split(" ", -1));
+        double[] seconds = new double[numbers.size()];
+        for (int index = 0; index < numbers.size(); index++) {
+            seconds[index] = Double.parseDouble(numbers.get(index));
+        }
+        return seconds;
+    }
+
+    private static String run(List<String> command) throws IOException, InterruptedException {
+        Process process = new ProcessBuilder(command).redirectErrorStream(true).start();
+        String output = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        if (!process.waitFor(LIMIT_MINUTES, TimeUnit.MINUTES) || process.exitValue() != 0) {
+            process.destroyForcibly();
+            throw new IOException("a measurement failed: " + String.join(" ", command) + "\n" + output);
+        }
+        return output;
+    }
+}

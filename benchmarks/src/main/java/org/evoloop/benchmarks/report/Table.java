@@ -1,0 +1,65 @@
+package org.evoloop.benchmarks.report;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.Collectors;
+
+/** The rows as a table for people, and as JSON for programs. */
+public final class Table {
+    private static final String LINE = "%-52s %12s %-28s %9s %-9s %s%n";
+
+    private Table() {}
+
+    /** A line a row; below it what the peers took. */
+    public static String text(List<Row> rows) {
+        StringBuilder text = new StringBuilder(
+                String.format(Locale.ROOT, LINE, "what", "ours", "against", "ratio", "reach", "reached"));
+        for (Row row : rows) {
+            Row.Goal goal = row.goal();
+            text.append(String.format(
+                    Locale.ROOT,
+                    LINE,
+                    row.what(),
+                    number(row.ours()) + " " + row.unit(),
+                    goal.isRatio() ? goal.name() + " " + number(goal.against()) : "",
+                    goal.isRatio() ? number(goal.ratio(row.ours())) : "",
+                    (goal.atLeast() ? ">= " : "<= ") + number(goal.bound()),
+                    row.reached() ? "yes" : "NO"));
+            if (!row.peers().isEmpty()) {
+                text.append("    ")
+                        .append(row.peers().entrySet().stream()
+                                .map(peer -> peer.getKey() + " " + number(peer.getValue()))
+                                .collect(Collectors.joining(", ")))
+                        .append(System.lineSeparator());
+            }
+        }
+        return text.toString();
+    }
+
+    /** An object with the machine and an array of rows. */
+    public static String json(List<Row> rows, String machine) {
+        String all = rows.stream().map(Table::json).collect(Collectors.joining(",\n    "));
+        return "{\n  \"machine\": " + quote(machine) + ",\n  \"rows\": [\n    " + all + "\n  ]\n}\n";
+    }
+
+    private static String json(Row row) {
+        String peers = row.peers().entrySet().stream()
+                .map(peer -> quote(peer.getKey()) + ": " + peer.getValue())
+                .collect(Collectors.joining(", "));
+        Row.Goal goal = row.goal();
+        return "{\"what\": " + quote(row.what()) + ", \"unit\": " + quote(row.unit()) + ", \"ours\": " + row.ours()
+                + ", \"against\": " + quote(goal.name()) + ", \"againstValue\": " + goal.against() + ", \"ratio\": "
+                + goal.ratio(row.ours()) + ", \"bound\": " + goal.bound() + ", \"atLeast\": " + goal.atLeast()
+                + ", \"reached\": " + row.reached() + ", \"peers\": {" + peers + "}}";
+    }
+
+    private static String quote(String text) {
+        return '"' + text.replace("\\", "\\\\").replace("\"", "\\\"") + '"';
+    }
+
+    /** Three digits that tell something. */
+    static String number(double value) {
+        String form = value >= 100 ? "%.0f" : value >= 10 ? "%.1f" : value >= 0.01 || value == 0 ? "%.2f" : "%.1e";
+        return String.format(Locale.ROOT, form, value);
+    }
+}

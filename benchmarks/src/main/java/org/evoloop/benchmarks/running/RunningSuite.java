@@ -1,0 +1,133 @@
+package org.evoloop.benchmarks.running;
+
+import com.sun.management.OperatingSystemMXBean;
+import com.sun.management.ThreadMXBean;
+import java.lang.management.ManagementFactory;
+import java.time.Duration;
+import java.util.List;
+import java.util.Map;
+import org.HdrHistogram.Histogram;
+import org.evoloop.benchmarks.report.Figures;
+import org.evoloop.benchmarks.report.Fork;
+import org.evoloop.benchmarks.report.Row;
+import org.evoloop.benchmarks.report.Suite;
+import org.evoloop.time.SystemClock;
+
+/** The loop in steps, flooded and idle, and the whole converter of the paper's cleaning robot. */
+public final class RunningSuite implements Suite {
+    private static final int STEPS = 100_000;
+    private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+
+    @Override
+    public String name() {
+        return "running";
+    }
+
+    @Override
+    public List<Row> measure(boolean quick) throws Exception {
+        Figures found =
+                Fork.of(RunningSuite.class, List.of(), quick ? "1" : "6").figures();
+        return List.of(
+                new Row("the loop without threads, a cycle", "us", found.get("step"), Row.Goal.atMost(0.2)),
+                new Row("the same, allocated", "B", Math.rint(found.get("step bytes")), Row.Goal.atMost(0)),
+                new Row(
+                        "a whole conversion without threads",
+                        "us",
+                        found.get("conversion"),
+                        Row.Goal.atMost(1),
+                        Map.of("bytes", found.get("conversion bytes"))),
+                new Row(
+                        "a whole conversion with threads, median",
+                        "us",
+                        found.get("path p50"),
+                        Row.Goal.atMost(100),
+                        Map.of("p99", found.get("path p99"))),
+                new Row("flood of 4 monitors, in steps", "events/s", found.get("flood step"), Row.Goal.least(1e6)),
+                new Row("flood of 4 monitors, threads", "events/s", found.get("flood threads"), Row.Goal.least(1e5)),
+                new Row("an idle minute's processor time", "ms", found.get("idle"), Row.Goal.atMost(10)));
+    }
+
+    /**
+     * Prints what it measured.
+     *
+     * @param arguments how many times ten seconds the idle converter is watched
+     */
+    public static void main(String[] arguments) throws InterruptedException {
+        steps();
+        conversions();
+        try (FloodedLoop warmUp = new FloodedLoop(false, 2_000_000)) {
+            warmUp.inSteps();
+        }
+        try (FloodedLoop flood = new FloodedLoop(false, 5_000_000)) {
+            System.out.println("flood step " + flood.inSteps());
+        }
+        try (FloodedLoop flood = new FloodedLoop(true, 1_000_000)) {
+            System.out.println("flood threads " + flood.byThreads());
+        }
+        idle(Integer.parseInt(arguments[0]));
+    }
+
+    private interface Work {
+        void run() throws InterruptedException;
+    }
+
+    /** Microseconds of processor time and bytes of one piece of work, of the quickest of many windows. */
+    private static void measure(String name, Work work, int pieces) throws InterruptedException {
+        double best = Double.POSITIVE_INFINITY;
+        double bytes = 0;
+        for (int window = 0; window < 60; window++) {
+            long begun = THREADS.getCurrentThreadCpuTime();
+            long before = THREADS.getCurrentThreadAllocatedBytes();
+            for (int piece = 0; piece < pieces; piece++) {
+                work.run();
+            }
+            bytes = (double) (THREADS.getCurrentThreadAllocatedBytes() - before) / pieces;
+            best = Math.min(best, (double) (THREADS.getCurrentThreadCpuTime() - begun) / pieces);
+        }
+        System.out.println(name + " " + best / 1e3);
+        System.out.println(name + " bytes " + bytes);
+    }
+
+    private static void steps() throws InterruptedException {
+        try (SteppedLoop loop = new SteppedLoop()) {
+            measure("step", loop::cycle, STEPS);
+            if (loop.executed() != 60L * STEPS) {
+                throw new IllegalStateException("not every cycle came to its end");
+            }
+        }
+    }
+
+    private static void conversions() throws InterruptedException {
+        PathTimer timer = new PathTimer();
+        try (CleaningRobot robot = new CleaningRobot(timer, false)) {
+            measure("conversion", robot::next, STEPS / 10);
+            robot.requireAllHandled();
+        }
+        try (CleaningRobot robot = new CleaningRobot(timer, true)) {
+            for (int event = 0; event < STEPS; event++) {
+                robot.next();
+            }
+            timer.clear();
+            for (int event = 0; event < STEPS; event++) {
+                robot.next();
+            }
+            robot.requireAllHandled();
+        }
+        Histogram nanos = timer.nanos();
+        System.out.println("path p50 " + nanos.getValueAtPercentile(50) / 1e3);
+        System.out.println("path p99 " + nanos.getValueAtPercentile(99) / 1e3);
+    }
+
+    /** The processor time of this whole process in a minute in which a converter with threads waits for events. */
+    private static void idle(int tenSeconds) throws InterruptedException {
+        OperatingSystemMXBean system = (OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean();
+        try (CleaningRobot robot = new CleaningRobot(new PathTimer(), true);
+                SystemClock clock = new SystemClock()) {
+            robot.next();
+            clock.sleep(Duration.ofSeconds(1));
+            long before = system.getProcessCpuTime();
+            clock.sleep(Duration.ofSeconds(10L * tenSeconds));
+            System.out.println("idle " + (system.getProcessCpuTime() - before) / 1e6 * 6 / tenSeconds);
+        }
+    }
+}

@@ -1,0 +1,9 @@
+/**
+ * How the loop and a whole converter run: in steps, flooded, with threads, and idle.
+ *
+ * <p>This room may use the framework and {@code org.evoloop.benchmarks.report}.
+ */
+@NullMarked
+package org.evoloop.benchmarks.running;
+
+import org.jspecify.annotations.NullMarked;

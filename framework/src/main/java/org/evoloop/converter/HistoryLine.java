@@ -1,0 +1,76 @@
+package org.evoloop.converter;
+
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Objects;
+import org.evoloop.converter.HistoryEntry.Outcome;
+import org.evoloop.evolution.Configuration;
+import org.evoloop.evolution.Decision;
+import org.evoloop.evolution.Occurrence;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A line of the {@link History}: used again and again, and put into words only when somebody asks.
+ *
+ * <p>Threading: guarded by its history.
+ */
+final class HistoryLine {
+    private long number;
+    private @Nullable Instant at;
+    private @Nullable Occurrence occurrence;
+    private @Nullable Configuration before;
+    private @Nullable Configuration after;
+    private @Nullable Outcome outcome;
+    private @Nullable Decision decision;
+    private String detail = "";
+
+    void set(
+            long newNumber,
+            Instant newAt,
+            Occurrence newOccurrence,
+            Configuration newBefore,
+            Configuration newAfter,
+            Outcome newOutcome,
+            @Nullable Decision newDecision,
+            String newDetail) {
+        number = newNumber;
+        at = newAt;
+        occurrence = newOccurrence;
+        before = newBefore;
+        after = newAfter;
+        outcome = newOutcome;
+        decision = newDecision;
+        detail = newDetail;
+    }
+
+    HistoryEntry toEntry() {
+        Decision decided = decision;
+        return new HistoryEntry(
+                number,
+                Objects.requireNonNull(at),
+                Objects.requireNonNull(occurrence),
+                Objects.requireNonNull(before),
+                Objects.requireNonNull(after),
+                Objects.requireNonNull(outcome),
+                detail.isEmpty() && decided != null ? detail(decided) : detail);
+    }
+
+    private static String detail(Decision decision) {
+        if (decision instanceof Decision.NotAcceptable) {
+            return "not acceptable in " + decision.before().evolved();
+        }
+        if (decision instanceof Decision.Impossible impossible) {
+            return impossible.reason();
+        }
+        if (decision instanceof Decision.Resynchronization) {
+            return "the device was found in " + decision.after().original();
+        }
+        if (decision instanceof Decision.NewFunction) {
+            return "new function of " + decision.after().evolved();
+        }
+        List<String> steps = new ArrayList<>();
+        decision.steps().forEach(step -> steps.add(step.trigger() + (step.byDevice() ? " (by the device)" : "")));
+        return String.join(", ", steps);
+    }
+}

@@ -1,0 +1,28 @@
+package org.evoloop.loop;
+
+/**
+ * How a thread of the loop waits for its turn: it looks again and again a few times, then it gives way to other threads a
+ * few times, then it sleeps until it is woken. Looking and giving way cost processor time while little happens at once;
+ * waking a thread that sleeps costs the one that wakes it, and comes late.
+ *
+ * <p>Threading: immutable.
+ *
+ * @param looks how often it looks without giving way, 0 to 10,000; more than a few make it worse on two processors
+ * @param yields how often it gives way before it sleeps, 0 to 10,000
+ */
+public record WaitStrategy(int looks, int yields) {
+    /** Sleeps at once: the least processor time. */
+    public static final WaitStrategy PARK = new WaitStrategy(0, 0);
+
+    /**
+     * Gives way first: on few processors the thread that has the turn then runs at once, and the next one is still awake
+     * when its turn comes. The quickest of those measured, see {@code docs/performance.md}.
+     */
+    public static final WaitStrategy YIELD_THEN_PARK = new WaitStrategy(0, 30);
+
+    /** For logs and tables: {@code look 0, yield 30, park}. */
+    @Override
+    public String toString() {
+        return "look " + looks + ", yield " + yields + ", park";
+    }
+}
