@@ -70,7 +70,7 @@ final class Grabber implements Runnable {
                     reason = notThere.getMessage();
                 }
                 health.gone(reason);
-                if (!source.isLive()) {
+                if (stopped || !source.isLive()) {
                     return;
                 }
                 LOG.warn("{}; trying again in {} ms", reason, pause.toMillis());
