@@ -153,6 +153,22 @@ class Uml14ReadingTest {
     }
 
     @Test
+    void shouldSayWhereEnterpriseArchitectKeepsItsStates() {
+        String model = "<UML:ActivityModel xmi.id='e' name='ActivityModel'><UML:StateMachine.top>"
+                + "<UML:CompositeState xmi.id='top'><UML:CompositeState.substate><UML:%s xmi.id='a' name='A'/>"
+                + "</UML:CompositeState.substate></UML:CompositeState></UML:StateMachine.top></UML:ActivityModel>"
+                + "<UML:StateMachine xmi.id='m' name='M'/>";
+
+        assertThat(ChartText.refusal(document(model.formatted("SimpleState"))))
+                .contains(
+                        "stand in the ActivityModel 'ActivityModel' (id 'e'), which is not supported; export XMI 2.1");
+        assertThat(ChartText.machines(document(model.formatted("SimpleState")))).hasSize(1);
+        assertThat(ChartText.machines(document(model.formatted("ActionState"))))
+                .extracting(XmiMachine::id)
+                .containsExactly("m");
+    }
+
+    @Test
     void shouldLeaveActivityGraphsOut() {
         assertThat(ChartText.machines(document("<UML:ActivityGraph xmi.id='g' name='G'>"
                         + machine("m", "<UML:SimpleState xmi.id='a' name='A'/>") + "</UML:ActivityGraph>")))
