@@ -88,6 +88,7 @@ class Uml14ReadingTest {
                 "<UML:ChangeEvent xmi.id='e'><UML:ChangeEvent.changeExpression><UML:BooleanExpression body='x &gt; 1'/></UML:ChangeEvent.changeExpression></UML:ChangeEvent> | when x > 1",
                 "<UML:TimeEvent xmi.id='e'><UML:TimeEvent.when><UML:TimeExpression body='2 s'/></UML:TimeEvent.when></UML:TimeEvent> | after 2 s",
                 "<UML:TimeEvent xmi.id='e' name='after(2 s)'/>    | after(2 s)",
+                "<UML:Event xmi.id='e'><UML:ModelElement.namespace><UML:Namespace><UML:Namespace.ownedElement><UML:CallEvent xmi.id='w' name='call'/></UML:Namespace.ownedElement></UML:Namespace></UML:ModelElement.namespace></UML:Event> | call",
             })
     void shouldCallAnEventByWhatIsDrawn(String event, String name) {
         String signal = "<UML:Signal xmi.id='s' name='Sig'/>";
