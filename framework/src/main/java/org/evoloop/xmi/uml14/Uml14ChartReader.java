@@ -41,6 +41,13 @@ final class Uml14ChartReader {
     }
 
     Statechart read(Uml14Element machine, String title) {
+        if (Uml14Vertices.isActivityModelOfStates(machine)) {
+            problems.add(
+                    machine.line(),
+                    "the states of a package stand in the ActivityModel " + machine.label()
+                            + ", which is not supported; export XMI 2.1 instead");
+            return new Statechart(title, machine.place(), List.of(), List.of());
+        }
         ChartScope<Uml14Element> scope = ChartScope.of(machine);
         new Uml14Vertices(problems).define(scope);
         return new Statechart(title, machine.place(), content(scope), List.of());

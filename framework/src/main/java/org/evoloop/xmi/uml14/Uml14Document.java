@@ -20,6 +20,7 @@ final class Uml14Document {
     /** Kept with all that is in them. */
     private static final Set<String> WHOLE = Set.of(
             "StateMachine",
+            "ActivityModel",
             "Event",
             "SignalEvent",
             "CallEvent",
@@ -71,7 +72,16 @@ final class Uml14Document {
             }
             more = stream.nextElementWithin(0);
         }
+        document.forgetShells();
         return document;
+    }
+
+    /** Enterprise Architect writes a machine without anything in it beside the activity model that has its states. */
+    private void forgetShells() {
+        if (machines.stream().anyMatch(Uml14Vertices::isActivityModelOfStates)) {
+            machines.removeIf(machine -> machine.type().equals("StateMachine")
+                    && Uml14Vertices.tops(machine).isEmpty());
+        }
     }
 
     private static boolean isPresentation(XmiStream stream) {
@@ -86,8 +96,9 @@ final class Uml14Document {
         if (!id.isEmpty() && byId.putIfAbsent(id, node) != null) {
             ambiguous.add(id);
         }
-        if (node.name().equals("StateMachine") || node.name().endsWith(".StateMachine")) {
-            machines.add(new Uml14Element(node, this));
+        Uml14Element element = new Uml14Element(node, this);
+        if (element.type().equals("StateMachine") || Uml14Vertices.isActivityModelOfStates(element)) {
+            machines.add(element);
         }
         node.children().forEach(this::index);
     }

@@ -39,8 +39,17 @@ final class Uml14Texts {
             case "ChangeEvent" -> prefixed("when ", expression(event, "changeExpression"), event.name());
             case "SignalEvent" -> nameOr(event, "signal");
             case "CallEvent" -> nameOr(event, "operation");
-            default -> event.name();
+            default -> event.name().isEmpty() ? wrapped(event) : event.name();
         };
+    }
+
+    /** Rational XDE wraps the event of a transition into a namespace of an event without a name. */
+    private String wrapped(Uml14Element event) {
+        return event.owned("namespace").stream()
+                .flatMap(namespace -> namespace.owned("ownedElement").stream())
+                .map(this::event)
+                .findFirst()
+                .orElse("");
     }
 
     private static String prefixed(String word, String text, String name) {

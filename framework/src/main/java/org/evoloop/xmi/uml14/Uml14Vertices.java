@@ -37,6 +37,12 @@ final class Uml14Vertices {
         return machine.owned("top");
     }
 
+    /** Whether this is where Enterprise Architect keeps the states of a whole package; that of an activity has none. */
+    static boolean isActivityModelOfStates(Uml14Element element) {
+        return element.type().equals("ActivityModel")
+                && tops(element).stream().flatMap(top -> inside(top).stream()).anyMatch(Uml14Vertices::isState);
+    }
+
     /** Makes all vertices of the scope's machine known. */
     void define(ChartScope<Uml14Element> scope) {
         tops(scope.machine()).forEach(top -> content(scope, top, ""));

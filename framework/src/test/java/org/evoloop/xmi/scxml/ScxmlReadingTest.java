@@ -76,11 +76,11 @@ class ScxmlReadingTest {
     void shouldMatchEventsByPrefixAmongThoseOfTheDocument() {
         assertThat(ChartText.of(scxml("""
                         <state id='s'>
-                          <transition event='a.b.*' target='s'/><transition event='a' target='s'/>
+                          <transition event='a.b.*' cond='x' target='s'/><transition event='a' target='s'/>
                           <transition event='ab c' target='s'/><transition event='*' target='s'/>
-                          <onentry><raise event='a.x'/></onentry>
+                          <onentry><raise event='a.x'/><raise event='d'/></onentry>
                         </state>""")))
-                .contains("s -> s : a.b", "s -> s : a, a.b, a.x", "s -> s : ab, c", "s -> s : a, a.b, a.x, ab, c");
+                .contains("s -> s : a.b [x]", "s -> s : a, a.b, a.x", "s -> s : ab, c", "s -> s : *, d");
     }
 
     @Test

@@ -88,6 +88,7 @@ class Uml14ReadingTest {
                 "<UML:ChangeEvent xmi.id='e'><UML:ChangeEvent.changeExpression><UML:BooleanExpression body='x &gt; 1'/></UML:ChangeEvent.changeExpression></UML:ChangeEvent> | when x > 1",
                 "<UML:TimeEvent xmi.id='e'><UML:TimeEvent.when><UML:TimeExpression body='2 s'/></UML:TimeEvent.when></UML:TimeEvent> | after 2 s",
                 "<UML:TimeEvent xmi.id='e' name='after(2 s)'/>    | after(2 s)",
+                "<UML:Event xmi.id='e'><UML:ModelElement.namespace><UML:Namespace><UML:Namespace.ownedElement><UML:CallEvent xmi.id='w' name='call'/></UML:Namespace.ownedElement></UML:Namespace></UML:ModelElement.namespace></UML:Event> | call",
             })
     void shouldCallAnEventByWhatIsDrawn(String event, String name) {
         String signal = "<UML:Signal xmi.id='s' name='Sig'/>";
@@ -150,6 +151,22 @@ class Uml14ReadingTest {
 
         assertThat(ChartText.of(document)).containsExactly("state u U", "  state u/in In", "u -> u/in");
         assertThat(ChartText.machines(document)).extracting(XmiMachine::name).containsExactly("m", "n");
+    }
+
+    @Test
+    void shouldSayWhereEnterpriseArchitectKeepsItsStates() {
+        String model = "<UML:ActivityModel xmi.id='e' name='ActivityModel'><UML:StateMachine.top>"
+                + "<UML:CompositeState xmi.id='top'><UML:CompositeState.substate><UML:%s xmi.id='a' name='A'/>"
+                + "</UML:CompositeState.substate></UML:CompositeState></UML:StateMachine.top></UML:ActivityModel>"
+                + "<UML:StateMachine xmi.id='m' name='M'/>";
+
+        assertThat(ChartText.refusal(document(model.formatted("SimpleState"))))
+                .contains(
+                        "stand in the ActivityModel 'ActivityModel' (id 'e'), which is not supported; export XMI 2.1");
+        assertThat(ChartText.machines(document(model.formatted("SimpleState")))).hasSize(1);
+        assertThat(ChartText.machines(document(model.formatted("ActionState"))))
+                .extracting(XmiMachine::id)
+                .containsExactly("m");
     }
 
     @Test
