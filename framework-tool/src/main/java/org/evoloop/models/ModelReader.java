@@ -1,17 +1,11 @@
 package org.evoloop.models;
 
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
-import java.util.stream.Stream;
 import org.evoloop.evolution.ModelPair;
-import org.evoloop.models.chart.ChartIndex;
 import org.evoloop.models.checking.Drawing;
 import org.evoloop.statechart.Statechart;
-import org.evoloop.statechart.Vertex.ChartState;
 import org.evoloop.statemachine.ModelException;
-import org.evoloop.statemachine.State;
 import org.evoloop.xmi.ModelReference;
 import org.evoloop.xmi.XmiFile;
 import org.evoloop.xmi.XmiMachine;
@@ -21,18 +15,25 @@ final class ModelReader {
     private ModelReader() {}
 
     /**
+     * Machines as drawn.
+     *
+     * @param problems of the machines that cannot be read, a message each
+     */
+    record Drawn(List<Statechart> charts, List<String> problems) {}
+
+    /**
      * The machine that {@code reference} names, or all of the file's.
      *
-     * @throws ModelException if the file or one of these machines cannot be read; the message names all that is wrong
+     * @throws ModelException if the file or the machine cannot be read
      */
-    static List<Statechart> charts(String reference) {
+    static Drawn drawn(String reference) {
         ModelReference named = ModelReference.parse(reference);
         if (named.machine().isPresent()) {
-            return List.of(named.find().statechart());
+            return new Drawn(List.of(named.find().statechart()), List.of());
         }
         XmiFile file = XmiFile.read(named.file());
         if (file.machines().isEmpty()) {
-            return List.of(file.findOnly().statechart());
+            return new Drawn(List.of(file.findOnly().statechart()), List.of());
         }
         List<Statechart> charts = new ArrayList<>();
         List<String> problems = new ArrayList<>();
@@ -43,31 +44,17 @@ final class ModelReader {
                 problems.add(unusable.getMessage());
             }
         }
-        if (!problems.isEmpty()) {
-            throw new ModelException(String.join("\n", problems));
-        }
-        return charts;
-    }
-
-    /** What the simple states of a machine do while they last and when they are entered or left, as drawn. */
-    static Map<State, List<String>> activities(String reference) {
-        Statechart chart = ModelReference.parse(reference).find().statechart();
-        ChartIndex index = new ChartIndex(chart);
-        Map<State, List<String>> activities = new HashMap<>();
-        for (ChartState state : index.states()) {
-            activities.put(
-                    new State(index.name(state.key())),
-                    Stream.of(state.entry(), state.doActivities(), state.exit())
-                            .flatMap(List::stream)
-                            .toList());
-        }
-        return activities;
+        return new Drawn(charts, problems);
     }
 
     /** The machine that {@code reference} names, to find places in. */
     static Drawing drawing(String reference) {
         ModelReference named = ModelReference.parse(reference);
-        return new Drawing(named.file().toString(), named.find().statechart());
+        XmiMachine machine = named.find();
+        return new Drawing(
+                named.file().toString(),
+                machine.statechart(),
+                machine.flattening().leaves());
     }
 
     /** The two machines of an evolution, flat; whether they are one is for others to say. */

@@ -41,8 +41,7 @@ final class PlanCommand implements Callable<Integer> {
     public Integer call() {
         ModelPair pair = options.read();
         pair.requireValid();
-        EvolutionPlan plan =
-                EvolutionPlan.of(pair, options.device(pair.original()), ModelReader.activities(options.original()));
+        EvolutionPlan plan = EvolutionPlan.of(pair, options.device(pair.original()));
         return Output.print(spec, format == Format.JSON ? PlanJson.write(plan) : PlanText.write(plan));
     }
 }

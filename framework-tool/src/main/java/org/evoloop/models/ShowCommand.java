@@ -10,6 +10,7 @@ import org.evoloop.models.format.MachineText;
 import org.evoloop.models.format.PlantUml;
 import org.evoloop.statechart.Statechart;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -47,7 +48,8 @@ final class ShowCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        List<Statechart> charts = ModelReader.charts(reference);
+        ModelReader.Drawn drawn = ModelReader.drawn(reference);
+        List<Statechart> charts = drawn.charts();
         String shown = switch (format) {
             case TEXT -> MachineText.write(charts);
             case JSON -> MachineJson.write(charts);
@@ -56,6 +58,8 @@ final class ShowCommand implements Callable<Integer> {
             case SVG ->
                 SvgWriter.write(reference, charts.stream().map(ChartDiagram::of).toList());
         };
-        return Output.print(spec, shown);
+        drawn.problems().forEach(problem -> spec.commandLine().getErr().println("error: " + problem));
+        Output.print(spec, charts.isEmpty() ? "" : shown);
+        return drawn.problems().isEmpty() ? 0 : ExitCode.USAGE;
     }
 }

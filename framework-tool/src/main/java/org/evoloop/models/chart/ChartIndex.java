@@ -140,9 +140,14 @@ public final class ChartIndex {
         return names.getOrDefault(vertex(key).key(), key);
     }
 
+    /** The key of the state around the vertex {@code key}; empty at the top. */
+    public String parentKey(String key) {
+        return parents.getOrDefault(key, "");
+    }
+
     /** The name of the state around the vertex {@code key}; empty at the top. */
     public String parent(String key) {
-        String parent = parents.getOrDefault(key, "");
+        String parent = parentKey(key);
         return parent.isEmpty() ? "" : name(parent);
     }
 

@@ -1,5 +1,7 @@
 package org.evoloop.models.checking;
 
+import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
 import org.evoloop.evolution.check.Element;
@@ -8,7 +10,6 @@ import org.evoloop.statechart.Arc;
 import org.evoloop.statechart.Place;
 import org.evoloop.statechart.Statechart;
 import org.evoloop.statechart.Vertex;
-import org.evoloop.statechart.Vertex.ChartState;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.Transition;
 
@@ -16,11 +17,18 @@ import org.evoloop.statemachine.Transition;
 public final class Drawing {
     private final String file;
     private final ChartIndex index;
+    private final Map<State, List<Vertex>> leaves;
 
-    /** @param file for messages */
-    public Drawing(String file, Statechart chart) {
+    /**
+     * Where things stand in {@code chart}.
+     *
+     * @param file for messages
+     * @param leaves the states as drawn that are active in each flat state
+     */
+    public Drawing(String file, Statechart chart, Map<State, List<Vertex>> leaves) {
         this.file = file;
         this.index = new ChartIndex(chart);
+        this.leaves = Map.copyOf(leaves);
     }
 
     /** {@code robot.xml, line 12, id ek-39}, or the file alone if nothing in it has the name. */
@@ -41,13 +49,8 @@ public final class Drawing {
                 : Optional.empty();
     }
 
-    private Optional<ChartState> state(State flat) {
-        return index.states().stream()
-                .filter(state -> index.name(state.key()).equals(flat.name()))
-                .findFirst()
-                .or(() -> index.states().stream()
-                        .filter(state -> flat.name().contains(state.name()))
-                        .findFirst());
+    private Optional<Vertex> state(State flat) {
+        return leaves.getOrDefault(flat, List.of()).stream().findFirst();
     }
 
     private Stream<Arc> triggered(String event) {
@@ -57,23 +60,17 @@ public final class Drawing {
     /** The one that leaves the state or a state around it, the inner one first; else any of the event. */
     private Optional<Arc> transition(Transition flat) {
         String event = flat.event().name();
-        for (String source = flat.source().name(); !source.isEmpty(); source = parentOf(source)) {
-            String name = source;
-            Optional<Arc> leaving = triggered(event)
-                    .filter(arc -> index.name(arc.source()).equals(name))
-                    .findFirst();
-            if (leaving.isPresent()) {
-                return leaving;
+        for (Vertex leaf : leaves.getOrDefault(flat.source(), List.of())) {
+            for (String key = leaf.key(); !key.isEmpty(); key = index.parentKey(key)) {
+                String source = key;
+                Optional<Arc> leaving = triggered(event)
+                        .filter(arc -> arc.source().equals(source))
+                        .findFirst();
+                if (leaving.isPresent()) {
+                    return leaving;
+                }
             }
         }
         return triggered(event).findFirst();
-    }
-
-    private String parentOf(String name) {
-        return index.states().stream()
-                .filter(state -> index.name(state.key()).equals(name))
-                .findFirst()
-                .map(state -> index.parent(state.key()))
-                .orElse("");
     }
 }

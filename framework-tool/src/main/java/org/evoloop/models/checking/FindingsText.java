@@ -37,7 +37,8 @@ public final class FindingsText {
         Turn first = finding.example().get(0);
         return first.decision().before()
                 + finding.example().stream()
-                        .map(turn -> " --" + turn + "--> " + turn.decision().after())
+                        .map(turn -> " --" + turn.event() + (turn.deviceActed() ? " (the device acted)" : "") + "--> "
+                                + turn.decision().after())
                         .collect(Collectors.joining());
     }
 

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.LinkedHashSet;
 import java.util.List;
-import java.util.Map;
 import java.util.Set;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
@@ -14,6 +13,7 @@ import org.evoloop.evolution.GuardedTriggers;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.evolution.Step;
 import org.evoloop.statemachine.State;
+import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.Transition;
 
 /**
@@ -81,9 +81,8 @@ public record EvolutionPlan(ModelPair pair, DeviceEvents device, List<Line> line
      * The plan of {@code pair}.
      *
      * @param pair a valid one
-     * @param activities what states of the original model do while they last or are entered, as drawn
      */
-    public static EvolutionPlan of(ModelPair pair, DeviceEvents device, Map<State, List<String>> activities) {
+    public static EvolutionPlan of(ModelPair pair, DeviceEvents device) {
         DecisionTable table = DecisionTable.compile(pair, device);
         GuardedTriggers guards = new GuardedTriggers(pair.evolved());
         List<Line> lines = new ArrayList<>();
@@ -93,7 +92,7 @@ public record EvolutionPlan(ModelPair pair, DeviceEvents device, List<Line> line
                 if (guards.shadowOf(transition) == null) {
                     taken.add(transition);
                     Decision decision = table.decide(at, transition.event(), false);
-                    lines.add(line(at, transition, decision, activities));
+                    lines.add(line(at, transition, decision, pair.original()));
                 }
             }
         }
@@ -103,11 +102,10 @@ public record EvolutionPlan(ModelPair pair, DeviceEvents device, List<Line> line
         return new EvolutionPlan(pair, device, lines, unreached);
     }
 
-    private static Line line(
-            Configuration at, Transition transition, Decision decision, Map<State, List<String>> activities) {
+    private static Line line(Configuration at, Transition transition, Decision decision, StateMachine original) {
         String reason = decision instanceof Decision.Impossible impossible ? impossible.reason() : "";
         return new Line(
-                at, transition, kind(transition, decision), decision.steps(), passed(decision, activities), reason);
+                at, transition, kind(transition, decision), decision.steps(), passed(decision, original), reason);
     }
 
     private static Kind kind(Transition transition, Decision decision) {
@@ -127,10 +125,10 @@ public record EvolutionPlan(ModelPair pair, DeviceEvents device, List<Line> line
         return same ? Kind.SAME_EVENT : Kind.PATH;
     }
 
-    private static List<Passed> passed(Decision decision, Map<State, List<String>> activities) {
+    private static List<Passed> passed(Decision decision, StateMachine original) {
         List<Passed> all = new ArrayList<>();
         for (State state : decision.passed()) {
-            Set<String> effects = new LinkedHashSet<>(activities.getOrDefault(state, List.of()));
+            Set<String> effects = new LinkedHashSet<>(original.activities(state));
             decision.steps().stream()
                     .filter(step -> !step.byDevice() && step.target().equals(state))
                     .forEach(step -> effects.addAll(step.effects()));

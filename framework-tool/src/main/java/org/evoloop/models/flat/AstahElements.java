@@ -118,13 +118,7 @@ final class AstahElements {
     /** A transition; what is empty is not there. */
     void transition(String id, String source, String target, String trigger, String guard, List<String> effects) {
         open("Transition", id, ArcLabel.of(trigger, guard, effects));
-        if (!effects.isEmpty()) {
-            open("Transition.effect");
-            for (int i = 0; i < effects.size(); i++) {
-                open("Action", id + "-a" + i, effects.get(i)).close(1);
-            }
-            close(1);
-        }
+        actions("Transition.effect", id + "-a", effects);
         if (!guard.isEmpty()) {
             open("Transition.guard").open("Guard", id + "-g", guard).close(2);
         }
@@ -134,6 +128,17 @@ final class AstahElements {
         end("Transition.source", source);
         end("Transition.target", target);
         close(1);
+    }
+
+    /** Behaviors in their role; nothing if there are none. */
+    void actions(String role, String idPrefix, List<String> names) {
+        if (!names.isEmpty()) {
+            open(role);
+            for (int i = 0; i < names.size(); i++) {
+                open("Action", idPrefix + i, names.get(i)).close(1);
+            }
+            close(1);
+        }
     }
 
     private void end(String role, String vertex) {

@@ -1,5 +1,6 @@
 package org.evoloop.models.flat;
 
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -27,6 +28,24 @@ public final class AstahWriter {
         machine.states().forEach(state -> ids.put(state, "s" + ids.size()));
     }
 
+    /**
+     * What the document cannot say, a line each: timers and activities that outlast a transition, since flat states have
+     * nothing around them, and internal transitions with several guards, which become one text.
+     */
+    public static List<String> losses(StateMachine machine) {
+        List<String> losses = new ArrayList<>();
+        for (Transition transition : machine.transitions()) {
+            if (!transition.internal() && !transition.keeps().isEmpty()) {
+                losses.add(transition + " keeps " + String.join(", ", transition.keeps())
+                        + " going, which no flat drawing can say");
+            }
+            if (transition.internal() && transition.event().guards().size() > 1) {
+                losses.add("the guards of the internal transition " + transition + " become one text");
+            }
+        }
+        return losses;
+    }
+
     /** The document. */
     public static String write(StateMachine machine) {
         return new AstahWriter(machine).document();
@@ -45,7 +64,7 @@ public final class AstahWriter {
         }
         xml.close(3);
         xml.open("StateMachine.transitions");
-        xml.transition("start", INITIAL, id(machine.initial()), "", "", List.of());
+        xml.transition("start", INITIAL, id(machine.initial()), "", "", machine.initialEffects());
         for (int number = 0; number < transitions.size(); number++) {
             if (!transitions.get(number).internal()) {
                 transition(number);
@@ -57,6 +76,7 @@ public final class AstahWriter {
 
     private void state(State state) {
         xml.open("CompositeState", id(state), state.name());
+        xml.actions("State.doActivity", id(state) + "-do", machine.activities(state));
         for (int number = 0; number < transitions.size(); number++) {
             Transition transition = transitions.get(number);
             if (transition.internal() && transition.source().equals(state)) {

@@ -2,6 +2,7 @@ package org.evoloop.models.flat;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.Transition;
 
@@ -22,7 +23,15 @@ public final class TransitionTable {
             }
         }
         StringBuilder text = new StringBuilder();
-        text.append(machine).append(", starts in ").append(machine.initial()).append('\n');
+        text.append(machine).append(", starts in ").append(machine.initial());
+        text.append(machine.initialEffects().isEmpty() ? "" : " / " + String.join("; ", machine.initialEffects()));
+        text.append('\n');
+        for (State state : machine.states()) {
+            if (!machine.activities(state).isEmpty()) {
+                text.append(state).append(" does ").append(String.join("; ", machine.activities(state)));
+                text.append('\n');
+            }
+        }
         for (List<String> row : rows) {
             StringBuilder line = new StringBuilder();
             for (int column = 0; column < widths.length; column++) {

@@ -200,6 +200,7 @@ public final class Scaffold {
                 values.put("stateComment", JavaText.comment(state.name()));
                 values.put("leftBy", JavaText.comment(leftBy(state)));
                 values.put("say", JavaText.literal(state.name()));
+                values.put("ending", ending(state));
                 file(sources.resolve(name + ".java"), "Function.java.txt");
                 registrations.append("        function(").append(JavaText.literal(state.name()));
                 registrations.append(", new ").append(name).append("());\n");
@@ -214,6 +215,18 @@ public final class Scaffold {
                         transition.event() + (transition.event().timeTrigger().isPresent() ? " (by itself)" : ""))
                 .collect(Collectors.joining(", "));
         return events.isEmpty() ? "no event" : events;
+    }
+
+    /** How the function of a new state can raise an event that nobody else does; empty if there is none. */
+    private String ending(State state) {
+        return pair.evolved().transitionsFrom(state).stream()
+                .map(transition -> transition.event().trigger())
+                .filter(event -> event.timeTrigger().isEmpty()
+                        && !pair.original().triggers().contains(event))
+                .findFirst()
+                .map(event -> "        // When it is done: visit.finish("
+                        + JavaText.comment(JavaText.literal(event.name())) + ");\n")
+                .orElse("");
     }
 
     private String bindings() {

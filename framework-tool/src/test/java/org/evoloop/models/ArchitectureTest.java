@@ -1,0 +1,65 @@
+package org.evoloop.models;
+
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
+
+import com.tngtech.archunit.core.importer.ImportOption;
+import com.tngtech.archunit.junit.AnalyzeClasses;
+import com.tngtech.archunit.junit.ArchTest;
+import com.tngtech.archunit.lang.ArchRule;
+import com.tngtech.archunit.library.Architectures;
+
+/** The rooms of the tool and the arrows between them. */
+@AnalyzeClasses(packages = "org.evoloop.models", importOptions = ImportOption.DoNotIncludeTests.class)
+class ArchitectureTest {
+    @ArchTest
+    static final ArchRule arrowsRunDown = Architectures.layeredArchitecture()
+            .consideringOnlyDependenciesInLayers()
+            .layer("commands")
+            .definedBy("org.evoloop.models")
+            .layer("scaffold")
+            .definedBy("org.evoloop.models.scaffold..")
+            .layer("checking")
+            .definedBy("org.evoloop.models.checking..")
+            .layer("evolution")
+            .definedBy("org.evoloop.models.evolution..")
+            .layer("flat")
+            .definedBy("org.evoloop.models.flat..")
+            .layer("format")
+            .definedBy("org.evoloop.models.format..")
+            .layer("diagram")
+            .definedBy("org.evoloop.models.diagram..")
+            .layer("chart")
+            .definedBy("org.evoloop.models.chart..")
+            .whereLayer("commands")
+            .mayNotBeAccessedByAnyLayer()
+            .whereLayer("scaffold")
+            .mayNotAccessAnyLayer()
+            .whereLayer("checking")
+            .mayOnlyAccessLayers("chart", "diagram", "format")
+            .whereLayer("evolution")
+            .mayOnlyAccessLayers("chart", "diagram", "format")
+            .whereLayer("flat")
+            .mayOnlyAccessLayers("chart")
+            .whereLayer("format")
+            .mayOnlyAccessLayers("chart")
+            .whereLayer("diagram")
+            .mayOnlyAccessLayers("chart")
+            .whereLayer("chart")
+            .mayNotAccessAnyLayer();
+
+    @ArchTest
+    static final ArchRule onlyTheScaffoldWritesFiles = noClasses()
+            .that()
+            .resideOutsideOfPackages("org.evoloop.models", "org.evoloop.models.scaffold..")
+            .should()
+            .dependOnClassesThat()
+            .resideInAPackage("java.nio.file..");
+
+    @ArchTest
+    static final ArchRule elkIsKnownInOneRoom = noClasses()
+            .that()
+            .resideOutsideOfPackage("org.evoloop.models.diagram..")
+            .should()
+            .dependOnClassesThat()
+            .resideInAPackage("org.eclipse..");
+}

@@ -1,0 +1,102 @@
+package org.evoloop.models;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** What a user can mend is one message, exit status 2, and nothing on the standard output. */
+class BadInputTest {
+    private static final String ORIGINAL = Tool.ROBOT + "#original";
+    private static final String NEW = Tool.ROBOT + "#new";
+
+    private static void assertRefused(Tool refused, String... words) {
+        assertThat(refused.status()).isEqualTo(2);
+        assertThat(refused.out()).isEmpty();
+        assertThat(refused.err()).startsWith("error: ").contains(words).doesNotContain("\tat ");
+    }
+
+    @Test
+    void sayingNothingIsAnsweredWithWhatThereIs() {
+        assertRefused(Tool.run(), "say what to do", "show", "check", "diff", "plan", "flatten", "scaffold");
+    }
+
+    @Test
+    void wrongWordsAreNamed() {
+        assertRefused(Tool.run("draw", NEW), "draw", "models --help");
+        assertRefused(Tool.run("show", NEW, "--format", "gif"), "--format", "gif", "SVG");
+        assertRefused(Tool.run("show", NEW, "--colour"), "--colour");
+        assertRefused(Tool.run("show"), "FILE[#NAME]");
+        assertRefused(Tool.run("diff", NEW), "NEW");
+    }
+
+    @Test
+    void filesAndMachinesThatAreNotThereAreNamed() {
+        assertRefused(Tool.run("show", "nowhere.xml"), "nowhere.xml");
+        assertRefused(Tool.run("show", Tool.ROBOT + "#old"), "'old'", "'original'", "'new'");
+        assertRefused(Tool.run("flatten", Tool.ROBOT), "holds 2 state machines");
+        assertRefused(Tool.run("plan", ORIGINAL, "nowhere.xml#new"), "nowhere.xml");
+    }
+
+    @Test
+    void aFileThatIsNoModelIsRefused(@TempDir Path directory) throws Exception {
+        Path file = Files.writeString(directory.resolve("note.xml"), "<note/>");
+
+        assertRefused(Tool.run("show", file.toString()), "note.xml", "note");
+    }
+
+    @Test
+    void eventsAndStatesThatTheDeviceDoesNotHaveAreNamed() {
+        assertRefused(Tool.run("plan", ORIGINAL, NEW, "--sendable", "Clean,Dock"), "--sendable", "Dock", "endSpot");
+        assertRefused(Tool.run("plan", ORIGINAL, NEW, "--device-only", "timeout"), "--device-only", "timeout");
+        assertRefused(Tool.run("plan", ORIGINAL, NEW, "--do-not-pass", "Move"), "--do-not-pass", "Move", "Spot");
+        assertRefused(Tool.run("plan", ORIGINAL, NEW, "--cost", "Clean=0"), "cost", "Clean");
+        assertRefused(Tool.run("plan", ORIGINAL, NEW, "--cost", "Clean=much"), "--cost", "much");
+    }
+
+    @Test
+    void aPairThatIsNoEvolutionHasNoPlan() {
+        assertRefused(Tool.run("plan", NEW, ORIGINAL), "not an evolution", "Move", "SpotWait", "timeout");
+    }
+
+    @Test
+    void aProjectNeedsAPackageAndAnEmptyDirectory(@TempDir Path directory) throws Exception {
+        Files.writeString(directory.resolve("mine"), "");
+
+        assertRefused(scaffold("lamp", directory), "--out", "not empty");
+        assertRefused(scaffold("lamp", directory.resolve("mine")), "--out", "is a file");
+        for (String wrong : new String[] {"com.new.lamp", "com..lamp", "1lamp", "", "a b", "java.lamp", "ラ.lamp"}) {
+            assertRefused(scaffold(wrong, directory.resolve("free")), "--package", wrong);
+        }
+        assertThat(directory.resolve("free")).doesNotExist();
+    }
+
+    private static Tool scaffold(String javaPackage, Path directory) {
+        return Tool.run("scaffold", ORIGINAL, NEW, "--package", javaPackage, "--out", directory.toString());
+    }
+
+    @Test
+    void aPairThatCouldNotRunIsNotScaffolded(@TempDir Path directory) {
+        Tool refused = Tool.run(
+                "scaffold",
+                NEW,
+                ORIGINAL,
+                "--package",
+                "lamp",
+                "--out",
+                directory.resolve("lamp").toString());
+
+        assertThat(refused.status()).isEqualTo(1);
+        assertThat(refused.out()).isEmpty();
+        assertThat(refused.err()).contains("condition-1", "condition-2", "mend:", "mend the models first");
+        assertThat(directory.resolve("lamp")).doesNotExist();
+    }
+
+    @Test
+    void helpIsAResult() {
+        assertThat(Tool.run("--help").status()).isZero();
+        assertThat(Tool.run("plan", "--help").out()).contains("--do-not-pass", "--cost", "--sendable");
+    }
+}

@@ -1,0 +1,169 @@
+package org.evoloop.models;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
+
+/** What the commands say of the paper's cleaning robot. */
+class CommandsTest {
+    private static final String ORIGINAL = Tool.ROBOT + "#original";
+    private static final String NEW = Tool.ROBOT + "#new";
+
+    private static String good(String... arguments) {
+        Tool run = Tool.run(arguments);
+        assertThat(run.err()).isEmpty();
+        assertThat(run.status()).isZero();
+        return run.out();
+    }
+
+    private static JsonNode json(String... arguments) {
+        return JsonMapper.shared().readTree(good(arguments));
+    }
+
+    @Test
+    void showGivesTheJsonThatIsPromised() {
+        JsonNode machine =
+                json("show", ORIGINAL, "--format", "json").get("machines").get(0);
+
+        assertThat(machine.get("name").asString()).isEqualTo("original");
+        assertThat(machine.get("states").toString()).isEqualTo("[\"Off\",\"On\",\"Clean\",\"Spot\"]");
+        assertThat(machine.get("events").toString()).isEqualTo("[\"Clean\",\"Spot\",\"endSpot\"]");
+        assertThat(machine.get("initial").asString()).isEqualTo("Off");
+        assertThat(machine.get("transitions").size()).isEqualTo(5);
+        assertThat(machine.get("transitions").get(0).toString())
+                .isEqualTo("{\"source\":\"Off\",\"trigger\":\"Clean\",\"guard\":null,\"effect\":null,\"target\":\"On\","
+                        + "\"kind\":\"external\"}");
+        assertThat(machine.propertyNames())
+                .containsExactly(
+                        "name", "states", "events", "transitions", "initial", "hierarchy", "regions", "pseudostates");
+    }
+
+    @Test
+    void showTellsAllMachinesOfAFile() {
+        assertThat(good("show", Tool.ROBOT))
+                .contains(
+                        "original: 4 states, 3 events, 5 transitions\n",
+                        "new: 6 states, 5 events, 8 transitions\n",
+                        "  SpotWait\n    timeout -> On\n    Clean -> Spot\n");
+    }
+
+    @Test
+    void showDrawsForOtherTools() {
+        assertThat(good("show", NEW, "--format", "DOT"))
+                .startsWith("digraph {")
+                .contains("v1 [label=\"Off\"];")
+                .contains("[label=\"arriveSpot\"];");
+        assertThat(good("show", NEW, "--format", "plantuml"))
+                .startsWith("@startuml\n")
+                .contains("state \"SpotWait\" as v")
+                .contains(" : timeout\n")
+                .endsWith("@enduml\n");
+    }
+
+    @Test
+    void diffTellsKeptAddedReroutedAndRemoved() {
+        assertThat(good("diff", ORIGINAL, NEW))
+                .contains("states\n  kept      Off, On, Clean, Spot\n  added     Move, SpotWait\n  removed   -\n")
+                .contains("  added     Move --arriveSpot--> Spot\n")
+                .contains("  rerouted  On --Spot--> Move  (before: On --Spot--> Spot)\n")
+                .doesNotContain("  removed   On");
+        assertThat(good("diff", NEW, ORIGINAL)).contains("  removed   SpotWait --timeout--> On\n");
+
+        JsonNode difference = json("diff", ORIGINAL, NEW, "--format", "json");
+        assertThat(difference.get("machines").toString()).isEqualTo("{\"original\":\"original\",\"new\":\"new\"}");
+        assertThat(difference.get("transitions").get("kept").size()).isEqualTo(3);
+        assertThat(difference.get("transitions").get("added").size()).isEqualTo(3);
+        assertThat(difference.get("transitions").get("rerouted").size()).isEqualTo(2);
+        assertThat(difference.get("transitions").get("removed").size()).isZero();
+    }
+
+    @Test
+    void diffDrawsBothModelsAsOnePicture() {
+        String picture = good("diff", ORIGINAL, NEW, "--format", "svg");
+
+        assertThat(picture.split("class=\"state added\"", -1)).hasSize(3);
+        assertThat(picture.split("class=\"transition rerouted\"", -1)).hasSize(3);
+        assertThat(picture.split("class=\"transition former\"", -1)).hasSize(3);
+        assertThat(picture)
+                .contains("added by the new model", "where it led before")
+                .doesNotContain("removed");
+    }
+
+    @Test
+    void planTellsHowEachTransitionComesAbout() {
+        assertThat(good("plan", ORIGINAL, NEW, "--device-only", "endSpot").lines())
+                .contains("assumed: the converter can send Clean, Spot; all else the device does by itself")
+                .contains("(Off, Off)  Off --Clean--> On:  same event Clean")
+                .contains("(On, On)  On --Spot--> Move:  new function Move")
+                .contains("(Spot, Spot)  Spot --endSpot--> On:  the device has done it")
+                .contains(
+                        "(Clean, SpotWait)  SpotWait --Clean--> Spot:  path Clean, Spot (Clean --Clean--> On --Spot-->"
+                                + " Spot)");
+    }
+
+    @Test
+    void planObeysWhatMustNotBePassed() {
+        JsonNode plan =
+                json("plan", ORIGINAL, NEW, "--device-only", "endSpot", "--do-not-pass", "On", "--format", "json");
+
+        JsonNode impossible = row(plan, "SpotWait", "Clean");
+        assertThat(impossible.get("kind").asString()).isEqualTo("impossible");
+        assertThat(impossible.get("reason").asString()).contains("Spot").contains("Clean");
+        assertThat(plan.get("doNotPass").toString()).isEqualTo("[\"On\"]");
+    }
+
+    @Test
+    void planTellsPathsWithTheStatesBetween() {
+        JsonNode plan = json("plan", ORIGINAL, NEW, "--format", "json");
+
+        JsonNode path = row(plan, "SpotWait", "Clean");
+        assertThat(path.get("kind").asString()).isEqualTo("path");
+        assertThat(path.get("events").toString()).isEqualTo("[\"Clean\",\"Spot\"]");
+        assertThat(path.get("through").toString()).isEqualTo("[{\"state\":\"On\",\"effects\":[]}]");
+        assertThat(path.get("marked").asBoolean()).isFalse();
+        assertThat(row(plan, "On", "Spot").get("function").asString()).isEqualTo("Move");
+    }
+
+    private static JsonNode row(JsonNode plan, String source, String trigger) {
+        return plan.get("plan")
+                .valueStream()
+                .filter(row -> row.get("transition").get("source").asString().equals(source)
+                        && row.get("transition").get("trigger").asString().equals(trigger))
+                .findFirst()
+                .orElseThrow();
+    }
+
+    @Test
+    void checkFindsNothingInThePapersPairAndEverythingInItsReverse() {
+        assertThat(good("check", ORIGINAL, NEW, "--device-only", "endSpot")).isEqualTo("nothing found\n");
+
+        Tool broken = Tool.run("check", NEW, ORIGINAL, "--format", "json");
+        assertThat(broken.status()).isEqualTo(1);
+        JsonNode finding =
+                JsonMapper.shared().readTree(broken.out()).get("findings").get(0);
+        assertThat(finding.get("rule").asString()).isEqualTo("condition-1");
+        assertThat(finding.get("severity").asString()).isEqualTo("error");
+        assertThat(finding.get("element").asString()).isEqualTo("arriveSpot");
+        assertThat(finding.get("place").asString()).matches(".*cleaning-robot\\.xml, line \\d+, id .*");
+        assertThat(finding.get("mend").asString()).isNotEmpty();
+    }
+
+    @Test
+    void checkJudgesWhatItIsToldOfTheConverter() {
+        Tool unbound =
+                Tool.run("check", ORIGINAL, NEW, "--functions", "Move", "--raised", "Clean,Spot,endSpot,timeout");
+
+        assertThat(unbound.status()).isEqualTo(1);
+        assertThat(unbound.out())
+                .contains("no-function: new state SpotWait", "unraised-event: nobody raises event arriveSpot");
+    }
+
+    @Test
+    void flattenIsATable() {
+        assertThat(good("flatten", NEW).lines())
+                .startsWith("new (6 states, 5 events, 8 transitions), starts in Off")
+                .contains("SpotWait  timeout                     On");
+    }
+}

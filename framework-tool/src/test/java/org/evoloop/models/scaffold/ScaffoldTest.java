@@ -1,0 +1,215 @@
+package org.evoloop.models.scaffold;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.platform.engine.discovery.DiscoverySelectors.selectClass;
+
+import java.io.File;
+import java.io.IOException;
+import java.io.StringWriter;
+import java.net.URL;
+import java.net.URLClassLoader;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
+import javax.tools.JavaCompiler;
+import javax.tools.StandardJavaFileManager;
+import javax.tools.ToolProvider;
+import org.evoloop.models.Tool;
+import org.evoloop.models.flat.AstahWriter;
+import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.State;
+import org.evoloop.statemachine.StateMachine;
+import org.evoloop.statemachine.StateMachineBuilder;
+import org.evoloop.statemachine.Transition;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.platform.launcher.LauncherDiscoveryRequest;
+import org.junit.platform.launcher.core.LauncherDiscoveryRequestBuilder;
+import org.junit.platform.launcher.core.LauncherFactory;
+import org.junit.platform.launcher.listeners.SummaryGeneratingListener;
+import org.junit.platform.launcher.listeners.TestExecutionSummary;
+
+/** A project builds and passes its tests before its owner has written a line. */
+class ScaffoldTest {
+    private static final String JAVA_PACKAGE = "com.example.made";
+
+    @TempDir
+    private Path directory;
+
+    private Path scaffold(String original, String evolved, String... options) {
+        Path project = directory.resolve("project");
+        List<String> arguments = Stream.concat(
+                        Stream.of(
+                                "scaffold", original, evolved, "--package", JAVA_PACKAGE, "--out", project.toString()),
+                        Stream.of(options))
+                .toList();
+        Tool run = Tool.run(arguments.toArray(String[]::new));
+        assertThat(run.err()).isEmpty();
+        assertThat(run.status()).isZero();
+        return project;
+    }
+
+    private String model(String file, StateMachine machine) throws IOException {
+        return Files.writeString(directory.resolve(file), AstahWriter.write(machine))
+                .toString();
+    }
+
+    /** Compiles the project as Maven would, and runs its tests. */
+    private TestExecutionSummary test(Path project) throws Exception {
+        Path classes = Files.createDirectories(project.resolve("target/classes"));
+        List<Path> sources;
+        try (Stream<Path> files = Files.walk(project.resolve("src"))) {
+            sources = files.filter(file -> file.toString().endsWith(".java")).toList();
+        }
+        JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
+        StringWriter messages = new StringWriter();
+        try (StandardJavaFileManager files = compiler.getStandardFileManager(null, null, StandardCharsets.UTF_8)) {
+            List<String> options = List.of(
+                    "--release",
+                    "17",
+                    "-proc:none",
+                    "-d",
+                    classes.toString(),
+                    "-cp",
+                    System.getProperty("java.class.path"));
+            boolean compiled = compiler.getTask(
+                            messages, files, null, options, null, files.getJavaFileObjectsFromPaths(sources))
+                    .call();
+            assertThat(compiled).as(messages.toString()).isTrue();
+        }
+        return run(classes, project);
+    }
+
+    /** The models lie beside the classes, as beside a program's jar. */
+    private static TestExecutionSummary run(Path classes, Path project) throws Exception {
+        try (Stream<Path> models = Files.list(project.resolve("models"))) {
+            Path beside = Files.createDirectories(classes.resolveSibling("models"));
+            for (Path model : models.toList()) {
+                Files.copy(model, beside.resolve(model.getFileName()));
+            }
+        }
+        SummaryGeneratingListener listener = new SummaryGeneratingListener();
+        try (URLClassLoader loader =
+                new URLClassLoader(new URL[] {classes.toUri().toURL()})) {
+            LauncherDiscoveryRequest request = LauncherDiscoveryRequestBuilder.request()
+                    .selectors(selectClass(loader.loadClass(JAVA_PACKAGE + ".TransitionsTest")))
+                    .build();
+            LauncherFactory.create().execute(request, listener);
+        }
+        return listener.getSummary();
+    }
+
+    private static void assertAllPassed(TestExecutionSummary summary, int tests) {
+        assertThat(summary.getFailures())
+                .as("failures")
+                .extracting(failure -> failure.getTestIdentifier().getDisplayName() + ": " + failure.getException())
+                .isEmpty();
+        assertThat(summary.getTestsSucceededCount()).isEqualTo(tests);
+    }
+
+    @Test
+    void theCleaningRobotsProjectPassesATestForEachTransition() throws Exception {
+        Path project = scaffold(Tool.ROBOT + "#original", Tool.ROBOT + "#new", "--device-only", "endSpot");
+
+        assertAllPassed(test(project), 8);
+        assertThat(project.resolve("src/main/java/com/example/made/SpotWaitFunction.java"))
+                .content()
+                .contains("The state is left by timeout, Clean.", "visit.finish(\"timeout\")");
+        assertThat(project.resolve("models/models.xml")).hasSameBinaryContentAs(Path.of(Tool.ROBOT));
+        assertThat(project.resolve("mvnw")).isExecutable();
+    }
+
+    /** Names that are no Java names, guards, effects, time triggers and functions of the device's own. */
+    @Test
+    void anythingThatCanBeDrawnCompilesAndPasses() throws Exception {
+        StateMachineBuilder device = StateMachine.named("装置")
+                .initial("New")
+                .transition("New", "a \"quoted\" event", "two words")
+                .transition("two words", "終わり", "New")
+                .transition("two words", "tm(2s)", "New")
+                .transition("New", "class", "two-words")
+                .transition("two-words", "class", "New");
+        StateMachineBuilder system = StateMachine.named("*/ } new")
+                .initial("New")
+                .transition("New", "a \"quoted\" event", "two words")
+                .transition("two words", "終わり", "New")
+                .transition("two words", "tm(2s)", "New")
+                .transition("New", "class", "two-words")
+                .transition("two-words", "back\\u000a", "New")
+                .transition("New", "1st", "新しい")
+                .transition("新しい", "tm(1.5s)", "Two Words!")
+                .transition("Two Words!", "after 3 s", "new")
+                .transition("Two Words!", "tm(1s)", "*/ evil {@code x}");
+        guarded(system, "new", "go", "x > 1", "New");
+        guarded(system, "new", "go", "\"ready\"", "新しい");
+        system.transition("*/ evil {@code x}", "1st", "two words").transition("new", "go", "Two Words!");
+
+        Path project = scaffold(
+                model("original.xml", device.build()), model("new.xml", system.build()), "--device-only", "終わり");
+
+        assertAllPassed(test(project), system.build().transitions().size());
+    }
+
+    private static void guarded(StateMachineBuilder system, String source, String event, String guard, String target) {
+        system.transition(
+                new Transition(
+                        new State(source),
+                        new Event(event, List.of(guard)),
+                        new State(target),
+                        List.of("say(\"" + guard + "\")"),
+                        false),
+                "");
+    }
+
+    @Test
+    void namesAreMadeThatDifferInMoreThanCapitals() {
+        JavaNames names = new JavaNames().reserve("NewFunction");
+
+        assertThat(names.free(JavaNames.camel("new", "State") + "Function")).isEqualTo("NewFunction2");
+        assertThat(names.free(JavaNames.camel("spot wait", "State"))).isEqualTo("SpotWait");
+        assertThat(names.free(JavaNames.camel("Spotwait", "State"))).isEqualTo("Spotwait2");
+        assertThat(names.free(JavaNames.camel("掃除中", "State"))).isEqualTo("State");
+        assertThat(names.free(JavaNames.camel("待機中", "State"))).isEqualTo("State2");
+        assertThat(JavaNames.camel("1st", "State")).isEqualTo("State1st");
+    }
+
+    /** What its owner does first. It takes Maven and what Maven has fetched for the framework's own build. */
+    @Test
+    @Tag("slow")
+    void mavenBuildsItAndItsJarRuns() throws Exception {
+        Path project = scaffold(Tool.ROBOT + "#original", Tool.ROBOT + "#new", "--device-only", "endSpot");
+        String maven = System.getProperty("evoloop.root") + "/mvnw";
+
+        assertThat(run(project, "", maven, "-q", "-B", "verify")).isEmpty();
+        try (Stream<Path> built = Files.list(project.resolve("target"))) {
+            assertThat(built.filter(file -> file.toString().endsWith(".jar")))
+                    .containsExactly(project.resolve("target/made.jar"));
+        }
+        assertThat(run(
+                        directory,
+                        "start\npress Clean\npress Spot\nexit\n",
+                        System.getProperty("java.home") + "/bin/java",
+                        "-jar",
+                        project.resolve("target/made.jar").toString()))
+                .contains(" inputs Clean event.", "device in On", "***  Move  ***");
+    }
+
+    private String run(Path where, String input, String... command) throws Exception {
+        File output = Files.createTempFile(directory, "output", ".txt").toFile();
+        Process process = new ProcessBuilder(command)
+                .directory(where.toFile())
+                .redirectErrorStream(true)
+                .redirectOutput(output)
+                .start();
+        process.getOutputStream().write(input.getBytes(StandardCharsets.UTF_8));
+        process.getOutputStream().close();
+        assertThat(process.waitFor(5, TimeUnit.MINUTES)).as("it has ended").isTrue();
+        String said = Files.readString(output.toPath());
+        assertThat(process.exitValue()).as(said).isZero();
+        return said;
+    }
+}
