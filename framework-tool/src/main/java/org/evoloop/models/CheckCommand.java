@@ -11,7 +11,6 @@ import org.evoloop.evolution.check.CheckInput;
 import org.evoloop.evolution.check.Element;
 import org.evoloop.evolution.check.Finding;
 import org.evoloop.evolution.check.Rule;
-import org.evoloop.models.checking.Drawing;
 import org.evoloop.models.checking.FindingDiagram;
 import org.evoloop.models.checking.FindingsJson;
 import org.evoloop.models.checking.FindingsText;
@@ -83,10 +82,7 @@ final class CheckCommand implements Callable<Integer> {
     public Integer call() {
         ModelPair pair = options.read();
         List<Finding> findings = Check.run(input(pair));
-        Drawing original = ModelReader.drawing(options.original());
-        Drawing evolved = ModelReader.drawing(options.evolved());
-        Function<Element, String> places =
-                element -> (element.side() == Element.Side.ORIGINAL ? original : evolved).place(element);
+        Function<Element, String> places = options.places();
         Output.print(
                 spec,
                 switch (format) {

@@ -9,7 +9,13 @@ import picocli.CommandLine.Spec;
 @Command(
         name = "models",
         description = "Shows state machines, checks an evolution before it runs, and starts a converter's project.",
-        subcommands = {ShowCommand.class, CheckCommand.class, DiffCommand.class, PlanCommand.class, FlattenCommand.class
+        subcommands = {
+            ShowCommand.class,
+            CheckCommand.class,
+            DiffCommand.class,
+            PlanCommand.class,
+            FlattenCommand.class,
+            ScaffoldCommand.class
         },
         mixinStandardHelpOptions = true)
 final class ModelsCommand implements Runnable {

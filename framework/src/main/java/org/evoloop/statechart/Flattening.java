@@ -1,46 +1,134 @@
 package org.evoloop.statechart;
 
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
+import java.util.stream.Collectors;
+import org.evoloop.statemachine.ModelException;
+import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
+import org.jspecify.annotations.Nullable;
 
-/** The flat machine that a statechart is equivalent to. */
+/**
+ * A statechart and the flat machine that is equivalent to it (Harel, "Statecharts", 1987; UML 2.5.1, clause 14.2.3): it
+ * accepts the same events and runs the same behaviors in the same order. Its states are the combinations of innermost
+ * states in which the machine rests, with what it remembers for histories. Where UML leaves a choice:
+ *
+ * <ul>
+ *   <li>Guards are asked for when the event comes, those behind a choice too, each once. A path of which no branch holds
+ *       is not taken. Of the transitions of a state on one event the guarded ones come first, in the order in which they
+ *       are drawn, then the one without guard, then {@code [else]}.
+ *   <li>An event goes to the innermost state that has a transition for it; states around that do not see it. Regions
+ *       side by side all see it, in the order in which they are drawn, and are left and entered in that order.
+ *   <li>Each part of a transition through pseudostates leaves and enters what lies between its two ends. A history
+ *       remembers its region when the state around that is left; a region that has reached its final state is forgotten.
+ *   <li>A state without do activity is complete when it is entered, or when all its regions have reached their final
+ *       states; its transition without event is taken at once. If its guard does not hold then, it never is. The end of
+ *       a do activity on which a transition waits is an event, {@code completion(NAME)}, that somebody must raise.
+ *   <li>A time trigger belongs to the state it leaves and goes on as long as that is not left; see
+ *       {@link org.evoloop.statemachine.Transition#keeps}.
+ *   <li>A transition that is internal and has no effects stands for an event that is swallowed.
+ * </ul>
+ *
+ * <p>States that no event leads to are kept, as if something led there. Deferred events, and two transitions of which
+ * nothing says which is taken, are problems.
+ *
+ * <p>Threading: immutable.
+ */
 public final class Flattening {
-    private final StateMachine machine;
+    private final List<Problem> problems;
+    private final @Nullable StateMachine machine;
+    private final Map<State, List<Vertex>> leaves;
+    private final List<Arc> unused;
 
-    private Flattening(StateMachine machine) {
+    private Flattening(
+            List<Problem> problems, @Nullable StateMachine machine, Map<State, List<Vertex>> leaves, List<Arc> unused) {
+        this.problems = List.copyOf(problems);
         this.machine = machine;
+        this.leaves = leaves;
+        this.unused = unused;
     }
 
+    /** Flattens a chart, or finds why that cannot be. */
     public static Flattening of(Statechart chart) {
-        var b = StateMachine.named(chart.name());
-        Map<String, Vertex> byKey = new java.util.LinkedHashMap<>();
-        for (Region r : chart.regions())
-            for (Vertex v : r.vertices()) {
-                byKey.put(v.key(), v);
-                if (v instanceof Vertex.ChartState) b.state(v.name());
-            }
-        for (Region r : chart.regions())
-            for (Arc a : r.arcs()) {
-                Vertex s = byKey.get(a.source()), t = byKey.get(a.target());
-                if (s == null || t == null) throw new org.evoloop.statemachine.ModelException("not flat");
-                if (s instanceof Vertex.Pseudostate) b.initial(t.name());
-                else
-                    for (String e : a.triggers())
-                        b.transition(s.name(), e, t.name(), a.place().toString());
-            }
-        return new Flattening(b.build());
+        List<Problem> problems = new ArrayList<>();
+        Net net = NetBuilder.build(chart, problems);
+        if (problems.isEmpty()) {
+            Rules.check(net, problems);
+        }
+        if (!problems.isEmpty()) {
+            return failed(problems);
+        }
+        Explorer explorer = new Explorer(net);
+        explorer.explore();
+        problems.addAll(explorer.problems());
+        Outcome start = explorer.start();
+        if (!problems.isEmpty() || start == null) {
+            return failed(problems);
+        }
+        FlatMachine flat = new FlatMachine(net, explorer.moves());
+        try {
+            Map<State, List<Vertex>> leaves = flat.leaves();
+            return new Flattening(problems, flat.machine(start), leaves, unused(net, explorer.used()));
+        } catch (ModelException refused) {
+            return failed(
+                    List.of(new Problem(chart.place(), String.valueOf(refused.getMessage()), "rename one of them")));
+        }
     }
 
+    private static Flattening failed(List<Problem> problems) {
+        return new Flattening(problems, null, Map.of(), List.of());
+    }
+
+    private static List<Arc> unused(Net net, Set<Link> used) {
+        Set<Arc> arcs = new LinkedHashSet<>();
+        for (Node node : net.nodes()) {
+            node.outgoing.stream().filter(link -> !used.contains(link)).forEach(link -> arcs.add(link.arc));
+        }
+        return List.copyOf(arcs);
+    }
+
+    /**
+     * The flat machine of a chart.
+     *
+     * @throws ModelException if there is none; the message lists all problems
+     */
     public static StateMachine flatten(Statechart chart) {
-        return of(chart).machine();
+        Flattening flattening = of(chart);
+        if (!flattening.problems.isEmpty()) {
+            throw new ModelException("state machine '" + chart.name() + "': "
+                    + flattening.problems.stream().map(Problem::toString).collect(Collectors.joining("; ")));
+        }
+        return flattening.machine();
     }
 
+    /** Why there is no flat machine; empty if there is one. */
     public List<Problem> problems() {
-        return List.of();
+        return problems;
     }
 
+    /**
+     * The flat machine.
+     *
+     * @throws IllegalStateException if there are problems
+     */
     public StateMachine machine() {
+        if (machine == null) {
+            throw new IllegalStateException("there is no flat machine: " + problems);
+        }
         return machine;
+    }
+
+    /** The flat machine's states, each with the innermost states as drawn that are active in it, region by region. */
+    public Map<State, List<Vertex>> leaves() {
+        return new LinkedHashMap<>(leaves);
+    }
+
+    /** Transitions as drawn that are never taken, whatever happens: dead ones. */
+    public List<Arc> unused() {
+        return unused;
     }
 }

@@ -25,13 +25,17 @@ public final class StateMachine {
     private final Set<State> states;
     private final Set<Event> events;
     private final Map<State, Map<Event, Transition>> outgoing;
+    private final List<String> initialEffects;
+    private final Map<State, List<String>> activities;
 
     StateMachine(
             String name,
             State initial,
             Set<State> states,
             Set<Event> events,
-            Map<State, Map<Event, Transition>> outgoing) {
+            Map<State, Map<Event, Transition>> outgoing,
+            List<String> initialEffects,
+            Map<State, List<String>> activities) {
         this.name = name;
         this.initial = initial;
         this.states = Collections.unmodifiableSet(new LinkedHashSet<>(states));
@@ -40,11 +44,13 @@ public final class StateMachine {
         outgoing.forEach(
                 (state, byEvent) -> copy.put(state, Collections.unmodifiableMap(new LinkedHashMap<>(byEvent))));
         this.outgoing = Collections.unmodifiableMap(copy);
+        this.initialEffects = List.copyOf(initialEffects);
+        this.activities = Map.copyOf(activities);
     }
 
     /** The same machine, which messages call {@code otherName}. */
     public StateMachine withName(String otherName) {
-        return new StateMachine(otherName, initial, states, events, outgoing);
+        return new StateMachine(otherName, initial, states, events, outgoing, initialEffects, activities);
     }
 
     /** Starts a machine of this name; the name is what messages call it. */
@@ -60,6 +66,16 @@ public final class StateMachine {
     /** The state in which the machine starts; a member of {@link #states()}. */
     public State initial() {
         return initial;
+    }
+
+    /** Names of the behaviors that run when the machine starts, in order. */
+    public List<String> initialEffects() {
+        return initialEffects;
+    }
+
+    /** Names of the behaviors that go on while {@code state} lasts (UML's do activities), outer ones first. */
+    public List<String> activities(State state) {
+        return activities.getOrDefault(state, List.of());
     }
 
     /** S, never empty. */

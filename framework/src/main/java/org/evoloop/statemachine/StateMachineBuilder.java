@@ -19,6 +19,8 @@ public final class StateMachineBuilder {
     private final Set<Event> events = new LinkedHashSet<>();
     private final Map<State, Map<Event, Placed>> outgoing = new LinkedHashMap<>();
     private final List<String> problems = new ArrayList<>();
+    private final List<String> initialEffects = new ArrayList<>();
+    private final Map<State, List<String>> activities = new LinkedHashMap<>();
     private @Nullable State initial;
 
     private record Placed(Transition transition, String place) {
@@ -46,6 +48,22 @@ public final class StateMachineBuilder {
     /** Adds a state; states that a transition or {@link #initial} names need no call of their own. */
     public StateMachineBuilder state(String state) {
         states.add(new State(state));
+        return this;
+    }
+
+    /** Adds behaviors that run when the machine starts. */
+    public StateMachineBuilder initialEffects(List<String> effects) {
+        initialEffects.addAll(effects);
+        return this;
+    }
+
+    /** Adds a state and the behaviors that go on while it lasts. */
+    public StateMachineBuilder activities(String state, List<String> names) {
+        State owner = new State(state);
+        states.add(owner);
+        if (!names.isEmpty()) {
+            activities.put(owner, List.copyOf(names));
+        }
         return this;
     }
 
@@ -126,6 +144,6 @@ public final class StateMachineBuilder {
             byEvent.forEach((event, placed) -> row.put(event, placed.transition()));
             plain.put(state, row);
         });
-        return new StateMachine(name, start, states, events, plain);
+        return new StateMachine(name, start, states, events, plain, initialEffects, activities);
     }
 }

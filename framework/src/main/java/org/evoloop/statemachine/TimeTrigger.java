@@ -11,11 +11,15 @@ import java.util.regex.Pattern;
 /**
  * The text of a UML time trigger: {@code tm(2s)}, {@code after(500 ms)}, {@code after 2 s}, {@code after 1.5 minutes}.
  *
+ * <p>Where states around each other have equal time triggers, their names tell whose timer it is: {@code tm(2s) in On}.
+ *
  * <p>A unit is required, since UML leaves it to the reader and a wrong guess is a thousand times too long.
  */
 final class TimeTrigger {
-    private static final Pattern CALL = Pattern.compile("(?:tm|after)\\s*\\((.*)\\)", Pattern.CASE_INSENSITIVE);
-    private static final Pattern PHRASE = Pattern.compile("after\\s+([0-9.].*)", Pattern.CASE_INSENSITIVE);
+    private static final String OWNER = "(?:\\s+in\\s+.*)?";
+    private static final Pattern CALL =
+            Pattern.compile("(?:tm|after)\\s*\\((.*?)\\)" + OWNER, Pattern.CASE_INSENSITIVE);
+    private static final Pattern PHRASE = Pattern.compile("after\\s+([0-9.].*?)" + OWNER, Pattern.CASE_INSENSITIVE);
     private static final Pattern DURATION = Pattern.compile("([0-9]+(?:\\.[0-9]+)?)\\s*([a-z]+)");
 
     private static final Map<String, Long> NANOS = Map.ofEntries(

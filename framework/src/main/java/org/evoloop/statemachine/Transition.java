@@ -1,6 +1,10 @@
 package org.evoloop.statemachine;
 
+import java.util.Collection;
+import java.util.Collections;
+import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Set;
 
 /**
  * One element of T: in {@code source}, {@code event} leads to {@code target}.
@@ -11,16 +15,30 @@ import java.util.List;
  *     on entering states
  * @param internal whether the state is neither left nor entered, so that its timers and its function go on; then source
  *     and target are the same
+ * @param keeps the time triggers and activities of the source that go on in the target, since they belong to a state
+ *     around both which is not left: names of events as in {@link Event#name} and of activities as in
+ *     {@link StateMachine#activities}. An internal transition keeps all
  */
-public record Transition(State source, Event event, State target, List<String> effects, boolean internal) {
+public record Transition(
+        State source, Event event, State target, List<String> effects, boolean internal, Set<String> keeps) {
 
     /** @throws ModelException if it is internal and leads elsewhere */
     public Transition {
         effects = List.copyOf(effects);
+        keeps = ordered(keeps);
         if (internal && !source.equals(target)) {
             throw new ModelException("the internal transition on " + event + " leads from " + source + " to " + target
                     + "; end it where it begins");
         }
+    }
+
+    private static Set<String> ordered(Collection<String> names) {
+        return names.isEmpty() ? Set.of() : Collections.unmodifiableSet(new LinkedHashSet<>(names));
+    }
+
+    /** A transition of a machine without hierarchy, whose states have nothing in common. */
+    public Transition(State source, Event event, State target, List<String> effects, boolean internal) {
+        this(source, event, target, effects, internal, Set.of());
     }
 
     /** A transition without effects. */

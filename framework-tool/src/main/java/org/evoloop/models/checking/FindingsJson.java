@@ -30,7 +30,11 @@ public record FindingsJson(List<Row> findings) {
     /** An event and where it leads. */
     public record Happening(String event, boolean deviceActed, String originalState, String newState) {}
 
-    /** @param places where in a file an element stands */
+    /**
+     * The text for {@code findings}.
+     *
+     * @param places where in a file an element stands
+     */
     public static String write(List<Finding> findings, Function<Element, String> places) {
         return Json.write(new FindingsJson(
                 findings.stream().map(finding -> row(finding, places)).toList()));

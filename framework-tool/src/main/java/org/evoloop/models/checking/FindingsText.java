@@ -13,7 +13,11 @@ import org.evoloop.evolution.check.Finding;
 public final class FindingsText {
     private FindingsText() {}
 
-    /** @param places where in a file an element stands */
+    /**
+     * The text for {@code findings}.
+     *
+     * @param places where in a file an element stands
+     */
     public static String write(List<Finding> findings, Function<Element, String> places) {
         List<String> lines = new ArrayList<>();
         for (Finding finding : findings) {

@@ -248,31 +248,22 @@ final class AstahChart {
                 .toList();
         String id = references.size() == 1 ? references.get(0).idref() : "";
         AstahUnmarshaller.Result included = file.machines().get(id);
+        String refusal = "";
         if (included == null) {
-            problems.add(
-                    state.line,
-                    "submachine state " + state.label()
-                            + (references.isEmpty()
-                                    ? " is linked to no state machine; link it to one of this file"
-                                    : " is linked to the unknown state machine " + Problems.quote(id)
-                                            + "; link it to one of this file"));
-            return List.of();
+            refusal = "is linked to " + (references.isEmpty() ? "no" : "the unknown") + " state machine"
+                    + (id.isEmpty() ? "" : " " + Problems.quote(id)) + "; link it to one of this file";
+        } else if (including.contains(id)) {
+            refusal = "includes state machine " + included.machine().label() + ", which includes it; end the circle";
+        } else if (including.size() == MAX_INCLUSIONS) {
+            refusal = "is the last of " + MAX_INCLUSIONS + " machines, each in another; include fewer of them";
         }
-        if (including.size() == MAX_INCLUSIONS) {
-            problems.add(
-                    state.line,
-                    "submachine state " + state.label() + " is the last of " + MAX_INCLUSIONS
-                            + " machines, each in another; include fewer of them");
-            return List.of();
-        }
-        if (!including.add(id)) {
-            problems.add(
-                    state.line,
-                    "submachine state " + state.label() + " includes state machine "
-                            + included.machine().label() + ", which includes it; end the circle");
+        if (included == null || !refusal.isEmpty()) {
+            problems.add(state.line, "submachine state " + state.label() + " " + refusal);
+            state.substates().forEach(child -> scope.arcs.addStub(child.id(), ""));
             return List.of();
         }
         Map<String, String> byName = new HashMap<>();
+        including.add(id);
         List<Region> regions = machine(included, scope.key(state) + "/", byName, connections);
         including.remove(id);
         for (AstahXml.Vertex child : state.substates()) {

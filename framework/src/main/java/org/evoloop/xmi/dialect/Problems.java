@@ -32,14 +32,18 @@ public final class Problems {
     }
 
     /**
-     * Adds one.
+     * Adds one, once.
      *
      * @param line counted from 1; 0 for what stands in no line
      * @param text with kind, name and id of the element, and how to mend it
      */
     public void add(int line, String text) {
+        Problem problem = new Problem(line, text);
+        if (listed.contains(problem)) {
+            return;
+        }
         if (listed.size() < LISTED) {
-            listed.add(new Problem(line, text));
+            listed.add(problem);
         } else {
             unlisted++;
         }

@@ -13,7 +13,7 @@ class XmiAttackTest {
 
     @Test
     void shouldRefuseDeepNesting() {
-        for (String beginning : List.of(Attack.HEAD, Attack.MACHINE, "")) {
+        for (String beginning : List.of(Attack.HEAD, Attack.MACHINE)) {
             assertThat(Attack.answer(beginning, "<UML:StateMachine.top xmlns:UML='org.omg.xmi.namespace.UML'>"))
                     .startsWith("F.xml: nests elements deeper than 500");
         }

@@ -1,0 +1,68 @@
+package org.evoloop.models;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.Callable;
+import org.evoloop.evolution.DeviceEvents;
+import org.evoloop.evolution.ModelPair;
+import org.evoloop.evolution.check.Check;
+import org.evoloop.evolution.check.CheckInput;
+import org.evoloop.evolution.check.Finding;
+import org.evoloop.evolution.check.Rule;
+import org.evoloop.models.checking.FindingsText;
+import org.evoloop.models.scaffold.Scaffold;
+import org.evoloop.xmi.ModelReference;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** A converter's project to begin with. */
+@Command(
+        name = "scaffold",
+        description = "Starts the Maven project of a converter, which builds, is tested and runs at once.",
+        mixinStandardHelpOptions = true)
+@SuppressWarnings("NullAway.Init") // picocli sets the fields
+final class ScaffoldCommand implements Callable<Integer> {
+    @Spec
+    private CommandSpec spec;
+
+    @Mixin
+    private PairOptions options;
+
+    @Option(names = "--package", required = true, paramLabel = "P", description = "The Java package of its classes.")
+    private String javaPackage;
+
+    @Option(
+            names = "--out",
+            required = true,
+            paramLabel = "DIR",
+            description = "The directory of the project; it must not exist, or be empty.")
+    private Path directory;
+
+    @Override
+    public Integer call() throws IOException {
+        Scaffold.requirePackage(javaPackage);
+        Scaffold.requireEmpty(directory);
+        ModelPair pair = options.read();
+        DeviceEvents device = options.device(pair.original());
+        List<Finding> errors = Check.run(CheckInput.of(pair).withDevice(device)).stream()
+                .filter(finding -> finding.rule().severity() == Rule.Severity.ERROR)
+                .toList();
+        if (!errors.isEmpty()) {
+            spec.commandLine().getErr().print(FindingsText.write(errors, options.places()));
+            spec.commandLine().getErr().println("error: no converter of this pair could run; mend the models first");
+            return 1;
+        }
+        Scaffold.write(new Scaffold.Request(
+                pair,
+                device,
+                ModelReference.parse(options.original()),
+                ModelReference.parse(options.evolved()),
+                javaPackage,
+                directory));
+        return Output.print(spec, "wrote " + directory + "; go on with: cd " + directory + " && ./mvnw -q verify\n");
+    }
+}

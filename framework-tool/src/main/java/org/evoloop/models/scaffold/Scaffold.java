@@ -1,0 +1,234 @@
+package org.evoloop.models.scaffold;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import javax.lang.model.SourceVersion;
+import org.evoloop.evolution.DecisionTable;
+import org.evoloop.evolution.DeviceEvents;
+import org.evoloop.evolution.ModelPair;
+import org.evoloop.statemachine.State;
+import org.evoloop.xmi.ModelReference;
+
+/**
+ * A converter's project to begin with.
+ *
+ * <p>Threading: one thread.
+ */
+public final class Scaffold {
+    private static final List<String> CLASSES = List.of(
+            "Main", "Models", "Conditions", "MonitorEvent", "ExecuteCommand", "SimulatedDevice", "KnowledgeState");
+
+    private final Request request;
+    private final ModelPair pair;
+    private final Map<String, String> values = new LinkedHashMap<>(Versions.all());
+
+    /**
+     * What is wanted.
+     *
+     * @param pair without anything that keeps a converter from being built
+     * @param original where its original model was read
+     * @param evolved where its new model was read
+     * @param javaPackage see {@link #requirePackage}
+     * @param directory see {@link #requireEmpty}
+     */
+    public record Request(
+            ModelPair pair,
+            DeviceEvents device,
+            ModelReference original,
+            ModelReference evolved,
+            String javaPackage,
+            Path directory) {}
+
+    private Scaffold(Request request) {
+        this.request = request;
+        this.pair = request.pair();
+    }
+
+    /**
+     * Checks the name of a package.
+     *
+     * @throws IllegalArgumentException if it cannot be one, or not one of everybody's machine
+     */
+    public static void requirePackage(String javaPackage) {
+        boolean good = SourceVersion.isName(javaPackage, SourceVersion.RELEASE_17)
+                && javaPackage.chars().allMatch(next -> next < 128)
+                && !javaPackage.startsWith("java.")
+                && !javaPackage.equals("java");
+        if (!good) {
+            throw new IllegalArgumentException("--package: " + javaPackage
+                    + " is no name for a Java package; write words of ASCII letters and digits with dots between, none of"
+                    + " them a word of the language, such as com.example.lamp");
+        }
+    }
+
+    /**
+     * Checks that there is nothing yet.
+     *
+     * @throws IllegalArgumentException if {@code directory} holds anything, or is a file
+     * @throws IOException if nobody can tell
+     */
+    public static void requireEmpty(Path directory) throws IOException {
+        if (Files.exists(directory) && !Files.isDirectory(directory)) {
+            throw new IllegalArgumentException("--out: " + directory + " is a file; name a new directory");
+        }
+        if (Files.isDirectory(directory)) {
+            try (Stream<Path> inside = Files.list(directory)) {
+                if (inside.findAny().isPresent()) {
+                    throw new IllegalArgumentException(
+                            "--out: " + directory + " is not empty; name a new directory, nothing is overwritten");
+                }
+            }
+        }
+    }
+
+    /**
+     * Writes the project.
+     *
+     * @throws IOException if it cannot be written
+     */
+    public static void write(Request request) throws IOException {
+        new Scaffold(request).write();
+    }
+
+    private void write() throws IOException {
+        FrameworkRepository framework = FrameworkRepository.pack();
+        framework.writeTo(request.directory().resolve("repo"));
+        String javaPackage = request.javaPackage();
+        values.put("package", javaPackage);
+        values.put(
+                "artifact",
+                javaPackage.substring(javaPackage.lastIndexOf('.') + 1).toLowerCase(Locale.ROOT));
+        values.put("framework", framework.version());
+        values.put("original", pair.original().name());
+        values.put("evolved", pair.evolved().name());
+        values.put("sendable", sendable());
+        models();
+        wrapper();
+        Path main = request.directory().resolve("src/main");
+        Path sources = main.resolve("java").resolve(javaPackage.replace('.', '/'));
+        values.put("registrations", functions(sources) + bindings());
+        file(request.directory().resolve("pom.xml"), "pom.xml.txt");
+        file(request.directory().resolve("README.md"), "README.md.txt");
+        file(main.resolve("resources/logback.xml"), "logback.xml.txt");
+        for (String name : CLASSES) {
+            file(sources.resolve(name + ".java"), name + ".java.txt");
+        }
+        Path test = request.directory().resolve("src/test");
+        file(test.resolve("resources/logback-test.xml"), "logback-test.xml.txt");
+        boolean guarded =
+                !pair.original().guards().isEmpty() || !pair.evolved().guards().isEmpty();
+        values.put("tests", new TestText(new Scenarios(pair, request.device()).all(), guarded).methods(pair.evolved()));
+        file(
+                test.resolve("java").resolve(javaPackage.replace('.', '/')).resolve("TransitionsTest.java"),
+                "TransitionsTest.java.txt");
+    }
+
+    private void file(Path file, String template) throws IOException {
+        write(file, Template.fill(template, values));
+    }
+
+    private static void write(Path file, String text) throws IOException {
+        Files.createDirectories(file.resolveSibling(""));
+        Files.writeString(file, text);
+    }
+
+    private String sendable() {
+        return request.device().sendable().stream()
+                .sorted()
+                .map(event -> JavaText.literal(event.name()))
+                .collect(Collectors.joining(", "));
+    }
+
+    /** Copies the models under names that every machine can have. */
+    private void models() throws IOException {
+        boolean oneFile =
+                Files.isSameFile(request.original().file(), request.evolved().file());
+        String original = oneFile ? "models" : "original";
+        String evolved = oneFile ? "models" : "new";
+        values.put("originalFile", JavaText.literal(copy(request.original().file(), original)));
+        values.put("evolvedFile", JavaText.literal(copy(request.evolved().file(), evolved)));
+        values.put("originalMachine", machine(request.original()));
+        values.put("evolvedMachine", machine(request.evolved()));
+    }
+
+    private String copy(Path file, String name) throws IOException {
+        String given = file.toString();
+        String ending = given.substring(Math.max(given.lastIndexOf('.'), 0));
+        String copied = name + (ending.matches("\\.[A-Za-z0-9]{1,8}") ? ending : ".xml");
+        Path target = request.directory().resolve("models").resolve(copied);
+        Files.createDirectories(target.resolveSibling(""));
+        Files.write(target, Files.readAllBytes(file));
+        return copied;
+    }
+
+    private static String machine(ModelReference reference) {
+        return reference
+                .machine()
+                .map(name -> "Optional.of(" + JavaText.literal(name) + ")")
+                .orElse("Optional.empty()");
+    }
+
+    private void wrapper() throws IOException {
+        Path script = request.directory().resolve("mvnw");
+        Files.write(script, Template.bytes("wrapper/mvnw"));
+        if (!script.toFile().setExecutable(true)) {
+            throw new IOException(script + " cannot be made executable");
+        }
+        write(
+                request.directory().resolve(".mvn/wrapper/maven-wrapper.properties"),
+                Template.text("wrapper/.mvn/wrapper/maven-wrapper.properties"));
+        // The framework lies in a directory, which can be read without a network too.
+        write(request.directory().resolve(".mvn/maven.config"), "-Daether.offline.protocols=file\n");
+        write(request.directory().resolve(".gitignore"), "target/\n");
+    }
+
+    /** A class for each new state, and the lines that register them. */
+    private String functions(Path sources) throws IOException {
+        JavaNames names = new JavaNames().reserve("NewFunction");
+        StringBuilder registrations = new StringBuilder();
+        for (State state : pair.evolved().states()) {
+            if (pair.isNew(state)) {
+                String name = names.free(JavaNames.camel(state.name(), "State") + "Function");
+                values.put("className", name);
+                values.put("stateComment", JavaText.comment(state.name()));
+                values.put("leftBy", JavaText.comment(leftBy(state)));
+                values.put("say", JavaText.literal(state.name()));
+                file(sources.resolve(name + ".java"), "Function.java.txt");
+                registrations.append("        function(").append(JavaText.literal(state.name()));
+                registrations.append(", new ").append(name).append("());\n");
+            }
+        }
+        return registrations.toString();
+    }
+
+    private String leftBy(State state) {
+        String events = pair.evolved().transitionsFrom(state).stream()
+                .map(transition ->
+                        transition.event() + (transition.event().timeTrigger().isPresent() ? " (by itself)" : ""))
+                .collect(Collectors.joining(", "));
+        return events.isEmpty() ? "no event" : events;
+    }
+
+    private String bindings() {
+        StringBuilder lines = new StringBuilder();
+        Stream.concat(pair.original().guards().stream(), pair.evolved().guards().stream())
+                .distinct()
+                .map(JavaText::literal)
+                .forEach(guard ->
+                        lines.append("        guard(" + guard + ", () -> conditions.holds(" + guard + "));\n"));
+        for (String effect : DecisionTable.compile(pair, request.device()).effects()) {
+            lines.append("        effect(").append(JavaText.literal(effect));
+            lines.append(", () -> System.out.println(")
+                    .append(JavaText.literal("effect " + effect))
+                    .append("));\n");
+        }
+        return lines.toString();
+    }
+}

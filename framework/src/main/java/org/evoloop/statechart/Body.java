@@ -1,0 +1,390 @@
+package org.evoloop.statechart;
+
+import static java.util.Objects.requireNonNull;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collection;
+import java.util.Deque;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.function.Function;
+import org.evoloop.statechart.Vertex.Kind;
+import org.jspecify.annotations.Nullable;
+
+/** The active states of a machine, and how transitions leave and enter them. */
+final class Body {
+    private final Net net;
+    private final Function<Link, @Nullable List<Link>> paths;
+
+    private final Map<Zone, Node> active = new HashMap<>();
+    private final TreeMap<Integer, int[]> memory = new TreeMap<>();
+    private final TreeSet<Integer> done = new TreeSet<>();
+    private final Deque<Node> completions = new ArrayDeque<>();
+    private @Nullable Node terminated;
+
+    private final List<String> effects = new ArrayList<>();
+    private final Set<Node> left = new HashSet<>();
+    private final Set<Link> used = new HashSet<>();
+    private final Set<Link> underWay = new HashSet<>();
+    private boolean still = true;
+
+    /** @param paths says how a transition goes on through pseudostates */
+    Body(Net net, Function<Link, @Nullable List<Link>> paths) {
+        this.net = net;
+        this.paths = paths;
+    }
+
+    void load(Snapshot snapshot) {
+        for (int leaf : snapshot.leaves()) {
+            Node node = net.node(leaf);
+            if (node.is(Kind.TERMINATE)) {
+                terminated = node;
+                return;
+            }
+            while (node != null && active.putIfAbsent(node.zone, node) == null) {
+                node = node.zone.owner;
+            }
+        }
+        int[] written = snapshot.memory();
+        for (int i = 0; i < written.length; i += 2 + written[i + 1]) {
+            memory.put(written[i], Arrays.copyOfRange(written, i + 2, i + 2 + written[i + 1]));
+        }
+        for (int state : snapshot.done()) {
+            done.add(state);
+        }
+    }
+
+    Outcome outcome() {
+        return new Outcome(snapshot(), List.copyOf(effects), left, still, used);
+    }
+
+    private Snapshot snapshot() {
+        if (terminated != null) {
+            return new Snapshot(new int[] {terminated.index}, new int[0], new int[0]);
+        }
+        List<Integer> leaves = new ArrayList<>();
+        net.tops().forEach(top -> leaves(top, leaves));
+        List<Integer> written = new ArrayList<>();
+        memory.forEach((zone, vertices) -> {
+            written.add(zone);
+            written.add(vertices.length);
+            for (int vertex : vertices) {
+                written.add(vertex);
+            }
+        });
+        return new Snapshot(ints(leaves), ints(written), ints(done));
+    }
+
+    private static int[] ints(Collection<Integer> numbers) {
+        return numbers.stream().mapToInt(Integer::intValue).toArray();
+    }
+
+    private void leaves(Zone zone, List<Integer> leaves) {
+        Node node = active.get(zone);
+        if (node == null) {
+            return;
+        }
+        if (node.zones.isEmpty()) {
+            leaves.add(node.index);
+        }
+        node.zones.forEach(inner -> leaves(inner, leaves));
+    }
+
+    List<Node> activeStates() {
+        return new ArrayList<>(active.values());
+    }
+
+    boolean isActive(Node node) {
+        return active.get(node.zone) == node;
+    }
+
+    /** The states that are complete and whose transitions were not tried yet, in order. */
+    Deque<Node> completions() {
+        return completions;
+    }
+
+    boolean isComplete(Node state) {
+        return (state.activities().isEmpty() || done.contains(state.index))
+                && state.zones.stream().allMatch(zone -> {
+                    Node node = active.get(zone);
+                    return node != null && node.isFinal();
+                });
+    }
+
+    /** The do activity of an active state ends. */
+    void finish(Node state) {
+        done.add(state.index);
+        await(state);
+    }
+
+    private void await(@Nullable Node state) {
+        if (state != null && state.wantsCompletion() && isComplete(state) && !completions.contains(state)) {
+            completions.add(state);
+        }
+    }
+
+    /** The outermost active states that a path leaves. */
+    Set<Node> exitedBy(List<Link> path) {
+        Set<Node> exited = new HashSet<>();
+        for (Link link : path) {
+            if (link.isInternal()) {
+                return exited;
+            }
+            Node node = active.get(domain(link));
+            if (node != null) {
+                exited.add(node);
+            }
+            Node border = link.target.border;
+            if (link.target.is(Kind.EXIT_POINT) && border != null && isActive(border)) {
+                exited.add(border);
+            }
+        }
+        return exited;
+    }
+
+    /** The region in which everything changes when a transition is taken; of a join all its transitions are. */
+    private static Zone domain(Link link) {
+        Zone domain = requireNonNull(link.domain());
+        if (link.target.is(Kind.JOIN)) {
+            for (Link other : link.target.incoming) {
+                domain = requireNonNull(Zone.common(domain, requireNonNull(other.domain())));
+            }
+        }
+        return domain;
+    }
+
+    void enterTop() {
+        net.tops().forEach(top -> enter(top, Map.of()));
+    }
+
+    /** Enters a state and those around it. */
+    void enterFrom(Node state) {
+        Zone top = state.zone;
+        while (top.owner != null) {
+            top = top.owner.zone;
+        }
+        enter(top, explicit(top, List.of(state)));
+        net.tops().forEach(other -> enter(other, Map.of()));
+    }
+
+    /** Takes a transition and the others of its path. */
+    void follow(List<Link> path) {
+        if (terminated != null) {
+            return;
+        }
+        List<Node> opened = new ArrayList<>();
+        for (Link link : path) {
+            List<Link> together = link.target.is(Kind.JOIN) ? link.target.incoming : List.of(link);
+            used.addAll(together);
+            if (link.isInternal()) {
+                effects.addAll(link.arc.effects());
+                return;
+            }
+            Zone domain = domain(link);
+            leave(active.get(domain));
+            together.forEach(one -> effects.addAll(one.arc.effects()));
+            arrive(link.target, domain, opened);
+        }
+        for (Node state : opened) {
+            if (isActive(state)) {
+                state.zones.forEach(zone -> enter(zone, Map.of()));
+            }
+        }
+    }
+
+    private void arrive(Node node, Zone domain, List<Node> opened) {
+        if (node.is(Kind.TERMINATE)) {
+            terminated = node;
+            active.clear();
+            completions.clear();
+        } else if (node.isTarget()) {
+            enter(domain, explicit(domain, List.of(node)));
+        } else if (node.is(Kind.FORK)) {
+            split(node);
+        } else if (node.is(Kind.ENTRY_POINT)) {
+            open(domain, node.border, opened);
+        } else if (node.is(Kind.EXIT_POINT)) {
+            leave(node.border);
+        } else if (!node.is(Kind.JOIN)) {
+            open(domain, node.zone.owner, opened);
+        }
+    }
+
+    private void split(Node fork) {
+        Zone domain = fork.zone;
+        List<Node> targets = new ArrayList<>();
+        for (Link link : fork.outgoing) {
+            used.add(link);
+            domain = requireNonNull(Zone.common(domain, link.target.zone));
+            targets.add(link.target);
+        }
+        fork.outgoing.forEach(link -> effects.addAll(link.arc.effects()));
+        enter(domain, explicit(domain, targets));
+    }
+
+    /** Enters states from outside in without what is in their regions. */
+    private void open(Zone domain, @Nullable Node inner, List<Node> opened) {
+        Deque<Node> path = new ArrayDeque<>();
+        for (Node state = inner; state != null && !isActive(state); state = state.zone.owner) {
+            path.push(state);
+            if (state.zone == domain) {
+                break;
+            }
+        }
+        path.forEach(state -> {
+            begin(state);
+            opened.add(state);
+        });
+    }
+
+    private void leave(@Nullable Node node) {
+        if (node == null || !isActive(node)) {
+            return;
+        }
+        for (Zone zone : node.zones) {
+            remember(zone);
+            leave(active.get(zone));
+        }
+        effects.addAll(node.exit());
+        active.remove(node.zone);
+        left.add(node);
+        done.remove(node.index);
+        completions.remove(node);
+        still = false;
+    }
+
+    private void remember(Zone zone) {
+        Node node = active.get(zone);
+        if (!zone.hasHistory || node == null) {
+            return;
+        }
+        if (node.isFinal()) {
+            memory.remove(zone.index);
+        } else if (zone.nodes.stream().anyMatch(history -> history.is(Kind.DEEP_HISTORY))) {
+            List<Integer> leaves = new ArrayList<>();
+            leaves(zone, leaves);
+            memory.put(zone.index, ints(leaves));
+        } else {
+            memory.put(zone.index, new int[] {node.index});
+        }
+    }
+
+    /** For each region on the way from {@code domain} to a target the vertex that leads there. */
+    private static Map<Zone, Node> explicit(Zone domain, List<Node> targets) {
+        Map<Zone, Node> explicit = new HashMap<>();
+        for (Node target : targets) {
+            Node node = target;
+            while (node.zone != domain && node.zone.owner != null) {
+                explicit.put(node.zone, node);
+                node = node.zone.owner;
+            }
+            explicit.put(node.zone, node);
+        }
+        return explicit;
+    }
+
+    private void enter(Zone zone, Map<Zone, Node> explicit) {
+        if (terminated != null) {
+            return;
+        }
+        Node wanted = explicit.get(zone);
+        Node present = active.get(zone);
+        if (wanted == null) {
+            if (present == null) {
+                enterByDefault(zone);
+            }
+            return;
+        }
+        if (wanted.isHistory()) {
+            leave(present);
+            restore(zone, wanted);
+            return;
+        }
+        if (present != wanted) {
+            leave(present);
+            begin(wanted);
+        }
+        wanted.zones.forEach(inner -> enter(inner, explicit));
+    }
+
+    private void begin(Node node) {
+        active.put(node.zone, node);
+        still = false;
+        effects.addAll(node.entry());
+        if (node.isFinal()) {
+            await(node.zone.owner);
+        } else if (node.zones.isEmpty()) {
+            await(node);
+        }
+    }
+
+    private void restore(Zone zone, Node history) {
+        int[] remembered = memory.get(zone.index);
+        if (remembered == null) {
+            if (history.outgoing.isEmpty()) {
+                enterByDefault(zone);
+            } else {
+                goOn(history.outgoing.get(0), zone);
+            }
+            return;
+        }
+        List<Node> targets = new ArrayList<>();
+        for (int vertex : remembered) {
+            Node node = net.node(vertex);
+            while (history.is(Kind.SHALLOW_HISTORY) && node.zone != zone && node.zone.owner != null) {
+                node = node.zone.owner;
+            }
+            targets.add(node);
+        }
+        enter(zone, explicit(zone, targets));
+    }
+
+    private void enterByDefault(Zone zone) {
+        if (zone.initial == null) {
+            Place place = zone.owner == null ? zone.region.place() : zone.owner.vertex.place();
+            throw new Refused(
+                    place,
+                    zone + " is entered but has no initial pseudostate",
+                    "draw one, or end the transition at a state in it");
+        }
+        goOn(zone.initial.outgoing.get(0), zone);
+    }
+
+    /** Takes the default transition of a region or of a history in it. */
+    private void goOn(Link link, Zone zone) {
+        List<Link> path = paths.apply(link);
+        if (path == null) {
+            throw new Refused(
+                    link.arc.place(),
+                    "the default " + link + " ends where no branch may hold",
+                    "draw a branch with the guard [else]");
+        }
+        for (Link part : path) {
+            requireInside(zone, part);
+            if (part.target.is(Kind.FORK)) {
+                part.target.outgoing.forEach(branch -> requireInside(zone, branch));
+            }
+        }
+        if (!underWay.add(link)) {
+            throw new Refused(link.arc.place(), "the default " + link + " leads to itself", "end it at a state");
+        }
+        follow(path);
+        underWay.remove(link);
+    }
+
+    private static void requireInside(Zone zone, Link link) {
+        if (Zone.common(zone, link.target.zone) != zone) {
+            throw new Refused(
+                    link.arc.place(),
+                    link + " belongs to the default entry of " + zone + " but leads out of it",
+                    "end it inside");
+        }
+    }
+}

@@ -1,0 +1,47 @@
+package org.evoloop.statechart;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * Runs through the values that the guards asked for during one event may have: first those in which the first guard
+ * holds. So of several outcomes the first whose guards all hold is the right one, and nobody needs to know which guards
+ * did not hold.
+ */
+final class Guards {
+    private final List<Boolean> plan = new ArrayList<>();
+    private final Map<String, Boolean> asked = new LinkedHashMap<>();
+
+    /** The value of a guard, the same for the whole event. */
+    boolean holds(String guard) {
+        return asked.computeIfAbsent(guard, text -> {
+            if (asked.size() == plan.size()) {
+                plan.add(true);
+            }
+            return plan.get(asked.size());
+        });
+    }
+
+    /** The guards that were asked for and hold, in the order of asking. */
+    List<String> held() {
+        return asked.entrySet().stream()
+                .filter(Map.Entry::getValue)
+                .map(Map.Entry::getKey)
+                .toList();
+    }
+
+    /** Whether there are further values; then the event starts again with them. */
+    boolean next() {
+        asked.clear();
+        while (!plan.isEmpty() && !plan.get(plan.size() - 1)) {
+            plan.remove(plan.size() - 1);
+        }
+        if (plan.isEmpty()) {
+            return false;
+        }
+        plan.set(plan.size() - 1, false);
+        return true;
+    }
+}

@@ -1,0 +1,81 @@
+package org.evoloop.statechart;
+
+/** An arc with its ends. */
+final class Link {
+    static final String ELSE = "else";
+
+    final Arc arc;
+    final Node source;
+    final Node target;
+
+    Link(Arc arc, Node source, Node target) {
+        this.arc = arc;
+        this.source = source;
+        this.target = target;
+    }
+
+    boolean isInternal() {
+        return arc.kind() == Arc.Kind.INTERNAL;
+    }
+
+    boolean isElse() {
+        return arc.guard().equals(ELSE);
+    }
+
+    boolean isGuarded() {
+        return !arc.guard().isEmpty() && !isElse();
+    }
+
+    /** Of transitions that one event enables the guarded ones come first, the one for the rest comes last. */
+    int rank() {
+        if (isElse()) {
+            return 2;
+        }
+        return isGuarded() || depends() ? 0 : 1;
+    }
+
+    /** Whether what comes behind it decides whether it can be taken. */
+    private boolean depends() {
+        return target.is(Vertex.Kind.JOIN)
+                || ((target.is(Vertex.Kind.JUNCTION) || target.is(Vertex.Kind.CHOICE))
+                        && target.outgoing.stream()
+                                .noneMatch(link -> link.arc.guard().isEmpty()));
+    }
+
+    /**
+     * The region in which everything changes when it is taken; null for the whole machine. A border point is left and
+     * entered with its state, but an entry point leads into its state.
+     */
+    @org.jspecify.annotations.Nullable
+    Zone domain() {
+        if (source.is(Vertex.Kind.ENTRY_POINT) || arc.kind() == Arc.Kind.LOCAL) {
+            Node outer = source.border == null ? source : source.border;
+            for (Zone inner : outer.zones) {
+                if (target != outer && inner.depth <= target.zone.depth && within(inner, target)) {
+                    return inner;
+                }
+            }
+        }
+        if (target.is(Vertex.Kind.EXIT_POINT) && target.border != null && target.border != source) {
+            for (Zone inner : target.border.zones) {
+                if (within(inner, source)) {
+                    return inner;
+                }
+            }
+        }
+        return Zone.common(source.zone, target.zone);
+    }
+
+    private static boolean within(Zone zone, Node node) {
+        return Zone.common(zone, node.zone) == zone;
+    }
+
+    /** For messages: {@code transition from state 'A' to state 'B' on 'e' [g] (line 12, id t)}. */
+    @Override
+    public String toString() {
+        String triggers = arc.triggers().isEmpty() ? "" : " on '" + String.join("', '", arc.triggers()) + "'";
+        String guard = arc.guard().isEmpty() ? "" : " [" + arc.guard() + "]";
+        String place = arc.place().equals(Place.NONE) ? "" : " (" + arc.place() + ")";
+        return "transition from " + source + " to " + target + triggers + guard + place;
+    }
+}

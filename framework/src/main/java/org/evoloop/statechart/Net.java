@@ -1,0 +1,27 @@
+package org.evoloop.statechart;
+
+import java.util.List;
+import java.util.Set;
+
+/**
+ * A statechart whose vertices know their neighbors.
+ *
+ * @param tops its top regions
+ * @param zones in document order
+ * @param nodes in document order
+ * @param timeTriggers the events that are raised by themselves
+ */
+record Net(Statechart chart, List<Zone> tops, List<Zone> zones, List<Node> nodes, Set<String> timeTriggers) {
+    /** Whether an event is raised by itself. */
+    boolean isTime(String trigger) {
+        return timeTriggers.contains(trigger);
+    }
+
+    Node node(int index) {
+        return nodes.get(index);
+    }
+
+    Zone zone(int index) {
+        return zones.get(index);
+    }
+}

@@ -1,0 +1,163 @@
+package org.evoloop.statechart;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.Deque;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.evoloop.statechart.Vertex.ChartState;
+import org.evoloop.statechart.Vertex.Kind;
+import org.evoloop.statechart.Vertex.Pseudostate;
+import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.ModelException;
+import org.jspecify.annotations.Nullable;
+
+/** Connects the vertices of a statechart; {@link Rules} says afterwards whether they may be connected so. */
+final class NetBuilder {
+    /** States within states; whoever draws more than a dozen cannot read it. */
+    private static final int MAX_DEPTH = 1_000;
+
+    private final Statechart chart;
+    private final List<Problem> problems;
+    private final List<Zone> tops = new ArrayList<>();
+    private final List<Node> nodes = new ArrayList<>();
+    private final Map<String, Node> byKey = new HashMap<>();
+    private final List<Arc> arcs = new ArrayList<>();
+    private final List<Zone> zones = new ArrayList<>();
+
+    private NetBuilder(Statechart chart, List<Problem> problems) {
+        this.chart = chart;
+        this.problems = problems;
+    }
+
+    /** What is left to do: a region of {@code owner}, or a vertex of {@code zone}. Nesting may be too deep for calls. */
+    private record Work(
+            @Nullable Region region,
+            @Nullable Node owner,
+            @Nullable Vertex vertex,
+            @Nullable Zone zone) {}
+
+    /** @param problems takes what cannot be connected */
+    static Net build(Statechart chart, List<Problem> problems) {
+        return new NetBuilder(chart, problems).build();
+    }
+
+    private Net build() {
+        Deque<Work> left = new ArrayDeque<>();
+        pushRegions(chart.regions(), null, left);
+        while (!left.isEmpty()) {
+            Work work = left.pop();
+            if (work.region() != null) {
+                zone(work.region(), work.owner(), left);
+            } else if (work.vertex() != null && work.zone() != null) {
+                vertex(work.vertex(), work.zone(), left);
+            }
+        }
+        arcs.forEach(this::connect);
+        Comparator<Link> byRank = Comparator.comparingInt(Link::rank);
+        for (Node node : nodes) {
+            node.outgoing.sort(byRank);
+            node.outgoing.forEach(node::index);
+        }
+        return new Net(chart, tops, zones, nodes, timeTriggers());
+    }
+
+    private Set<String> timeTriggers() {
+        Set<String> names = new HashSet<>();
+        arcs.forEach(arc -> names.addAll(arc.triggers()));
+        names.removeIf(name -> !isTime(name));
+        return names;
+    }
+
+    private static boolean isTime(String trigger) {
+        try {
+            return new Event(trigger).timeTrigger().isPresent();
+        } catch (ModelException malformed) {
+            // The rules say what is wrong with it.
+            return true;
+        }
+    }
+
+    private static void pushRegions(List<Region> regions, @Nullable Node owner, Deque<Work> left) {
+        for (int i = regions.size() - 1; i >= 0; i--) {
+            left.push(new Work(regions.get(i), owner, null, null));
+        }
+    }
+
+    private void zone(Region region, @Nullable Node owner, Deque<Work> left) {
+        arcs.addAll(region.arcs());
+        if (region.vertices().isEmpty()) {
+            return;
+        }
+        Zone zone = new Zone(region, owner, zones.size());
+        zones.add(zone);
+        if (zone.depth > MAX_DEPTH) {
+            problems.add(new Problem(
+                    region.place(), "states are nested deeper than " + MAX_DEPTH, "draw a machine of fewer levels"));
+            return;
+        }
+        (owner == null ? tops : owner.zones).add(zone);
+        for (int i = region.vertices().size() - 1; i >= 0; i--) {
+            left.push(new Work(null, null, region.vertices().get(i), zone));
+        }
+    }
+
+    private void vertex(Vertex vertex, Zone zone, Deque<Work> left) {
+        boolean point = vertex instanceof Pseudostate pseudostate
+                && (pseudostate.kind() == Kind.ENTRY_POINT || pseudostate.kind() == Kind.EXIT_POINT);
+        Node node = point && zone.owner != null
+                ? add(new Node(vertex, nodes.size(), zone.owner.zone, zone.owner))
+                : add(new Node(vertex, nodes.size(), zone, null));
+        zone.nodes.add(node);
+        zone.hasHistory |= node.isHistory();
+        if (node.is(Kind.INITIAL)) {
+            if (zone.initial == null) {
+                zone.initial = node;
+            } else {
+                problems.add(new Problem(
+                        vertex.place(),
+                        "second " + node + " of " + zone + ", the first is in " + zone.initial.vertex.place(),
+                        "keep one"));
+            }
+        }
+        if (vertex instanceof ChartState state) {
+            for (Pseudostate connection : state.connections()) {
+                add(new Node(connection, nodes.size(), zone, node));
+            }
+            arcs.addAll(state.internal());
+            pushRegions(state.regions(), node, left);
+        }
+    }
+
+    private Node add(Node node) {
+        nodes.add(node);
+        Node earlier = byKey.putIfAbsent(node.vertex.key(), node);
+        if (earlier != null) {
+            problems.add(new Problem(
+                    node.vertex.place(),
+                    node + " has the same key as " + earlier + " in " + earlier.vertex.place(),
+                    "give each its own"));
+        }
+        return node;
+    }
+
+    private void connect(Arc arc) {
+        Node source = byKey.get(arc.source());
+        Node target = byKey.get(arc.target());
+        if (source == null || target == null) {
+            problems.add(new Problem(
+                    arc.place(),
+                    "a transition leads " + (source == null ? "from" : "to") + " '"
+                            + (source == null ? arc.source() : arc.target()) + "', which is no vertex of the machine",
+                    "draw it from state to state"));
+            return;
+        }
+        Link link = new Link(arc, source, target);
+        source.outgoing.add(link);
+        target.incoming.add(link);
+    }
+}

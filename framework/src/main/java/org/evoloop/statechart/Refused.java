@@ -1,0 +1,17 @@
+package org.evoloop.statechart;
+
+/** Flattening came to something that has no meaning. */
+final class Refused extends RuntimeException {
+    private static final long serialVersionUID = 1L;
+
+    private final transient Problem problem;
+
+    Refused(Place place, String message, String mend) {
+        super(message, null, false, false);
+        this.problem = new Problem(place, message, mend);
+    }
+
+    Problem problem() {
+        return problem;
+    }
+}

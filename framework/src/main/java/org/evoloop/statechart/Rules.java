@@ -1,0 +1,234 @@
+package org.evoloop.statechart;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.evoloop.statechart.Vertex.ChartState;
+import org.evoloop.statechart.Vertex.Kind;
+import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.ModelException;
+
+/** What a statechart must obey before it can be flattened, whatever the order of its events. */
+final class Rules {
+    private static final String BRANCHES = "give each its own guard, one of them may be [else]";
+
+    private final Net net;
+    private final List<Problem> problems;
+
+    private Rules(Net net, List<Problem> problems) {
+        this.net = net;
+        this.problems = problems;
+    }
+
+    /** @param problems takes what is broken */
+    static void check(Net net, List<Problem> problems) {
+        new Rules(net, problems).check();
+    }
+
+    private void check() {
+        if (net.tops().isEmpty()) {
+            refuse(net.chart().place(), "the machine has no states", "draw an initial pseudostate and states");
+        }
+        for (Zone top : net.tops()) {
+            if (top.initial == null) {
+                refuse(
+                        top.region.place(),
+                        "no initial pseudostate in " + top,
+                        "draw one with a transition to the first state");
+            }
+        }
+        Set<String> timeTriggers = new HashSet<>();
+        for (Node node : net.nodes()) {
+            if (node.vertex instanceof ChartState state) {
+                state(node, state);
+            } else if (node.isFinal()) {
+                refuseOutgoing(node);
+            } else {
+                pseudostate(node);
+            }
+            node.outgoing.forEach(link -> link(link, timeTriggers));
+        }
+        net.nodes().forEach(node -> node.zones.forEach(this::names));
+        net.tops().forEach(this::names);
+    }
+
+    private void names(Zone zone) {
+        Map<String, Node> byName = new HashMap<>();
+        for (Node node : zone.nodes) {
+            Node namesake = node.isState() ? byName.putIfAbsent(node.vertex.name(), node) : null;
+            if (namesake != null && !node.vertex.name().isEmpty()) {
+                refuse(node, node + " has the name of the state in " + namesake.vertex.place(), "rename one of them");
+            }
+        }
+    }
+
+    private void state(Node node, ChartState state) {
+        if (state.name().isBlank()) {
+            refuse(node, "state without a name", "give it one");
+        }
+        for (String event : state.deferred()) {
+            refuse(
+                    node,
+                    node + " defers the event '" + event + "', which a flat machine cannot",
+                    "draw a transition for it, or let the sender wait");
+        }
+        Map<String, Link> always = new HashMap<>();
+        for (Link link : node.outgoing) {
+            if (link.rank() == 0 && !link.isGuarded()) {
+                continue;
+            }
+            for (String trigger : link.arc.triggers().isEmpty() ? List.of("") : link.arc.triggers()) {
+                Link rival = always.putIfAbsent(trigger + '\n' + link.arc.guard(), link);
+                if (rival != null && rival != link && !(link.isGuarded() && depends(rival, link))) {
+                    refuse(
+                            link.arc.place(),
+                            "two transitions leave " + node + (trigger.isEmpty() ? "" : " on event " + trigger) + ": "
+                                    + rival + " and " + link,
+                            "remove one of them or give it another event or guard");
+                }
+            }
+        }
+    }
+
+    /** Whether branches behind them tell two transitions with the same guard apart. */
+    private static boolean depends(Link one, Link other) {
+        return !one.target.isTarget() || !other.target.isTarget();
+    }
+
+    private void pseudostate(Node node) {
+        if (node.is(Kind.INITIAL)) {
+            refuseIncoming(node);
+            requireOne(node);
+            node.outgoing.forEach(link -> refuseGuard(link, "draw a choice behind it"));
+        } else if (node.is(Kind.JUNCTION) || node.is(Kind.CHOICE)) {
+            branches(node);
+        } else if (node.is(Kind.FORK)) {
+            fork(node);
+        } else if (node.is(Kind.JOIN)) {
+            join(node);
+        } else if (node.isHistory()) {
+            if (node.outgoing.size() > 1) {
+                refuse(node, node + " has " + node.outgoing.size() + " default transitions", "keep one");
+            }
+            node.outgoing.forEach(link -> refuseGuard(link, "draw a choice behind it"));
+        } else if (node.is(Kind.TERMINATE)) {
+            refuseOutgoing(node);
+        } else if (node.border == null) {
+            refuse(node, node + " stands on no state", "draw it on the border of a composite state");
+        } else {
+            requireOne(node);
+            node.outgoing.forEach(link -> refuseGuard(link, "draw a choice behind it"));
+        }
+    }
+
+    private void branches(Node node) {
+        if (node.outgoing.isEmpty()) {
+            refuse(node, "no transition leaves the " + node, "draw one to a state");
+        }
+        Map<String, Link> byGuard = new HashMap<>();
+        for (Link link : node.outgoing) {
+            Link rival = byGuard.putIfAbsent(link.arc.guard(), link);
+            if (rival != null) {
+                refuse(link.arc.place(), "two branches leave the " + node + ": " + rival + " and " + link, BRANCHES);
+            }
+        }
+    }
+
+    private void fork(Node node) {
+        if (node.outgoing.isEmpty()) {
+            refuse(node, "no transition leaves the " + node, "draw one into each region");
+        }
+        Map<Zone, Link> byZone = new HashMap<>();
+        for (Link link : node.outgoing) {
+            refuseGuard(link, "guard the transition to the fork");
+            if (!link.target.isTarget() || link.target.is(Kind.TERMINATE)) {
+                refuse(link.arc.place(), link + " does not end in a state", "end it in a state of a region");
+            }
+            Link rival = byZone.putIfAbsent(link.target.zone, link);
+            if (rival != null) {
+                refuse(link.arc.place(), "two branches of the " + node + " end in one region", "keep one");
+            }
+        }
+    }
+
+    private void join(Node node) {
+        requireOne(node);
+        node.outgoing.forEach(link -> refuseGuard(link, "guard the transitions to the join"));
+        for (Link link : node.incoming) {
+            if (!link.source.isState()) {
+                refuse(link.arc.place(), link + " does not begin in a state", "begin it in a state of a region");
+            }
+            if (!Set.copyOf(link.arc.triggers())
+                    .equals(Set.copyOf(node.incoming.get(0).arc.triggers()))) {
+                refuse(
+                        link.arc.place(),
+                        "the transitions to the " + node + " have different triggers: " + node.incoming.get(0) + " and "
+                                + link,
+                        "give all of them the same, or none");
+            }
+        }
+    }
+
+    private void link(Link link, Set<String> timeTriggers) {
+        Place place = link.arc.place();
+        if (!link.source.isState() && !link.arc.triggers().isEmpty()) {
+            refuse(place, link + " has a trigger but does not leave a state", "move the trigger to the one before it");
+        }
+        if (link.isInternal() && link.arc.triggers().isEmpty()) {
+            refuse(place, "internal " + link + " has no trigger", "give it an event");
+        }
+        if (Zone.common(link.source.zone, link.target.zone) == null) {
+            refuse(place, link + " leads from one region of the machine into another", "end it in its own region");
+        }
+        if (link.target.is(Kind.EXIT_POINT) && link.target.border != null && !link.target.border.holds(link.source)) {
+            refuse(place, link + " comes from outside", "end it at the state or at an entry point");
+        }
+        for (String trigger : new ArrayList<>(link.arc.triggers())) {
+            try {
+                if (net.isTime(trigger) && timeTriggers.add(trigger)) {
+                    new Event(trigger).timeTrigger();
+                }
+            } catch (ModelException malformed) {
+                refuse(place, String.valueOf(malformed.getMessage()), "correct it on the " + link);
+            }
+        }
+    }
+
+    private void requireOne(Node node) {
+        if (node.outgoing.isEmpty()) {
+            refuse(node, "no transition leaves the " + node, "draw one to a state");
+        }
+        node.outgoing.stream()
+                .skip(1)
+                .forEach(link -> refuse(
+                        link.arc.place(),
+                        "second " + link + " leaves the " + node,
+                        "keep one, or draw a choice behind it"));
+    }
+
+    private void refuseGuard(Link link, String mend) {
+        if (!link.arc.guard().isEmpty()) {
+            refuse(link.arc.place(), link + " must have no guard", mend);
+        }
+    }
+
+    private void refuseOutgoing(Node node) {
+        node.outgoing.forEach(link -> refuse(link.arc.place(), link + " leaves a " + node.word(), "remove it"));
+    }
+
+    private void refuseIncoming(Node node) {
+        node.incoming.forEach(
+                link -> refuse(link.arc.place(), link + " ends in an initial pseudostate", "end it in a state"));
+    }
+
+    private void refuse(Node node, String message, String mend) {
+        refuse(node.vertex.place(), message, mend);
+    }
+
+    private void refuse(Place place, String message, String mend) {
+        problems.add(new Problem(place, message, mend));
+    }
+}

@@ -1,0 +1,54 @@
+package org.evoloop.statechart;
+
+import java.util.Arrays;
+
+/** Everything on which the reaction of a machine to events depends, between two events. */
+final class Snapshot implements Comparable<Snapshot> {
+    /** The innermost active vertex of each region, in document order; or the terminate pseudostate. */
+    private final int[] leaves;
+    /** For each region with a memory its index, the number of vertices, and the vertices. */
+    private final int[] memory;
+    /** The states whose do activities have ended. */
+    private final int[] done;
+
+    Snapshot(int[] leaves, int[] memory, int[] done) {
+        this.leaves = leaves;
+        this.memory = memory;
+        this.done = done;
+    }
+
+    int[] leaves() {
+        return leaves;
+    }
+
+    int[] memory() {
+        return memory;
+    }
+
+    int[] done() {
+        return done;
+    }
+
+    /** Whether they differ at most in what is remembered. */
+    boolean looksLike(Snapshot other) {
+        return Arrays.equals(leaves, other.leaves) && Arrays.equals(done, other.done);
+    }
+
+    @Override
+    public boolean equals(Object object) {
+        return object instanceof Snapshot other && looksLike(other) && Arrays.equals(memory, other.memory);
+    }
+
+    @Override
+    public int hashCode() {
+        return (Arrays.hashCode(leaves) * 31 + Arrays.hashCode(memory)) * 31 + Arrays.hashCode(done);
+    }
+
+    /** Document order; what remembers less comes first. */
+    @Override
+    public int compareTo(Snapshot other) {
+        int byLeaves = Arrays.compare(leaves, other.leaves);
+        int byDone = byLeaves != 0 ? byLeaves : Arrays.compare(done, other.done);
+        return byDone != 0 ? byDone : Arrays.compare(memory, other.memory);
+    }
+}

@@ -1,0 +1,212 @@
+package org.evoloop.statechart;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.Deque;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import org.evoloop.statechart.Vertex.Kind;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * One run to completion: what happens from one event until the machine rests again, for given values of the guards.
+ *
+ * <p>Innermost transitions come first, and regions one after the other in the order in which they are drawn. Guards are
+ * asked for when the event comes, those behind choices too: a path through pseudostates of which no branch holds is not
+ * taken.
+ */
+final class Step {
+    private final Guards guards;
+    private final Body body;
+
+    private final Set<Node> asleep = new HashSet<>();
+
+    Step(Net net, Guards guards) {
+        this.guards = guards;
+        this.body = new Body(net, this::path);
+    }
+
+    /** Transitions that are taken as one: from a state through pseudostates to where the machine rests. */
+    private record Take(Node state, List<Link> path) {
+        Link first() {
+            return path.get(0);
+        }
+
+        boolean isGuarded() {
+            return path.stream().anyMatch(link -> !link.arc.guard().isEmpty());
+        }
+    }
+
+    /** The machine starts. */
+    Outcome start() {
+        body.enterTop();
+        complete();
+        return body.outcome();
+    }
+
+    /** The machine comes to rest in a state, whatever leads there. */
+    Outcome startIn(Node state) {
+        body.enterFrom(state);
+        complete();
+        return body.outcome();
+    }
+
+    /** What a cause does to a machine that rests; null if nothing. */
+    @Nullable
+    Outcome react(Snapshot before, Cause cause) {
+        body.load(before);
+        if (cause.kind() == Cause.Kind.COMPLETION && cause.owner() != null) {
+            body.finish(cause.owner());
+        } else {
+            List<Take> takes = select(cause);
+            if (takes.isEmpty()) {
+                return null;
+            }
+            takes.forEach(take -> body.follow(take.path()));
+        }
+        complete();
+        return body.outcome();
+    }
+
+    private List<Take> select(Cause cause) {
+        List<Node> active = body.activeStates();
+        active.sort(Comparator.<Node>comparingInt(node -> -node.zone.depth).thenComparingInt(node -> node.index));
+        List<Take> takes = new ArrayList<>();
+        for (Node state : active) {
+            if (!asleep.contains(state) && (cause.owner() == null || cause.owner() == state)) {
+                Take take = first(state, state.on(cause.name()));
+                if (take != null) {
+                    takes.add(take);
+                    passOver(state);
+                }
+            }
+        }
+        takes.sort(Comparator.comparingInt(take -> take.state().index));
+        return withoutRivals(takes);
+    }
+
+    /** Inner transitions go before those of the states around them. */
+    private void passOver(Node state) {
+        for (Node outer = state; outer != null; outer = outer.zone.owner) {
+            asleep.add(outer);
+        }
+    }
+
+    private List<Take> withoutRivals(List<Take> takes) {
+        if (takes.size() < 2) {
+            return takes;
+        }
+        List<Take> kept = new ArrayList<>();
+        List<Set<Node>> exits = new ArrayList<>();
+        Set<Node> joins = new HashSet<>();
+        for (Take take : takes) {
+            Node join = take.first().target;
+            if (join.is(Kind.JOIN) && !joins.add(join)) {
+                continue;
+            }
+            Set<Node> exited = body.exitedBy(take.path());
+            boolean rival = false;
+            for (int i = 0; i < kept.size() && !rival; i++) {
+                rival = overlap(exits.get(i), exited);
+                if (rival && !take.isGuarded() && !kept.get(i).isGuarded()) {
+                    throw new Refused(
+                            take.first().arc.place(),
+                            "one event triggers two transitions in different regions of which only one can be taken: "
+                                    + kept.get(i).first() + " and " + take.first(),
+                            "give one of them another event, or guard both");
+                }
+            }
+            if (!rival) {
+                kept.add(take);
+                exits.add(exited);
+            }
+        }
+        return kept;
+    }
+
+    private static boolean overlap(Set<Node> some, Set<Node> others) {
+        return some.stream().anyMatch(one -> others.stream().anyMatch(other -> one.holds(other) || other.holds(one)));
+    }
+
+    private @Nullable Take first(Node state, List<Link> links) {
+        for (Link link : links) {
+            if (holds(link)) {
+                List<Link> path = path(link);
+                if (path != null) {
+                    return new Take(state, path);
+                }
+            }
+        }
+        return null;
+    }
+
+    private boolean holds(Link link) {
+        return !link.isGuarded() || guards.holds(link.arc.guard());
+    }
+
+    /** The way on through pseudostates; null if it ends in one of which no branch holds. */
+    private @Nullable List<Link> path(Link first) {
+        List<Link> path = new ArrayList<>();
+        Link last = first;
+        Set<Node> passed = new HashSet<>();
+        while (true) {
+            path.add(last);
+            Node node = last.target;
+            if (node.isTarget() || node.is(Kind.FORK) || node.outgoing.isEmpty()) {
+                return path;
+            }
+            if (!passed.add(node)) {
+                throw new Refused(
+                        node.vertex.place(),
+                        "transitions lead in a circle through the " + node,
+                        "draw a state on the circle");
+            }
+            if (node.is(Kind.JOIN) && !isReady(node, last)) {
+                return null;
+            }
+            Link next = null;
+            for (Link branch : node.outgoing) {
+                if (holds(branch)) {
+                    next = branch;
+                    break;
+                }
+            }
+            if (next == null) {
+                return null;
+            }
+            last = next;
+        }
+    }
+
+    private boolean isReady(Node join, Link arriving) {
+        boolean awaitsCompletion = arriving.arc.triggers().isEmpty();
+        for (Link link : join.incoming) {
+            if (!body.isActive(link.source) || (awaitsCompletion && !body.isComplete(link.source)) || !holds(link)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** Takes the transitions of states that are complete until there are none. */
+    private void complete() {
+        Set<Object> passed = new HashSet<>();
+        Deque<Node> waiting = body.completions();
+        while (!waiting.isEmpty()) {
+            List<Node> now = new ArrayList<>(waiting);
+            Node state = waiting.remove();
+            Take take = body.isActive(state) ? first(state, state.onCompletion()) : null;
+            if (take == null) {
+                continue;
+            }
+            if (!passed.add(List.of(body.outcome().target(), now))) {
+                throw new Refused(
+                        take.first().arc.place(),
+                        "transitions without events lead in an endless circle through " + state,
+                        "give one of them an event");
+            }
+            body.follow(take.path());
+        }
+    }
+}

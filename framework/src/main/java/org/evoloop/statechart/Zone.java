@@ -1,0 +1,55 @@
+package org.evoloop.statechart;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+
+/** A region with its neighbors. Written by {@link NetBuilder} alone. */
+final class Zone {
+    final Region region;
+    /** The state that it is a part of; null for a top region. */
+    final @Nullable Node owner;
+    /** The number of regions around it. */
+    final int depth;
+    /** In document order, outer before inner. */
+    final int index;
+
+    final List<Node> nodes = new ArrayList<>();
+
+    @Nullable
+    Node initial;
+
+    boolean hasHistory;
+
+    Zone(Region region, @Nullable Node owner, int index) {
+        this.region = region;
+        this.owner = owner;
+        this.depth = owner == null ? 0 : owner.zone.depth + 1;
+        this.index = index;
+    }
+
+    /** The innermost region around both; the machine itself, which null stands for, if they are in different top regions. */
+    static @Nullable Zone common(Zone one, Zone other) {
+        Zone a = one;
+        Zone b = other;
+        while (a != b) {
+            Node outer = a.depth >= b.depth ? a.owner : b.owner;
+            if (outer == null) {
+                return null;
+            }
+            if (a.depth >= b.depth) {
+                a = outer.zone;
+            } else {
+                b = outer.zone;
+            }
+        }
+        return a;
+    }
+
+    /** For messages. */
+    @Override
+    public String toString() {
+        String name = region.name().isEmpty() ? "region" : "region '" + region.name() + "'";
+        return owner == null ? "the machine" : owner.zones.size() == 1 ? owner.toString() : name + " of " + owner;
+    }
+}

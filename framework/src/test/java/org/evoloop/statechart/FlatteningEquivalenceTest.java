@@ -1,0 +1,138 @@
+package org.evoloop.statechart;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Random;
+import java.util.Set;
+import java.util.TreeMap;
+import org.evoloop.statemachine.State;
+import org.evoloop.statemachine.StateMachine;
+import org.evoloop.statemachine.Transition;
+import org.junit.jupiter.api.Test;
+
+/** The flat machine does what the statechart does: on random charts, random events and random values of the guards. */
+class FlatteningEquivalenceTest {
+    private static final int CHARTS = 1_500;
+    private static final int EVENTS = 50;
+
+    @Test
+    void shouldAcceptTheSameEventsAndRunTheSameActionsInTheSameOrder() {
+        Map<String, Integer> refused = new TreeMap<>();
+        int compared = 0;
+        for (long seed = 1; compared < CHARTS; seed++) {
+            Statechart chart = RandomChart.draw(new Random(seed), 4 + (int) (seed % 8));
+            Flattening flattening = Flattening.of(chart);
+            if (flattening.problems().isEmpty()) {
+                compare(seed, chart, flattening);
+                compared++;
+            } else {
+                flattening.problems().forEach(problem -> refused.merge(kind(problem), 1, Integer::sum));
+                assertThat(seed).as("most charts are refused: %s", refused).isLessThan(30 * CHARTS);
+            }
+        }
+    }
+
+    private static String kind(Problem problem) {
+        return problem.message().replaceAll("'[^']*'|\\(.*|\\d+", "");
+    }
+
+    private static void compare(long seed, Statechart chart, Flattening flattening) {
+        Random random = new Random(-seed);
+        Interpreter expected = new Interpreter(chart);
+        FlatRun actual = new FlatRun(flattening);
+        List<String> story = new ArrayList<>();
+        String what = "seed " + seed + " of " + flattening.machine();
+        assertThat(actual.machine.initialEffects()).as(what).isEqualTo(expected.start(guard -> random.nextBoolean()));
+        actual.check(expected, what, story);
+        for (int i = 0; i < EVENTS; i++) {
+            Map<String, Boolean> values = Map.of("g", random.nextBoolean(), "h", random.nextBoolean());
+            String event = anEvent(actual, random);
+            story.add(event + values);
+            List<String> actions = expected.dispatch(drawn(event), values::get);
+            actual.dispatch(event, values, actions, what + ", events " + story);
+            actual.check(expected, what, story);
+        }
+    }
+
+    /** Mostly one that may do something. */
+    private static String anEvent(FlatRun run, Random random) {
+        List<Transition> enabled = run.machine.transitionsFrom(run.state);
+        if (enabled.isEmpty() || random.nextInt(5) == 0) {
+            return RandomChart.EVENTS.get(random.nextInt(3));
+        }
+        return enabled.get(random.nextInt(enabled.size())).event().name();
+    }
+
+    /** The event of the flat machine as the interpreter calls it. */
+    private static String drawn(String event) {
+        return event.replaceAll("completion\\((.*)\\)", "completion in $1")
+                .replace(" in ", Interpreter.OWNER)
+                .replace(Interpreter.OWNER + "S", Interpreter.OWNER + "s");
+    }
+
+    /** A machine that runs as {@link org.evoloop.statemachine} says. */
+    private static final class FlatRun {
+        private final Flattening flattening;
+        private final StateMachine machine;
+        private State state;
+        private int now = 1;
+        private Map<String, Integer> timers = new HashMap<>();
+
+        FlatRun(Flattening flattening) {
+            this.flattening = flattening;
+            this.machine = flattening.machine();
+            this.state = machine.initial();
+            startTimers(Set.of());
+        }
+
+        void dispatch(String event, Map<String, Boolean> values, List<String> expected, String what) {
+            now++;
+            for (Transition transition : machine.transitionsFrom(state)) {
+                if (transition.event().name().equals(event)
+                        && transition.event().guards().stream().allMatch(values::get)) {
+                    List<String> actions = expected == null ? List.of() : expected;
+                    assertThat(transition.effects()).as(what).isEqualTo(actions);
+                    if (expected == null) {
+                        assertThat(transition.internal()).as(what).isTrue();
+                    }
+                    if (!transition.internal()) {
+                        state = transition.target();
+                        startTimers(transition.keeps());
+                    }
+                    return;
+                }
+            }
+            assertThat(expected).as(what + ": nothing is accepted in " + state).isNull();
+        }
+
+        private void startTimers(Set<String> keeps) {
+            Map<String, Integer> next = new HashMap<>();
+            for (Transition transition : machine.transitionsFrom(state)) {
+                String name = transition.event().name();
+                if (transition.event().timeTrigger().isPresent()) {
+                    next.put(name, keeps.contains(name) ? timers.getOrDefault(name, -1) : now);
+                }
+            }
+            timers = next;
+        }
+
+        void check(Interpreter expected, String what, List<String> story) {
+            assertThat(flattening.leaves().get(state).stream().map(Vertex::key).toList())
+                    .as("%s, leaves after %s", what, story)
+                    .isEqualTo(expected.leaves());
+            assertThat(timers.entrySet().stream()
+                            .map(timer -> timer.getKey().replaceAll(" in .*", "") + " since " + timer.getValue())
+                            .sorted()
+                            .toList())
+                    .as("%s, timers after %s", what, story)
+                    .isEqualTo(expected.timers());
+            assertThat(machine.activities(state).stream().sorted().toList())
+                    .as("%s, activities after %s", what, story)
+                    .isEqualTo(expected.activities());
+        }
+    }
+}
