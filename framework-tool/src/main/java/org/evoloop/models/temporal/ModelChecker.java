@@ -85,7 +85,7 @@ final class ModelChecker {
         kripke.setInitialNode(nodes.get(moment));
         // A procedure must have an end; the converter has none, so nothing leads there.
         kripke.setFinalNode(kripke.addNode(Set.of()));
-        return M3CSolvers.typedBDDSolver(new DefaultCFMPS<>(MAIN, Map.of(MAIN, kripke)))
+        return M3CSolvers.typedADDSolver(new DefaultCFMPS<>(MAIN, Map.of(MAIN, kripke)))
                 .solve(translate(formula));
     }
 
