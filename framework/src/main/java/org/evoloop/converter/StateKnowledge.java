@@ -7,6 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.BooleanSupplier;
 import java.util.function.Predicate;
 import org.evoloop.evolution.Configuration;
@@ -31,12 +32,15 @@ public class StateKnowledge extends Knowledge {
     private final ModelPair pair;
     private final Map<State, NewFunction> functions = new HashMap<>();
     private final Map<State, Map<Event, Duration>> timers = new HashMap<>();
+
+    /** Those and the time triggers of the new model, by state, as far as they have been asked for. */
+    private final Map<State, Map<Event, Duration>> allTimers = new ConcurrentHashMap<>();
+
     private final Map<Ends, NewFunction> actions = new HashMap<>();
     private final Bindings bindings;
     private final Predicate<String> holds;
     private volatile Configuration current;
     private volatile @Nullable DecisionTable table;
-    private volatile Map<State, Map<Event, Duration>> allTimers = Map.of();
 
     /** @throws org.evoloop.statemachine.ModelException if the pair violates Condition 1 or 2 */
     public StateKnowledge(ModelPair pair) {
@@ -77,6 +81,7 @@ public class StateKnowledge extends Knowledge {
      */
     protected final void timer(String state, String event, Duration delay) {
         timers.computeIfAbsent(new State(state), key -> new LinkedHashMap<>()).put(new Event(event), delay);
+        allTimers.clear();
     }
 
     /**
@@ -153,10 +158,11 @@ public class StateKnowledge extends Knowledge {
 
     /** Every event that is raised by itself in {@code state}, and after how long. */
     final Map<Event, Duration> timersOf(State state) {
-        return allTimers.getOrDefault(state, Map.of());
+        Map<Event, Duration> known = allTimers.get(state);
+        return known != null ? known : allTimers.computeIfAbsent(state, this::collectTimers);
     }
 
-    private Map<Event, Duration> findTimersOf(State state) {
+    private Map<Event, Duration> collectTimers(State state) {
         Map<Event, Duration> all = new LinkedHashMap<>(timers.getOrDefault(state, Map.of()));
         for (Transition transition : pair.evolved().transitionsFrom(state)) {
             transition
@@ -216,9 +222,6 @@ public class StateKnowledge extends Knowledge {
 
     final void use(DecisionTable next) {
         table = next;
-        Map<State, Map<Event, Duration>> found = new HashMap<>();
-        pair.evolved().states().forEach(state -> found.put(state, findTimersOf(state)));
-        allTimers = found;
     }
 
     /** What is wrong with what was registered, a line each. */
@@ -263,7 +266,7 @@ public class StateKnowledge extends Knowledge {
                 .filter(transition -> transition.target().equals(state) && !transition.internal())
                 .toList();
         return functions.containsKey(state)
-                || !findTimersOf(state).isEmpty()
+                || !timersOf(state).isEmpty()
                 || (!entries.isEmpty()
                         && entries.stream()
                                 .allMatch(entry -> actions.keySet().stream().anyMatch(ends -> ends.match(entry))));

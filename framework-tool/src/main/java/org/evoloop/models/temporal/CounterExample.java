@@ -117,8 +117,9 @@ final class CounterExample {
     /** On until it goes around or ends, where {@code never} stays true, past moments in which {@code without} is. */
     private void stay(Predicate<Moment> never, Predicate<Moment> without) {
         Set<Moment> seen = new HashSet<>();
-        while (seen.add(end) && step(never.and(without))) {
-            continue;
+        boolean goesOn = true;
+        while (goesOn && seen.add(end)) {
+            goesOn = step(never.and(without));
         }
     }
 }

@@ -27,6 +27,7 @@ import net.automatalib.ts.modal.transition.ProceduralModalEdgeProperty.Procedura
 import net.automatalib.ts.modal.transition.impl.ProceduralModalEdgePropertyImpl;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.models.temporal.Formula.Atom;
+import org.evoloop.statemachine.ModelException;
 
 /**
  * Asks M3C, the model checker of AutomataLib, whether a formula holds in a moment. Plain propositions are looked up; all
@@ -85,8 +86,19 @@ final class ModelChecker {
         kripke.setInitialNode(nodes.get(moment));
         // A procedure must have an end; the converter has none, so nothing leads there.
         kripke.setFinalNode(kripke.addNode(Set.of()));
-        return M3CSolvers.typedBDDSolver(new DefaultCFMPS<>(MAIN, Map.of(MAIN, kripke)))
-                .solve(translate(formula));
+        return solve(new DefaultCFMPS<>(MAIN, Map.of(MAIN, kripke)), translate(formula));
+    }
+
+    /** By M3C's ADD solver: its BDD solver is mistaken about negations, see {@code docs/adr}. */
+    private static boolean solve(DefaultCFMPS<String, Atom> system, FormulaNode<String, Atom> formula) {
+        try {
+            return M3CSolvers.typedADDSolver(system).solve(formula);
+        } catch (IllegalStateException noBackend) {
+            throw new ModelException(
+                    "properties cannot be checked on this machine: the decision diagrams that this takes exist for Linux, "
+                            + "macOS and Windows on x86-64",
+                    noBackend);
+        }
     }
 
     private static FormulaNode<String, Atom> translate(Formula formula) {
