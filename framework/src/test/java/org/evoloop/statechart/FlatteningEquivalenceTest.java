@@ -17,7 +17,7 @@ import org.junit.jupiter.api.Test;
 
 /** The flat machine does what the statechart does: on random charts, random events and random values of the guards. */
 class FlatteningEquivalenceTest {
-    private static final int CHARTS = 1_500;
+    private static final int CHARTS = 1_000;
     private static final int EVENTS = 50;
 
     @Test

@@ -42,8 +42,9 @@ final class ExecuteCommand extends EventExecute {
 
     @Override
     protected void send(Step step) {
-        session.leaveAlone();
         session.send(command(step));
+        // Not before: while control is wanted, no frame tells that the robot does nothing.
+        session.leaveAlone();
         commanded = true;
         commandedNanos = clock.nanoTime();
     }

@@ -30,8 +30,10 @@ final class Control {
     private volatile boolean wanted;
     private volatile boolean regaining;
     private @Nullable Command unconfirmed;
+    private int commandsUnderWay;
     private boolean outOfSight;
     private int settlingFrames;
+    private boolean mayHaveMissed = true;
     private int engagedFrames;
     private boolean underControl;
     private int framesWith;
@@ -60,6 +62,8 @@ final class Control {
             loseSight();
         }
         engaged = false;
+        mayHaveMissed = true;
+        engagedFrames = 0;
         wanted = false;
         regaining = false;
     }
@@ -72,6 +76,21 @@ final class Control {
     /** Whether the robot has just come back into sight and is about to be stopped. */
     boolean isRegaining() {
         return regaining;
+    }
+
+    /** A command is about to be sent: until {@link #settled}, what the robot does cannot be told. */
+    void commanding() {
+        commandsUnderWay++;
+        if (engaged) {
+            // Who commands the robot makes it do what it is taken to do; frames that are on their way tell older
+            // things.
+            mayHaveMissed = false;
+        }
+    }
+
+    /** A command that was about to be sent has been, or could not be. */
+    void settled() {
+        commandsUnderWay--;
     }
 
     /** A command has been sent. */
@@ -128,7 +147,11 @@ final class Control {
         } else if (command != null && framesWith % CONFIRM_FRAMES == 0) {
             // It would have ended control, had the robot received it.
             connection.trySend(command);
-        } else if (command == null && engaged && !wanted && framesWith % SpotWatch.QUIET_FRAMES == 0) {
+        } else if (command == null
+                && engaged
+                && !wanted
+                && commandsUnderWay == 0
+                && framesWith % SpotWatch.QUIET_FRAMES == 0) {
             // Whatever it was left alone for, it does not do it.
             watch.tellOn();
         }
@@ -136,9 +159,11 @@ final class Control {
 
     /** Who engages with the robot has not heard what it did before, though it was in sight. */
     private void tellWhatWasMissed() {
-        engagedFrames = engaged ? Math.min(engagedFrames + 1, SpotWatch.QUIET_FRAMES + 1) : 0;
-        if (engagedFrames == SpotWatch.QUIET_FRAMES && !wanted && !regaining && !outOfSight) {
-            watch.tellActivity();
+        if (mayHaveMissed && engaged && ++engagedFrames == SpotWatch.QUIET_FRAMES) {
+            mayHaveMissed = false;
+            if (!wanted && !regaining && !outOfSight) {
+                watch.tellActivity();
+            }
         }
     }
 

@@ -126,7 +126,7 @@ class RoombaSessionTest {
         assertThat(cables.heard()).isEqualTo(bytes(new Command.Clean(), new Command.Clean(), new Command.Clean()));
         frames(100, Frames.cleaning());
         assertThat(cables.heard()).isEmpty();
-        assertThat(told).containsOnly("seen CLEAN");
+        assertThat(told).containsExactly("seen CLEAN");
     }
 
     @Test
@@ -192,6 +192,16 @@ class RoombaSessionTest {
         assertThat(told).containsExactly("seen ON");
         frames(300, PASSIVE);
         assertThat(told).hasSize(1);
+    }
+
+    @Test
+    void whoeverCommandsIsNotToldWhatWasBefore() {
+        frames(3, PASSIVE.with(Packet.BUTTONS, 1));
+        told.clear();
+        session.leaveAlone();
+        session.send(new Command.Clean());
+        frames(100, PASSIVE);
+        assertThat(told).isEmpty();
     }
 
     @Test
