@@ -1,5 +1,9 @@
 package org.evoloop.models;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
@@ -16,6 +20,8 @@ import org.evoloop.models.checking.FindingsJson;
 import org.evoloop.models.checking.FindingsText;
 import org.evoloop.models.diagram.Diagram;
 import org.evoloop.models.diagram.SvgWriter;
+import org.evoloop.models.temporal.PropertyCheck;
+import org.evoloop.xmi.ModelReference;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -30,6 +36,8 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true)
 @SuppressWarnings("NullAway.Init") // picocli sets the fields
 final class CheckCommand implements Callable<Integer> {
+    private static final String PROPERTIES = ".properties.txt";
+
     /** How findings can be told. */
     enum Format {
         TEXT,
@@ -78,10 +86,24 @@ final class CheckCommand implements Callable<Integer> {
             description = "Effects that something is bound to; judged only if given.")
     private @Nullable List<String> effects;
 
+    @Option(
+            names = "--properties",
+            paramLabel = "FILE",
+            description =
+                    "Properties to check, a line each (default: the file beside NEW that is called like it and ends"
+                            + " in " + PROPERTIES + ", if there is one).")
+    private @Nullable Path properties;
+
     @Override
-    public Integer call() {
+    public Integer call() throws IOException {
         ModelPair pair = options.read();
-        List<Finding> findings = Check.run(input(pair));
+        CheckInput input = input(pair);
+        List<Finding> findings = new ArrayList<>(Check.run(input));
+        Path file = propertiesFile();
+        boolean runs = findings.stream().noneMatch(CheckCommand::isNoEvolution);
+        if (runs && (properties != null || Files.exists(file))) {
+            findings.addAll(PropertyCheck.run(input, file.toString(), Files.readString(file)));
+        }
         Function<Element, String> places = options.places();
         Output.print(
                 spec,
@@ -91,6 +113,23 @@ final class CheckCommand implements Callable<Integer> {
                     case SVG -> picture(pair, findings);
                 });
         return findings.stream().allMatch(finding -> finding.rule().severity() == Rule.Severity.NOTE) ? 0 : 1;
+    }
+
+    private Path propertiesFile() {
+        Path models = ModelReference.parse(options.evolved()).file();
+        String name = String.valueOf(models.getFileName());
+        int dot = name.lastIndexOf('.');
+        return properties != null
+                ? properties
+                : models.resolveSibling((dot > 0 ? name.substring(0, dot) : name) + PROPERTIES);
+    }
+
+    /** Where the pair is none, nothing can happen in it. */
+    private static boolean isNoEvolution(Finding finding) {
+        return switch (finding.rule()) {
+            case CONDITION_1, CONDITION_2, INITIAL_DIFFERS -> true;
+            default -> false;
+        };
     }
 
     private static String picture(ModelPair pair, List<Finding> findings) {

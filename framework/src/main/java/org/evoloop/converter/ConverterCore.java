@@ -1,7 +1,11 @@
 package org.evoloop.converter;
 
+import java.time.Duration;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.Set;
 import org.evoloop.converter.HistoryEntry.Outcome;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
@@ -47,6 +51,9 @@ final class ConverterCore implements VisitHost, LoopListener<Occurrence> {
     private volatile @Nullable Conversion active;
     private volatile @Nullable Visit visit;
     private long visits;
+
+    /** When the timers of the current visit fire; one that has been heard is no longer in it. */
+    private final Map<Event, Long> deadlines = new HashMap<>();
 
     /** What runs in the current state if it is a new one: the function of the transition that led there. */
     private NewFunction function = NewFunction.none();
@@ -125,6 +132,9 @@ final class ConverterCore implements VisitHost, LoopListener<Occurrence> {
         State found = occurrence.found();
         if (found != null && isNoNews(found, before)) {
             return null;
+        }
+        if (occurrence.source() == Source.TIMER) {
+            heard(occurrence.event());
         }
         observed = occurrence;
         active = null;
@@ -224,7 +234,10 @@ final class ConverterCore implements VisitHost, LoopListener<Occurrence> {
         Visit entered = null;
         if (decision.leavesState()) {
             Transition transition = decision.transition();
-            entered = enter(after.evolved(), transition == null ? NewFunction.none() : knowledge.action(transition));
+            entered = enter(
+                    after.evolved(),
+                    transition == null ? NewFunction.none() : knowledge.action(transition),
+                    transition == null ? Set.of() : transition.keeps());
             if (decision instanceof Decision.NewFunction) {
                 transcript.starts(after.evolved());
             }
@@ -266,22 +279,36 @@ final class ConverterCore implements VisitHost, LoopListener<Occurrence> {
 
     // Visits
 
-    private synchronized Visit enter(State state, NewFunction toRun) {
+    /**
+     * Begins a visit.
+     *
+     * @param kept names of time triggers that go on from the visit before, since a state around both is not left
+     */
+    private synchronized Visit enter(State state, NewFunction toRun, Set<String> kept) {
         Visit entered = new Visit(state, ++visits, this);
         functions.begin(entered);
         visit = entered;
         function = toRun;
-        knowledge
-                .timersOf(state)
-                .forEach((event, delay) -> entered.after(
-                        delay,
-                        () -> loop.offer(new Occurrence(
-                                event,
-                                Source.TIMER,
-                                false,
-                                entered.number(),
-                                config.clock().nanoTime()))));
+        deadlines.keySet().removeIf(event -> !kept.contains(event.name()));
+        long now = config.clock().nanoTime();
+        knowledge.timersOf(state).forEach((event, delay) -> {
+            if (kept.contains(event.name()) && !deadlines.containsKey(event)) {
+                // It has been heard in an earlier visit of the state around.
+                return;
+            }
+            long deadline = deadlines.computeIfAbsent(event, key -> now + delay.toNanos());
+            entered.after(Duration.ofNanos(Math.max(0, deadline - now)), () -> fire(event, entered));
+        });
         return entered;
+    }
+
+    private void fire(Event event, Visit raising) {
+        loop.offer(new Occurrence(
+                event, Source.TIMER, false, raising.number(), config.clock().nanoTime()));
+    }
+
+    private synchronized void heard(Event timer) {
+        deadlines.remove(timer);
     }
 
     /** Runs the function of a new state that was entered, if it has not been left meanwhile. */
@@ -293,7 +320,7 @@ final class ConverterCore implements VisitHost, LoopListener<Occurrence> {
 
     /** Enters the current state anew, as after a start or an attempt to leave it that failed. */
     synchronized void enterAgain() {
-        startFunction(enter(knowledge.getCurrentState(), function));
+        startFunction(enter(knowledge.getCurrentState(), function, Set.of()));
     }
 
     private synchronized void leave() {

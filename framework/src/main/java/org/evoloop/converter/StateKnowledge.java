@@ -7,6 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.BooleanSupplier;
 import java.util.function.Predicate;
 import org.evoloop.evolution.Configuration;
@@ -31,6 +32,10 @@ public class StateKnowledge extends Knowledge {
     private final ModelPair pair;
     private final Map<State, NewFunction> functions = new HashMap<>();
     private final Map<State, Map<Event, Duration>> timers = new HashMap<>();
+
+    /** Those and the time triggers of the new model, by state, as far as they have been asked for. */
+    private final Map<State, Map<Event, Duration>> allTimers = new ConcurrentHashMap<>();
+
     private final Map<Ends, NewFunction> actions = new HashMap<>();
     private final Bindings bindings;
     private final Predicate<String> holds;
@@ -76,6 +81,7 @@ public class StateKnowledge extends Knowledge {
      */
     protected final void timer(String state, String event, Duration delay) {
         timers.computeIfAbsent(new State(state), key -> new LinkedHashMap<>()).put(new Event(event), delay);
+        allTimers.clear();
     }
 
     /**
@@ -152,6 +158,11 @@ public class StateKnowledge extends Knowledge {
 
     /** Every event that is raised by itself in {@code state}, and after how long. */
     final Map<Event, Duration> timersOf(State state) {
+        Map<Event, Duration> known = allTimers.get(state);
+        return known != null ? known : allTimers.computeIfAbsent(state, this::collectTimers);
+    }
+
+    private Map<Event, Duration> collectTimers(State state) {
         Map<Event, Duration> all = new LinkedHashMap<>(timers.getOrDefault(state, Map.of()));
         for (Transition transition : pair.evolved().transitionsFrom(state)) {
             transition

@@ -12,9 +12,9 @@ import org.evoloop.statemachine.Event;
  */
 public record Turn(Event event, boolean deviceActed, Decision decision) {
 
-    /** For messages: {@code Clean (the device acted) -> (On, SpotWait)}. */
+    /** For messages: {@code Clean (the device acted)}. */
     @Override
     public String toString() {
-        return event + (deviceActed ? " (the device acted)" : "") + " -> " + decision.after();
+        return event + (deviceActed ? " (the device acted)" : "");
     }
 }

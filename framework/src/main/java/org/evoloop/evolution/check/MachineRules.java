@@ -28,12 +28,17 @@ final class MachineRules {
     private final StateMachine machine;
     private final GuardedTriggers guards;
     private final Set<State> reachable = new LinkedHashSet<>();
+
+    /** Time triggers of states around others: they may have run for a while when a state is entered. */
+    private final Set<String> kept = new HashSet<>();
+
     private final List<Finding> findings = new ArrayList<>();
 
     MachineRules(Element.Side side, StateMachine machine) {
         this.side = side;
         this.machine = machine;
         this.guards = new GuardedTriggers(machine);
+        machine.transitions().forEach(transition -> kept.addAll(transition.keeps()));
         Queue<State> frontier = new ArrayDeque<>(List.of(machine.initial()));
         for (State at = frontier.poll(); at != null; at = frontier.poll()) {
             if (reachable.add(at)) {
@@ -107,7 +112,9 @@ final class MachineRules {
                 likeATimer(transition);
                 continue;
             }
-            if (transition.event().guards().isEmpty() && !transition.internal()) {
+            if (transition.event().guards().isEmpty()
+                    && !transition.internal()
+                    && !kept.contains(transition.event().name())) {
                 Transition same = byDelay.putIfAbsent(delay, transition);
                 if (same != null) {
                     findings.add(new Finding(
@@ -123,7 +130,9 @@ final class MachineRules {
         }
         for (Transition transition : outgoing) {
             Duration delay = transition.event().timeTrigger().orElse(Duration.ZERO);
-            if (first != null && delay.compareTo(delayOf(first)) > 0) {
+            if (first != null
+                    && delay.compareTo(delayOf(first)) > 0
+                    && !kept.contains(transition.event().name())) {
                 findings.add(new Finding(
                         Rule.TIMER_CANNOT_FIRE,
                         element(transition),

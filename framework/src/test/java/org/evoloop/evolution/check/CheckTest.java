@@ -162,7 +162,7 @@ class CheckTest {
                                 + "sent take it there (sendable: Clean)");
         assertThat(finding.element()).hasToString("Move --arriveSpot--> Spot");
         assertThat(finding.example())
-                .map(Object::toString)
+                .map(turn -> turn + " -> " + turn.decision().after())
                 .containsExactly(
                         "Clean -> (On, On)",
                         "Spot -> (Spot, Move)",
@@ -177,7 +177,7 @@ class CheckTest {
         assertThat(Check.run(withButtons)).singleElement().satisfies(finding -> {
             assertThat(finding.rule()).isEqualTo(Rule.HAZARD);
             assertThat(finding.example())
-                    .map(Object::toString)
+                    .map(turn -> turn + " -> " + turn.decision().after())
                     .endsWith("Spot (the device acted) -> (Spot, SpotWait)", "timeout -> (Spot, SpotWait)");
         });
     }

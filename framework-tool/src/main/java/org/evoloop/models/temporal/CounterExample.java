@@ -1,0 +1,125 @@
+package org.evoloop.models.temporal;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Queue;
+import java.util.Set;
+import java.util.function.Predicate;
+import org.evoloop.evolution.Turn;
+import org.evoloop.models.temporal.MomentGraph.Edge;
+
+/**
+ * What happens when a formula does not hold, as far as one sequence of events can show it: to where an {@code always} is
+ * broken, or once around where what should come never does. That nothing leads to something shows in where this ends.
+ *
+ * <p>Which moments satisfy what is {@link ModelChecker M3C's} to say.
+ */
+final class CounterExample {
+    private final MomentGraph graph;
+    private final ModelChecker checker;
+    private final List<Turn> turns = new ArrayList<>();
+    private Moment end;
+
+    private CounterExample(MomentGraph graph, ModelChecker checker, Moment start) {
+        this.graph = graph;
+        this.checker = checker;
+        this.end = start;
+    }
+
+    /** Turns from the initial moment on, along which {@code formula} is seen not to hold there. */
+    static List<Turn> of(Formula formula, MomentGraph graph, ModelChecker checker) {
+        CounterExample example = new CounterExample(graph, checker, graph.initial());
+        example.refute(formula);
+        return List.copyOf(example.turns);
+    }
+
+    /** Goes on to where it shows that {@code formula} does not hold at the end of the example. */
+    private void refute(Formula formula) {
+        if (formula instanceof Formula.And and) {
+            refute(fails(and.left()).test(end) ? and.left() : and.right());
+        } else if (formula instanceof Formula.Or or) {
+            refute(or.left() instanceof Formula.Not ? or.right() : or.left());
+        } else if (formula instanceof Formula.Not not && not.operand() instanceof Formula.Can can) {
+            walk(moment -> true, holds(can.operand()));
+        } else if (formula instanceof Formula.Always always) {
+            walk(moment -> true, fails(always.operand()));
+            refute(always.operand());
+        } else if (formula instanceof Formula.Next next) {
+            step(fails(next.operand()));
+            refute(next.operand());
+        } else if (formula instanceof Formula.Eventually eventually) {
+            stay(fails(eventually), fails(eventually.operand()));
+        } else if (formula instanceof Formula.Unless unless) {
+            breakOff(unless.left(), unless.right());
+        } else if (formula instanceof Formula.Until until && !breakOff(until.left(), until.right())) {
+            stay(fails(until), fails(until.right()));
+        }
+    }
+
+    /** To the nearest moment in which neither holds, along moments in which {@code left} alone does; false if none is. */
+    private boolean breakOff(Formula left, Formula right) {
+        Predicate<Moment> both = fails(left).and(fails(right));
+        boolean found = walk(holds(left).and(fails(right)), both);
+        if (found) {
+            refute(left);
+        }
+        return found;
+    }
+
+    private Predicate<Moment> holds(Formula formula) {
+        return moment -> checker.holds(formula, moment);
+    }
+
+    private Predicate<Moment> fails(Formula formula) {
+        return holds(formula).negate();
+    }
+
+    private void take(Edge edge) {
+        turns.add(edge.turn());
+        end = edge.target();
+    }
+
+    private boolean step(Predicate<Moment> to) {
+        Optional<Edge> next =
+                graph.from(end).stream().filter(edge -> to.test(edge.target())).findFirst();
+        next.ifPresent(this::take);
+        return next.isPresent();
+    }
+
+    /** The shortest way to a moment that is {@code wanted}, over moments that are {@code passable}. */
+    private boolean walk(Predicate<Moment> passable, Predicate<Moment> wanted) {
+        Map<Moment, List<Edge>> ways = new HashMap<>(Map.of(end, List.of()));
+        Queue<Moment> frontier = new ArrayDeque<>(List.of(end));
+        for (Moment at = frontier.poll(); at != null; at = frontier.poll()) {
+            List<Edge> way = ways.getOrDefault(at, List.of());
+            if (wanted.test(at)) {
+                way.forEach(this::take);
+                return true;
+            }
+            if (passable.test(at)) {
+                for (Edge edge : graph.from(at)) {
+                    List<Edge> longer = new ArrayList<>(way);
+                    longer.add(edge);
+                    if (ways.putIfAbsent(edge.target(), longer) == null) {
+                        frontier.add(edge.target());
+                    }
+                }
+            }
+        }
+        return false;
+    }
+
+    /** On until it goes around or ends, where {@code never} stays true, past moments in which {@code without} is. */
+    private void stay(Predicate<Moment> never, Predicate<Moment> without) {
+        Set<Moment> seen = new HashSet<>();
+        boolean goesOn = true;
+        while (goesOn && seen.add(end)) {
+            goesOn = step(never.and(without));
+        }
+    }
+}

@@ -1,0 +1,218 @@
+package org.evoloop.models.temporal;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.Set;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import org.evoloop.evolution.ModelPair;
+import org.evoloop.models.temporal.Formula.Kind;
+import org.evoloop.statemachine.ModelException;
+import org.evoloop.statemachine.State;
+
+/**
+ * Reads a formula, loosest first:
+ *
+ * <pre>
+ * always F   never F                      the rest of the brackets
+ * F implies G
+ * F unless G   F until G   F only after G
+ * F or G
+ * F and G
+ * not F   can F   eventually F   next F
+ * Spot   state Spot   device On   event Clean   function Move   true   false   (F)
+ * </pre>
+ */
+final class FormulaParser {
+    private static final Pattern TOKEN = Pattern.compile("\\(|\\)|\"([^\"]*)\"|[^\\s()\"]+");
+    private static final Set<String> KEYWORDS = Set.of(
+            "always",
+            "never",
+            "implies",
+            "unless",
+            "until",
+            "only",
+            "after",
+            "or",
+            "and",
+            "not",
+            "can",
+            "eventually",
+            "next",
+            "state",
+            "device",
+            "event",
+            "function",
+            "true",
+            "false",
+            "(",
+            ")");
+
+    private final ModelPair pair;
+    private List<Token> tokens = List.of();
+    private int position;
+
+    /** @param isName whether it stands in quotation marks or is no word of the language */
+    private record Token(String text, boolean isName) {}
+
+    FormulaParser(ModelPair pair) {
+        this.pair = pair;
+    }
+
+    /** @throws ModelException saying what is wrong and where in the formula */
+    Formula parse(String text) {
+        tokens = new ArrayList<>();
+        position = 0;
+        for (Matcher matcher = TOKEN.matcher(text); matcher.find(); ) {
+            String quoted = matcher.group(1);
+            tokens.add(
+                    quoted != null
+                            ? new Token(quoted, true)
+                            : new Token(matcher.group(), !KEYWORDS.contains(matcher.group())));
+        }
+        Formula formula = formula();
+        if (position < tokens.size()) {
+            throw unexpected("'and', 'or', 'implies' or the end");
+        }
+        return formula;
+    }
+
+    private Formula formula() {
+        if (take("always")) {
+            return new Formula.Always(formula());
+        }
+        if (take("never")) {
+            return new Formula.Always(new Formula.Not(formula()));
+        }
+        Formula left = weak();
+        return take("implies") ? new Formula.Or(new Formula.Not(left), formula()) : left;
+    }
+
+    private Formula weak() {
+        Formula left = or();
+        if (take("unless")) {
+            return new Formula.Unless(left, or());
+        }
+        if (take("until")) {
+            return new Formula.Until(left, or());
+        }
+        if (take("only")) {
+            if (!take("after")) {
+                throw unexpected("'after'");
+            }
+            return new Formula.Unless(new Formula.Not(left), or());
+        }
+        return left;
+    }
+
+    private Formula or() {
+        Formula left = and();
+        while (take("or")) {
+            left = new Formula.Or(left, and());
+        }
+        return left;
+    }
+
+    private Formula and() {
+        Formula left = unary();
+        while (take("and")) {
+            left = new Formula.And(left, unary());
+        }
+        return left;
+    }
+
+    private Formula unary() {
+        if (take("not")) {
+            return new Formula.Not(unary());
+        }
+        if (take("can")) {
+            return new Formula.Can(unary());
+        }
+        if (take("eventually")) {
+            return new Formula.Eventually(unary());
+        }
+        if (take("next")) {
+            return new Formula.Next(unary());
+        }
+        if (take("(")) {
+            Formula inner = formula();
+            if (!take(")")) {
+                throw unexpected("')'");
+            }
+            return inner;
+        }
+        return atom();
+    }
+
+    private Formula atom() {
+        if (take("true")) {
+            return new Formula.Constant(true);
+        }
+        if (take("false")) {
+            return new Formula.Constant(false);
+        }
+        for (Kind kind : Kind.values()) {
+            if (take(kind.name().toLowerCase(Locale.ROOT))) {
+                return known(kind, name());
+            }
+        }
+        return known(Kind.STATE, name());
+    }
+
+    private Formula known(Kind kind, String name) {
+        Set<String> names = switch (kind) {
+            case STATE -> names(pair.evolved().states());
+            case DEVICE -> names(pair.original().states());
+            case EVENT ->
+                pair.evolved().triggers().stream()
+                        .map(event -> event.name())
+                        .collect(Collectors.toCollection(java.util.TreeSet::new));
+            case FUNCTION ->
+                names(pair.evolved().states().stream().filter(pair::isNew).collect(Collectors.toSet()));
+        };
+        if (!names.contains(name)) {
+            String what = switch (kind) {
+                case STATE -> "state of the new model";
+                case DEVICE -> "state of the original model";
+                case EVENT -> "event of the new model";
+                case FUNCTION -> "new state";
+            };
+            throw new ModelException(
+                    "there is no " + what + " named " + name + "; there are " + String.join(", ", names));
+        }
+        return new Formula.Atom(kind, name);
+    }
+
+    private static Set<String> names(Set<State> states) {
+        return states.stream().map(State::name).collect(Collectors.toCollection(java.util.TreeSet::new));
+    }
+
+    private String name() {
+        Token token = next().filter(Token::isName).orElseThrow(() -> unexpected("a name"));
+        position++;
+        return token.text();
+    }
+
+    private boolean take(String keyword) {
+        boolean found = next().filter(token -> !token.isName() && token.text().equals(keyword))
+                .isPresent();
+        if (found) {
+            position++;
+        }
+        return found;
+    }
+
+    private Optional<Token> next() {
+        return position < tokens.size() ? Optional.of(tokens.get(position)) : Optional.empty();
+    }
+
+    private ModelException unexpected(String wanted) {
+        String found = next().map(token -> "'" + token.text() + "'").orElse("the end");
+        return new ModelException(found + " stands where " + wanted + " should"
+                + (position == 0 ? "" : ", after '" + tokens.get(position - 1).text() + "'")
+                + "; write names that are words of the language in quotation marks");
+    }
+}
