@@ -1,6 +1,8 @@
 package org.evoloop.models.diagram;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.quicktheories.QuickTheory.qt;
+import static org.quicktheories.generators.SourceDSL.longs;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -76,6 +78,26 @@ class LayoutTest {
             assertThat(one.x() + one.width()).isLessThanOrEqualTo(layout.width());
             assertThat(one.y() + one.height()).isLessThanOrEqualTo(layout.height());
         }
+    }
+
+    /** Whatever is inside what, and from wherever to wherever arcs lead. */
+    @Test
+    void noLabelLiesOnAnythingWhereStatesAreInStates() {
+        qt().withExamples(60).forAll(longs().all()).checkAssert(seed -> {
+            Layout layout = ElkLayout.of(ChartDiagram.of(RandomChart.of(seed)));
+            List<Area> areas = areas(layout);
+            List<Area> labels = areas.subList(layout.boxes().size(), areas.size());
+            List<Area> solid = new ArrayList<>(labels);
+            for (int i = 0; i < layout.boxes().size(); i++) {
+                Diagram.Node node = layout.boxes().get(i).node();
+                if (node.children().isEmpty() && node.shape() != Shape.REGION) {
+                    solid.add(areas.get(i));
+                }
+            }
+            for (Area label : labels) {
+                assertThat(solid).filteredOn(label::overlaps).containsExactly(label);
+            }
+        });
     }
 
     @Test
