@@ -4,105 +4,43 @@ import static java.util.Objects.requireNonNull;
 
 import java.util.ArrayDeque;
 import java.util.ArrayList;
-import java.util.Arrays;
-import java.util.Collection;
 import java.util.Deque;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.TreeMap;
-import java.util.TreeSet;
 import java.util.function.Function;
 import org.evoloop.statechart.Vertex.Kind;
 import org.jspecify.annotations.Nullable;
 
-/** The active states of a machine, and how transitions leave and enter them. */
+/** How transitions leave and enter the states of a machine, and what runs then. */
 final class Body {
     private final Net net;
     private final Function<Link, @Nullable List<Link>> paths;
 
-    private final Map<Zone, Node> active = new HashMap<>();
-    private final TreeMap<Integer, int[]> memory = new TreeMap<>();
-    private final TreeSet<Integer> done = new TreeSet<>();
+    private final ActiveStates active;
     private final Deque<Node> completions = new ArrayDeque<>();
-    private @Nullable Node terminated;
 
     private final List<String> effects = new ArrayList<>();
     private final Set<Node> left = new HashSet<>();
     private final Set<Link> used = new HashSet<>();
     private final Set<Link> underWay = new HashSet<>();
-    private boolean still = true;
+    private final Set<Node> entered = new HashSet<>();
 
     /** @param paths says how a transition goes on through pseudostates */
     Body(Net net, Function<Link, @Nullable List<Link>> paths) {
         this.net = net;
+        this.active = new ActiveStates(net);
         this.paths = paths;
     }
 
-    void load(Snapshot snapshot) {
-        for (int leaf : snapshot.leaves()) {
-            Node node = net.node(leaf);
-            if (node.is(Kind.TERMINATE)) {
-                terminated = node;
-                return;
-            }
-            while (node != null && active.putIfAbsent(node.zone, node) == null) {
-                node = node.zone.owner;
-            }
-        }
-        int[] written = snapshot.memory();
-        for (int i = 0; i < written.length; i += 2 + written[i + 1]) {
-            memory.put(written[i], Arrays.copyOfRange(written, i + 2, i + 2 + written[i + 1]));
-        }
-        for (int state : snapshot.done()) {
-            done.add(state);
-        }
+    ActiveStates active() {
+        return active;
     }
 
     Outcome outcome() {
-        return new Outcome(snapshot(), List.copyOf(effects), left, still, used);
-    }
-
-    private Snapshot snapshot() {
-        if (terminated != null) {
-            return new Snapshot(new int[] {terminated.index}, new int[0], new int[0]);
-        }
-        List<Integer> leaves = new ArrayList<>();
-        net.tops().forEach(top -> leaves(top, leaves));
-        List<Integer> written = new ArrayList<>();
-        memory.forEach((zone, vertices) -> {
-            written.add(zone);
-            written.add(vertices.length);
-            for (int vertex : vertices) {
-                written.add(vertex);
-            }
-        });
-        return new Snapshot(ints(leaves), ints(written), ints(done));
-    }
-
-    private static int[] ints(Collection<Integer> numbers) {
-        return numbers.stream().mapToInt(Integer::intValue).toArray();
-    }
-
-    private void leaves(Zone zone, List<Integer> leaves) {
-        Node node = active.get(zone);
-        if (node == null) {
-            return;
-        }
-        if (node.zones.isEmpty()) {
-            leaves.add(node.index);
-        }
-        node.zones.forEach(inner -> leaves(inner, leaves));
-    }
-
-    List<Node> activeStates() {
-        return new ArrayList<>(active.values());
-    }
-
-    boolean isActive(Node node) {
-        return active.get(node.zone) == node;
+        return new Outcome(active.snapshot(), List.copyOf(effects), left, entered, used);
     }
 
     /** The states that are complete and whose transitions were not tried yet, in order. */
@@ -110,22 +48,14 @@ final class Body {
         return completions;
     }
 
-    boolean isComplete(Node state) {
-        return (state.activities().isEmpty() || done.contains(state.index))
-                && state.zones.stream().allMatch(zone -> {
-                    Node node = active.get(zone);
-                    return node != null && node.isFinal();
-                });
-    }
-
     /** The do activity of an active state ends. */
     void finish(Node state) {
-        done.add(state.index);
+        active.finish(state);
         await(state);
     }
 
     private void await(@Nullable Node state) {
-        if (state != null && state.wantsCompletion() && isComplete(state) && !completions.contains(state)) {
+        if (state != null && state.wantsCompletion() && active.isComplete(state) && !completions.contains(state)) {
             completions.add(state);
         }
     }
@@ -137,12 +67,12 @@ final class Body {
             if (link.isInternal()) {
                 return exited;
             }
-            Node node = active.get(domain(link));
+            Node node = active.in(domain(link));
             if (node != null) {
                 exited.add(node);
             }
             Node border = link.target.border;
-            if (link.target.is(Kind.EXIT_POINT) && border != null && isActive(border)) {
+            if (link.target.is(Kind.EXIT_POINT) && border != null && active.has(border)) {
                 exited.add(border);
             }
         }
@@ -176,7 +106,7 @@ final class Body {
 
     /** Takes a transition and the others of its path. */
     void follow(List<Link> path) {
-        if (terminated != null) {
+        if (active.isTerminated()) {
             return;
         }
         List<Node> opened = new ArrayList<>();
@@ -188,21 +118,23 @@ final class Body {
                 return;
             }
             Zone domain = domain(link);
-            leave(active.get(domain));
+            leave(active.in(domain));
             together.forEach(one -> effects.addAll(one.arc.effects()));
             arrive(link.target, domain, opened);
         }
         for (Node state : opened) {
-            if (isActive(state)) {
-                state.zones.forEach(zone -> enter(zone, Map.of()));
+            if (active.has(state)) {
+                for (Zone zone : state.zones) {
+                    enter(zone, Map.of());
+                }
             }
         }
     }
 
     private void arrive(Node node, Zone domain, List<Node> opened) {
         if (node.is(Kind.TERMINATE)) {
-            terminated = node;
-            active.clear();
+            active.terminate(node);
+            entered.add(node);
             completions.clear();
         } else if (node.isTarget()) {
             enter(domain, explicit(domain, List.of(node)));
@@ -232,7 +164,7 @@ final class Body {
     /** Enters states from outside in without what is in their regions. */
     private void open(Zone domain, @Nullable Node inner, List<Node> opened) {
         Deque<Node> path = new ArrayDeque<>();
-        for (Node state = inner; state != null && !isActive(state); state = state.zone.owner) {
+        for (Node state = inner; state != null && !active.has(state); state = state.zone.owner) {
             path.push(state);
             if (state.zone == domain) {
                 break;
@@ -245,35 +177,17 @@ final class Body {
     }
 
     private void leave(@Nullable Node node) {
-        if (node == null || !isActive(node)) {
+        if (node == null || !active.has(node)) {
             return;
         }
         for (Zone zone : node.zones) {
-            remember(zone);
-            leave(active.get(zone));
+            active.remember(zone);
+            leave(active.in(zone));
         }
         effects.addAll(node.exit());
-        active.remove(node.zone);
+        active.remove(node);
         left.add(node);
-        done.remove(node.index);
         completions.remove(node);
-        still = false;
-    }
-
-    private void remember(Zone zone) {
-        Node node = active.get(zone);
-        if (!zone.hasHistory || node == null) {
-            return;
-        }
-        if (node.isFinal()) {
-            memory.remove(zone.index);
-        } else if (zone.nodes.stream().anyMatch(history -> history.is(Kind.DEEP_HISTORY))) {
-            List<Integer> leaves = new ArrayList<>();
-            leaves(zone, leaves);
-            memory.put(zone.index, ints(leaves));
-        } else {
-            memory.put(zone.index, new int[] {node.index});
-        }
     }
 
     /** For each region on the way from {@code domain} to a target the vertex that leads there. */
@@ -291,11 +205,11 @@ final class Body {
     }
 
     private void enter(Zone zone, Map<Zone, Node> explicit) {
-        if (terminated != null) {
+        if (active.isTerminated()) {
             return;
         }
         Node wanted = explicit.get(zone);
-        Node present = active.get(zone);
+        Node present = active.in(zone);
         if (wanted == null) {
             if (present == null) {
                 enterByDefault(zone);
@@ -311,12 +225,14 @@ final class Body {
             leave(present);
             begin(wanted);
         }
-        wanted.zones.forEach(inner -> enter(inner, explicit));
+        for (Zone inner : wanted.zones) {
+            enter(inner, explicit);
+        }
     }
 
     private void begin(Node node) {
-        active.put(node.zone, node);
-        still = false;
+        active.add(node);
+        entered.add(node);
         effects.addAll(node.entry());
         if (node.isFinal()) {
             await(node.zone.owner);
@@ -326,7 +242,7 @@ final class Body {
     }
 
     private void restore(Zone zone, Node history) {
-        int[] remembered = memory.get(zone.index);
+        List<Node> remembered = active.remembered(zone);
         if (remembered == null) {
             if (history.outgoing.isEmpty()) {
                 enterByDefault(zone);
@@ -336,8 +252,8 @@ final class Body {
             return;
         }
         List<Node> targets = new ArrayList<>();
-        for (int vertex : remembered) {
-            Node node = net.node(vertex);
+        for (Node vertex : remembered) {
+            Node node = vertex;
             while (history.is(Kind.SHALLOW_HISTORY) && node.zone != zone && node.zone.owner != null) {
                 node = node.zone.owner;
             }

@@ -25,7 +25,7 @@ final class Explorer {
     private final Set<Problem> problems = new LinkedHashSet<>();
     private final Map<Snapshot, List<Move>> moves = new HashMap<>();
     private final Deque<Snapshot> unexplored = new ArrayDeque<>();
-    private final Set<Integer> visited = new HashSet<>();
+    private final Set<Node> visited = new HashSet<>();
     private final Set<Link> used = new HashSet<>();
     private int moveCount;
     private @Nullable Case start;
@@ -107,10 +107,10 @@ final class Explorer {
         }
     }
 
-    /** States that no event leads to are a part of the model all the same; a check tells their author. */
+    /** States that are never entered are a part of the model all the same; a check tells their author. */
     private void visitUnreachable() {
         for (Node node : net.nodes()) {
-            if (node.isState() && node.zones.isEmpty() && !visited.contains(node.index)) {
+            if (node.isState() && node.zones.isEmpty() && !visited.contains(node)) {
                 for (Case one : cases(step -> step.startIn(node))) {
                     if (one.outcome() != null) {
                         found(one.outcome());
@@ -141,7 +141,7 @@ final class Explorer {
     }
 
     private static Outcome nothing(Snapshot state) {
-        return new Outcome(state, List.of(), Set.of(), true, Set.of());
+        return new Outcome(state, List.of(), Set.of(), Set.of(), Set.of());
     }
 
     /** Whether a later move would wrongly be taken for this case, in which nothing happens. */
@@ -152,6 +152,7 @@ final class Explorer {
 
     private void found(Outcome outcome) {
         used.addAll(outcome.used());
+        visited.addAll(outcome.entered());
         Snapshot state = outcome.target();
         if (moves.containsKey(state)) {
             return;
@@ -161,9 +162,6 @@ final class Explorer {
         }
         moves.put(state, List.of());
         unexplored.add(state);
-        for (int leaf : state.leaves()) {
-            visited.add(leaf);
-        }
     }
 
     private List<Case> cases(Function<Step, @Nullable Outcome> run) {

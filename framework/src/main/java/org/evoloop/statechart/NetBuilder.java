@@ -18,8 +18,8 @@ import org.jspecify.annotations.Nullable;
 
 /** Connects the vertices of a statechart; {@link Rules} says afterwards whether they may be connected so. */
 final class NetBuilder {
-    /** States within states; whoever draws more than a dozen cannot read it. */
-    private static final int MAX_DEPTH = 1_000;
+    /** States within states: more than anybody can read, and few enough for the calls that enter and leave them. */
+    private static final int MAX_DEPTH = 300;
 
     private final Statechart chart;
     private final List<Problem> problems;

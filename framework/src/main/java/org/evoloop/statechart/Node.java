@@ -127,7 +127,8 @@ final class Node {
     /** How its author calls such a vertex. */
     String word() {
         if (vertex instanceof Pseudostate pseudostate) {
-            return pseudostate.kind().name().toLowerCase(Locale.ROOT).replace('_', ' ');
+            String kind = pseudostate.kind().name().toLowerCase(Locale.ROOT).replace('_', ' ');
+            return is(Kind.INITIAL) ? "initial pseudostate" : kind;
         }
         return isState() ? "state" : "final state";
     }

@@ -9,7 +9,12 @@ import java.util.Set;
  * @param target where the machine rests now
  * @param effects the behaviors that ran, in order
  * @param left the states that were left, even if they were entered again
- * @param still whether no state was left or entered
+ * @param entered the vertices that were entered, even if they were left again
  * @param used the transitions that were taken
  */
-record Outcome(Snapshot target, List<String> effects, Set<Node> left, boolean still, Set<Link> used) {}
+record Outcome(Snapshot target, List<String> effects, Set<Node> left, Set<Node> entered, Set<Link> used) {
+    /** Whether nothing was left or entered. */
+    boolean still() {
+        return left.isEmpty() && entered.isEmpty();
+    }
+}

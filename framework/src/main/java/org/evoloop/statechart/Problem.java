@@ -10,14 +10,15 @@ package org.evoloop.statechart;
  * @param mend what its author can do
  */
 public record Problem(Place place, String message, String mend) {
-    /** {@code message; mend}, without the place. */
+    /** The message with the id if that is not in it, and the mend; without the line. */
     public String text() {
-        return message + "; " + mend;
+        String id = place.id();
+        return message + (id.isEmpty() || message.contains("id " + id) ? "" : " (id '" + id + "')") + "; " + mend;
     }
 
     /** For messages. */
     @Override
     public String toString() {
-        return place.equals(Place.NONE) ? text() : place + ": " + text();
+        return place.line() == 0 ? text() : "line " + place.line() + ": " + text();
     }
 }

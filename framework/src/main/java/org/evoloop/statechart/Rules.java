@@ -119,7 +119,10 @@ final class Rules {
         } else if (node.border == null) {
             refuse(node, node + " stands on no state", "draw it on the border of a composite state");
         } else {
-            requireOne(node);
+            // Without a transition an entry point enters its state by default.
+            if (node.is(Kind.EXIT_POINT) || !node.outgoing.isEmpty()) {
+                requireOne(node);
+            }
             node.outgoing.forEach(link -> refuseGuard(link, "draw a choice behind it"));
         }
     }

@@ -55,7 +55,7 @@ final class Step {
     /** What a cause does to a machine that rests; null if nothing. */
     @Nullable
     Outcome react(Snapshot before, Cause cause) {
-        body.load(before);
+        body.active().load(before);
         if (cause.kind() == Cause.Kind.COMPLETION && cause.owner() != null) {
             body.finish(cause.owner());
         } else {
@@ -70,7 +70,7 @@ final class Step {
     }
 
     private List<Take> select(Cause cause) {
-        List<Node> active = body.activeStates();
+        List<Node> active = body.active().all();
         active.sort(Comparator.<Node>comparingInt(node -> -node.zone.depth).thenComparingInt(node -> node.index));
         List<Take> takes = new ArrayList<>();
         for (Node state : active) {
@@ -182,7 +182,9 @@ final class Step {
     private boolean isReady(Node join, Link arriving) {
         boolean awaitsCompletion = arriving.arc.triggers().isEmpty();
         for (Link link : join.incoming) {
-            if (!body.isActive(link.source) || (awaitsCompletion && !body.isComplete(link.source)) || !holds(link)) {
+            if (!body.active().has(link.source)
+                    || (awaitsCompletion && !body.active().isComplete(link.source))
+                    || !holds(link)) {
                 return false;
             }
         }
@@ -196,11 +198,11 @@ final class Step {
         while (!waiting.isEmpty()) {
             List<Node> now = new ArrayList<>(waiting);
             Node state = waiting.remove();
-            Take take = body.isActive(state) ? first(state, state.onCompletion()) : null;
+            Take take = body.active().has(state) ? first(state, state.onCompletion()) : null;
             if (take == null) {
                 continue;
             }
-            if (!passed.add(List.of(body.outcome().target(), now))) {
+            if (!passed.add(List.of(body.active().snapshot(), now))) {
                 throw new Refused(
                         take.first().arc.place(),
                         "transitions without events lead in an endless circle through " + state,

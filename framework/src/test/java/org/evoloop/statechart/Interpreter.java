@@ -17,6 +17,7 @@ import org.evoloop.statechart.Vertex.ChartState;
 import org.evoloop.statechart.Vertex.FinalState;
 import org.evoloop.statechart.Vertex.Kind;
 import org.evoloop.statechart.Vertex.Pseudostate;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Runs a statechart as UML 2.5.1 (clause 14.2.3) says, vertex by vertex and without any preparation. Slow and simple; it
@@ -27,14 +28,10 @@ final class Interpreter {
     static final String OWNER = "@";
 
     private final Statechart chart;
-    private final Map<String, Vertex> byKey = new HashMap<>();
-    private final Map<String, List<Region>> around = new HashMap<>();
-    private final Map<String, ChartState> borderOf = new HashMap<>();
-    private final List<Arc> arcs = new ArrayList<>();
-    private final List<String> order = new ArrayList<>();
+    private final Drawing drawing;
 
-    private final Map<Region, Vertex> current = new IdentityHashMap<>();
-    private final Map<Region, List<Vertex>> memory = new IdentityHashMap<>();
+    private final IdentityHashMap<Region, Vertex> current = new IdentityHashMap<>();
+    private final IdentityHashMap<Region, List<Vertex>> memory = new IdentityHashMap<>();
     private final Set<String> done = new HashSet<>();
     private final List<String> complete = new ArrayList<>();
     private final Map<String, Integer> enteredAt = new HashMap<>();
@@ -47,26 +44,7 @@ final class Interpreter {
 
     Interpreter(Statechart chart) {
         this.chart = chart;
-        chart.regions().forEach(region -> learn(region, List.of()));
-    }
-
-    private void learn(Region region, List<Region> outer) {
-        List<Region> here = Stream.concat(outer.stream(), Stream.of(region)).toList();
-        arcs.addAll(region.arcs());
-        for (Vertex vertex : region.vertices()) {
-            byKey.put(vertex.key(), vertex);
-            around.put(vertex.key(), here);
-            order.add(vertex.key());
-            if (vertex instanceof ChartState state) {
-                arcs.addAll(state.internal());
-                state.connections().forEach(point -> {
-                    byKey.put(point.key(), point);
-                    around.put(point.key(), here);
-                    borderOf.put(point.key(), state);
-                });
-                state.regions().forEach(inner -> learn(inner, here));
-            }
-        }
+        this.drawing = new Drawing(chart);
     }
 
     /** What ran when the machine started. */
@@ -78,13 +56,14 @@ final class Interpreter {
     }
 
     /** What an event made run; null if nothing was enabled. */
+    @Nullable
     List<String> dispatch(String event, Predicate<String> guardValues) {
         begin(guardValues);
         if (terminated) {
             return null;
         }
         if (event.startsWith("completion" + OWNER)) {
-            ChartState state = state(event.substring(event.indexOf(OWNER) + 1));
+            ChartState state = drawing.state(event.substring(event.indexOf(OWNER) + 1));
             if (!isActive(state)
                     || done.contains(state.key())
                     || !waits(state)
@@ -117,9 +96,9 @@ final class Interpreter {
         if (terminated) {
             return List.of(terminator);
         }
-        return order.stream()
-                .filter(key -> isActive(vertex(key)))
-                .filter(key -> !(vertex(key) instanceof ChartState state)
+        return drawing.order.stream()
+                .filter(key -> isActive(drawing.vertex(key)))
+                .filter(key -> !(drawing.vertex(key) instanceof ChartState state)
                         || state.regions().isEmpty())
                 .toList();
     }
@@ -127,7 +106,7 @@ final class Interpreter {
     /** Time triggers of active states, each with the event's number at which its state was entered. */
     List<String> timers() {
         return activeStates()
-                .flatMap(state -> leaving(state)
+                .flatMap(state -> drawing.leaving(state)
                         .flatMap(arc -> arc.triggers().stream())
                         .distinct()
                         .filter(Interpreter::isTime)
@@ -148,40 +127,19 @@ final class Interpreter {
     }
 
     private Stream<ChartState> activeStates() {
-        return order.stream()
-                .map(this::vertex)
+        return drawing.order.stream()
+                .map(drawing::vertex)
                 .filter(this::isActive)
                 .filter(ChartState.class::isInstance)
                 .map(ChartState.class::cast);
     }
 
-    private Vertex vertex(String key) {
-        return byKey.get(key);
-    }
-
-    private ChartState state(String key) {
-        return (ChartState) byKey.get(key);
-    }
-
     private boolean isActive(Vertex vertex) {
-        List<Region> regions = around.get(vertex.key());
-        return current.get(regions.get(regions.size() - 1)) == vertex;
-    }
-
-    private Stream<Arc> leaving(Vertex vertex) {
-        return arcs.stream().filter(arc -> arc.source().equals(vertex.key()));
-    }
-
-    private Stream<Arc> entering(Vertex vertex) {
-        return arcs.stream().filter(arc -> arc.target().equals(vertex.key()));
-    }
-
-    private boolean is(Vertex vertex, Kind kind) {
-        return vertex instanceof Pseudostate pseudostate && pseudostate.kind() == kind;
+        return current.get(drawing.home(vertex)) == vertex;
     }
 
     private boolean waits(ChartState state) {
-        return leaving(state).anyMatch(arc -> arc.triggers().isEmpty());
+        return drawing.leaving(state).anyMatch(arc -> arc.triggers().isEmpty());
     }
 
     private boolean isFinished(ChartState state) {
@@ -210,7 +168,7 @@ final class Interpreter {
         boolean others = event.contains(OWNER) && !event.endsWith(OWNER + state.key());
         return others
                 ? List.of()
-                : choose(leaving(state).filter(arc -> arc.triggers().contains(trigger)));
+                : choose(drawing.leaving(state).filter(arc -> arc.triggers().contains(trigger)));
     }
 
     /** The path that the first of some arcs opens: guarded arcs, plain arcs, else. */
@@ -228,10 +186,11 @@ final class Interpreter {
         if (arc.guard().equals("else")) {
             return 2;
         }
-        Vertex target = vertex(arc.target());
-        boolean branches = is(target, Kind.JOIN)
-                || (is(target, Kind.CHOICE) || is(target, Kind.JUNCTION))
-                        && leaving(target).noneMatch(branch -> branch.guard().isEmpty());
+        Vertex target = drawing.vertex(arc.target());
+        boolean branches = drawing.is(target, Kind.JOIN)
+                || ((drawing.is(target, Kind.CHOICE) || drawing.is(target, Kind.JUNCTION))
+                        && drawing.leaving(target)
+                                .noneMatch(branch -> branch.guard().isEmpty()));
         return arc.guard().isEmpty() && !branches ? 1 : 0;
     }
 
@@ -239,29 +198,29 @@ final class Interpreter {
         return arc.guard().isEmpty() || arc.guard().equals("else") || guards.test(arc.guard());
     }
 
-    private List<Arc> extend(Arc arc, List<Arc> before) {
+    private @Nullable List<Arc> extend(Arc arc, List<Arc> before) {
         List<Arc> path = Stream.concat(before.stream(), Stream.of(arc)).toList();
-        Vertex target = vertex(arc.target());
+        Vertex target = drawing.vertex(arc.target());
         if (!(target instanceof Pseudostate pseudostate)) {
             return path;
         }
         switch (pseudostate.kind()) {
             case CHOICE, JUNCTION -> {
-                List<Arc> branches = leaving(target)
+                List<Arc> branches = drawing.leaving(target)
                         .filter(this::isTrue)
                         .sorted(Comparator.comparingInt(this::rank))
                         .toList();
                 return branches.isEmpty() ? null : extend(branches.get(0), path);
             }
             case JOIN -> {
-                boolean ready = entering(target)
-                        .allMatch(segment -> isActive(vertex(segment.source()))
+                boolean ready = drawing.entering(target)
+                        .allMatch(segment -> isActive(drawing.vertex(segment.source()))
                                 && isTrue(segment)
-                                && (!segment.triggers().isEmpty() || isFinished(state(segment.source()))));
-                return ready ? extend(leaving(target).findFirst().orElseThrow(), path) : null;
+                                && (!segment.triggers().isEmpty() || isFinished(drawing.state(segment.source()))));
+                return ready ? extend(drawing.leaving(target).findFirst().orElseThrow(), path) : null;
             }
             case ENTRY_POINT, EXIT_POINT -> {
-                List<Arc> next = leaving(target).toList();
+                List<Arc> next = drawing.leaving(target).toList();
                 return next.isEmpty() ? path : extend(next.get(0), path);
             }
             default -> {
@@ -288,70 +247,21 @@ final class Interpreter {
 
     private Set<String> exits(Arc arc) {
         Set<String> exits = new HashSet<>();
-        Region scope = scope(arc);
-        for (String key : order) {
-            if (isActive(vertex(key)) && contains(around.get(key), scope)) {
+        Region scope = drawing.scope(arc);
+        for (String key : drawing.order) {
+            if (isActive(drawing.vertex(key)) && Drawing.contains(drawing.around(drawing.vertex(key)), scope)) {
                 exits.add(key);
             }
         }
-        ChartState border = borderOf.get(arc.target());
-        if (is(vertex(arc.target()), Kind.EXIT_POINT) && isActive(border)) {
+        Vertex target = drawing.vertex(arc.target());
+        if (drawing.is(target, Kind.EXIT_POINT) && isActive(drawing.border(target))) {
+            ChartState border = drawing.border(target);
             exits.add(border.key());
-            order.stream()
-                    .filter(key -> isActive(vertex(key)) && isInside(border, vertex(key)))
+            drawing.order.stream()
+                    .filter(key -> isActive(drawing.vertex(key)) && drawing.isInside(border, drawing.vertex(key)))
                     .forEach(exits::add);
         }
         return exits;
-    }
-
-    private static boolean contains(List<Region> regions, Region wanted) {
-        return regions.stream().anyMatch(region -> region == wanted);
-    }
-
-    private boolean isInside(ChartState outer, Vertex inner) {
-        return outer.regions().stream().anyMatch(region -> contains(around.get(inner.key()), region));
-    }
-
-    /** The region that a transition disturbs. */
-    private Region scope(Arc arc) {
-        Vertex target = vertex(arc.target());
-        if (is(target, Kind.JOIN)) {
-            return entering(target)
-                    .map(segment -> common(around.get(segment.source()), around.get(target.key())))
-                    .min(Comparator.comparingInt(region -> depth(region)))
-                    .orElseThrow();
-        }
-        ChartState from = arc.kind() == Arc.Kind.LOCAL && vertex(arc.source()) instanceof ChartState state
-                ? state
-                : is(vertex(arc.source()), Kind.ENTRY_POINT) ? borderOf.get(arc.source()) : null;
-        ChartState to = is(target, Kind.EXIT_POINT) ? borderOf.get(arc.target()) : null;
-        for (Region region : from == null ? List.<Region>of() : from.regions()) {
-            if (contains(around.get(target.key()), region)) {
-                return region;
-            }
-        }
-        for (Region region : to == null ? List.<Region>of() : to.regions()) {
-            if (contains(around.get(arc.source()), region)) {
-                return region;
-            }
-        }
-        return common(around.get(arc.source()), around.get(arc.target()));
-    }
-
-    private int depth(Region region) {
-        return around.values().stream()
-                .filter(regions -> regions.get(regions.size() - 1) == region)
-                .mapToInt(List::size)
-                .findFirst()
-                .orElse(0);
-    }
-
-    private static Region common(List<Region> some, List<Region> others) {
-        Region last = some.get(0);
-        for (int i = 0; i < Math.min(some.size(), others.size()) && some.get(i) == others.get(i); i++) {
-            last = some.get(i);
-        }
-        return last;
     }
 
     // Execution
@@ -362,42 +272,45 @@ final class Interpreter {
             if (terminated) {
                 return;
             }
-            Vertex target = vertex(arc.target());
+            Vertex target = drawing.vertex(arc.target());
             if (arc.kind() == Arc.Kind.INTERNAL) {
                 actions.addAll(arc.effects());
                 return;
             }
-            Region scope = scope(arc);
+            Region scope = drawing.scope(arc);
             exit(current.get(scope));
-            if (is(target, Kind.JOIN)) {
-                entering(target).forEach(segment -> actions.addAll(segment.effects()));
+            if (drawing.is(target, Kind.JOIN)) {
+                drawing.entering(target).forEach(segment -> actions.addAll(segment.effects()));
                 continue;
             }
             actions.addAll(arc.effects());
-            if (is(target, Kind.FORK)) {
-                List<Arc> branches = leaving(target).toList();
+            if (drawing.is(target, Kind.FORK)) {
+                List<Arc> branches = drawing.leaving(target).toList();
                 branches.forEach(branch -> actions.addAll(branch.effects()));
                 Region outermost = branches.stream()
-                        .map(branch -> common(around.get(target.key()), around.get(branch.target())))
-                        .min(Comparator.comparingInt(this::depth))
+                        .map(branch ->
+                                Drawing.common(drawing.around(target), drawing.around(drawing.vertex(branch.target()))))
+                        .min(Comparator.comparingInt(drawing::depth))
                         .orElseThrow();
                 enter(
                         outermost,
-                        branches.stream().map(branch -> vertex(branch.target())).collect(Collectors.toSet()));
-            } else if (is(target, Kind.TERMINATE)) {
+                        branches.stream()
+                                .map(branch -> drawing.vertex(branch.target()))
+                                .collect(Collectors.toSet()));
+            } else if (drawing.is(target, Kind.TERMINATE)) {
                 terminated = true;
                 terminator = target.key();
                 current.clear();
                 complete.clear();
-            } else if (is(target, Kind.EXIT_POINT)) {
-                exit(borderOf.get(target.key()));
-            } else if (is(target, Kind.ENTRY_POINT)) {
-                ChartState border = borderOf.get(target.key());
-                open(around.get(border.key()), scope, opened);
+            } else if (drawing.is(target, Kind.EXIT_POINT)) {
+                exit(drawing.border(target));
+            } else if (drawing.is(target, Kind.ENTRY_POINT)) {
+                ChartState border = drawing.border(target);
+                open(drawing.around(border), scope, opened);
                 activate(border);
                 opened.add(border);
-            } else if (is(target, Kind.CHOICE) || is(target, Kind.JUNCTION)) {
-                open(around.get(target.key()), scope, opened);
+            } else if (drawing.is(target, Kind.CHOICE) || drawing.is(target, Kind.JUNCTION)) {
+                open(drawing.around(target), scope, opened);
             } else {
                 enter(scope, Set.of(target));
             }
@@ -414,7 +327,7 @@ final class Interpreter {
         boolean inside = false;
         for (int i = 0; i < regions.size() - 1; i++) {
             inside |= regions.get(i) == scope;
-            ChartState owner = ownerOf(regions.get(i + 1));
+            ChartState owner = drawing.ownerOf(regions.get(i + 1));
             if (inside && !isActive(owner)) {
                 activate(owner);
                 opened.add(owner);
@@ -422,16 +335,7 @@ final class Interpreter {
         }
     }
 
-    private ChartState ownerOf(Region region) {
-        return byKey.values().stream()
-                .filter(ChartState.class::isInstance)
-                .map(ChartState.class::cast)
-                .filter(state -> contains(state.regions(), region))
-                .findFirst()
-                .orElseThrow();
-    }
-
-    private void exit(Vertex vertex) {
+    private void exit(@Nullable Vertex vertex) {
         if (vertex == null || !isActive(vertex)) {
             return;
         }
@@ -448,17 +352,16 @@ final class Interpreter {
             }
             actions.addAll(state.exit());
         }
-        List<Region> regions = around.get(vertex.key());
-        current.remove(regions.get(regions.size() - 1));
+        current.remove(drawing.home(vertex));
         done.remove(vertex.key());
         complete.remove(vertex.key());
         enteredAt.remove(vertex.key());
     }
 
     private List<Vertex> activeIn(Region region) {
-        return order.stream()
-                .map(this::vertex)
-                .filter(vertex -> isActive(vertex) && contains(around.get(vertex.key()), region))
+        return drawing.order.stream()
+                .map(drawing::vertex)
+                .filter(vertex -> isActive(vertex) && Drawing.contains(drawing.around(vertex), region))
                 .toList();
     }
 
@@ -469,11 +372,11 @@ final class Interpreter {
         for (Vertex vertex : region.vertices()) {
             boolean leads = targets.contains(vertex)
                     || vertex instanceof ChartState state
-                            && targets.stream().anyMatch(target -> isInside(state, target));
+                            && targets.stream().anyMatch(target -> drawing.isInside(state, target));
             if (!leads) {
                 continue;
             }
-            if (is(vertex, Kind.SHALLOW_HISTORY) || is(vertex, Kind.DEEP_HISTORY)) {
+            if (drawing.is(vertex, Kind.SHALLOW_HISTORY) || drawing.is(vertex, Kind.DEEP_HISTORY)) {
                 restore(region, vertex);
                 return;
             }
@@ -493,18 +396,18 @@ final class Interpreter {
 
     private void byDefault(Region region) {
         Vertex initial = region.vertices().stream()
-                .filter(vertex -> is(vertex, Kind.INITIAL))
+                .filter(vertex -> drawing.is(vertex, Kind.INITIAL))
                 .findFirst()
                 .orElseThrow();
-        fire(extend(leaving(initial).findFirst().orElseThrow(), List.of()));
+        fire(path(drawing.leaving(initial).findFirst().orElseThrow()));
     }
 
     private void restore(Region region, Vertex history) {
         exit(current.get(region));
         List<Vertex> remembered = memory.get(region);
         if (remembered == null) {
-            leaving(history).findFirst().ifPresentOrElse(arc -> fire(extend(arc, List.of())), () -> byDefault(region));
-        } else if (is(history, Kind.DEEP_HISTORY)) {
+            drawing.leaving(history).findFirst().ifPresentOrElse(arc -> fire(path(arc)), () -> byDefault(region));
+        } else if (drawing.is(history, Kind.DEEP_HISTORY)) {
             enter(region, new HashSet<>(remembered));
         } else {
             enter(
@@ -515,17 +418,24 @@ final class Interpreter {
         }
     }
 
+    private List<Arc> path(Arc first) {
+        List<Arc> path = extend(first, List.of());
+        if (path == null) {
+            throw new IllegalStateException("no branch holds behind " + first);
+        }
+        return path;
+    }
+
     private void activate(Vertex vertex) {
-        List<Region> regions = around.get(vertex.key());
-        current.put(regions.get(regions.size() - 1), vertex);
+        current.put(drawing.home(vertex), vertex);
         enteredAt.put(vertex.key(), now);
         if (vertex instanceof ChartState state) {
             actions.addAll(state.entry());
             if (state.regions().isEmpty()) {
                 checkComplete(state);
             }
-        } else if (regions.size() > 1) {
-            checkComplete(ownerOf(regions.get(regions.size() - 1)));
+        } else if (drawing.around(vertex).size() > 1) {
+            checkComplete(drawing.ownerOf(drawing.home(vertex)));
         }
     }
 
@@ -534,8 +444,9 @@ final class Interpreter {
             if (round > 10_000) {
                 throw new IllegalStateException("endless completion");
             }
-            ChartState state = state(complete.remove(0));
-            choose(leaving(state).filter(arc -> arc.triggers().isEmpty())).forEach(this::fire);
+            ChartState state = drawing.state(complete.remove(0));
+            choose(drawing.leaving(state).filter(arc -> arc.triggers().isEmpty()))
+                    .forEach(this::fire);
         }
     }
 

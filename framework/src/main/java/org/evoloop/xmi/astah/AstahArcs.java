@@ -123,21 +123,16 @@ final class AstahArcs {
                 kind);
     }
 
-    /** What the text on the transition says beyond its elements; nothing if it contradicts them. */
+    /** What the text on the transition says beyond its elements; nothing if it is not about their trigger. */
     private static AstahLabel missing(String text, String trigger, String guard, String effect) {
         AstahLabel label = AstahLabel.parse(text);
-        boolean agrees =
-                agrees(trigger, label.trigger()) && agrees(guard, label.guard()) && agrees(effect, label.effect());
-        return agrees
-                ? new AstahLabel(
-                        trigger.isEmpty() ? label.trigger() : "",
-                        guard.isEmpty() ? label.guard() : "",
-                        effect.isEmpty() ? label.effect() : "")
-                : new AstahLabel("", "", "");
-    }
-
-    private static boolean agrees(String element, String text) {
-        return element.isEmpty() || element.equals(text);
+        if (!trigger.isEmpty() && !label.trigger().isEmpty() && !label.trigger().equals(trigger)) {
+            return new AstahLabel("", "", "");
+        }
+        return new AstahLabel(
+                trigger.isEmpty() ? label.trigger() : "",
+                guard.isEmpty() ? label.guard() : "",
+                effect.isEmpty() ? label.effect() : "");
     }
 
     private String guard(Transition transition) {

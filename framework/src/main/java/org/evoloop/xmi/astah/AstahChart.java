@@ -26,7 +26,7 @@ import org.jspecify.annotations.Nullable;
 /** Turns the bindings of a machine, and of those it includes, into a {@link Statechart}. */
 final class AstahChart {
     /** Submachines within submachines multiply. */
-    private static final int MAX_VERTICES = 200_000;
+    private static final int MAX_ELEMENTS = 500_000;
 
     private static final int MAX_INCLUSIONS = 100;
 
@@ -47,7 +47,7 @@ final class AstahChart {
     /** Ids of the machines that are being read, each inside of the one before. */
     private final Set<String> including = new HashSet<>();
 
-    private int vertexCount;
+    private int elementCount;
 
     AstahChart(AstahFile file, Problems problems) {
         this.file = file;
@@ -95,7 +95,8 @@ final class AstahChart {
         State top = tops.isEmpty() ? new State() : tops.get(0);
         refuseBehavior(top, "the top of a machine");
         List<Region> regions = regions(top, scope, borderPoints);
-        List<Arc> arcs = scope.arcs.all(source.machine().allTransitions());
+        List<AstahXml.Transition> transitions = source.machine().allTransitions();
+        List<Arc> arcs = isTooLarge(transitions.size()) ? List.of() : scope.arcs.all(transitions);
         if (regions.isEmpty()) {
             return arcs.isEmpty() ? List.of() : List.of(new Region("", place(source.machine()), List.of(), arcs));
         }
@@ -103,6 +104,21 @@ final class AstahChart {
         Region first = all.get(0);
         all.set(0, new Region(first.name(), first.place(), first.vertices(), arcs));
         return all;
+    }
+
+    private boolean isTooLarge(int further) {
+        if (elementCount > MAX_ELEMENTS) {
+            return true;
+        }
+        elementCount += further;
+        if (elementCount > MAX_ELEMENTS) {
+            problems.add(
+                    0,
+                    "with its submachines the machine has more than " + MAX_ELEMENTS
+                            + " states and transitions; include fewer of them");
+            return true;
+        }
+        return false;
     }
 
     /** What one machine's elements have in common. */
@@ -154,13 +170,7 @@ final class AstahChart {
             List<Vertex.Pseudostate> borderPoints) {
         List<Vertex> vertices = new ArrayList<>();
         for (AstahXml.Vertex element : elements) {
-            if (++vertexCount > MAX_VERTICES) {
-                if (vertexCount == MAX_VERTICES + 1) {
-                    problems.add(
-                            element.line,
-                            "with its submachines the machine has more than " + MAX_VERTICES
-                                    + " states; include fewer of them");
-                }
+            if (isTooLarge(1)) {
                 break;
             }
             if (element.id().isEmpty()) {

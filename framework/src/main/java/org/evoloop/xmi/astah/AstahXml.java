@@ -115,11 +115,6 @@ final class AstahXml {
         @XmlElement(name = "StateMachine.transitions")
         List<Transitions> transitions = few();
 
-        @Override
-        String word() {
-            return "state machine";
-        }
-
         List<Transition> allTransitions() {
             return transitions.stream()
                     .flatMap(role -> role.transitions.stream())

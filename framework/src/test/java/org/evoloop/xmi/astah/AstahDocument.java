@@ -121,6 +121,16 @@ public final class AstahDocument {
             return FIRST_LINE + 5 + vertices.size() + transitions.size();
         }
 
+        /** The vertices alone, a line each. */
+        String vertices() {
+            return lines(vertices);
+        }
+
+        /** The transitions alone, a line each. */
+        String transitions() {
+            return lines(transitions);
+        }
+
         public String text() {
             return "<UML:StateMachine xmi.id=\"" + id + "\" name=\"" + encode(name) + "\" version=\"0\">\n"
                     + "<UML:StateMachine.top><UML:CompositeState xmi.id=\"top-" + id + "\" name=\"\"" + STATE_ATTRIBUTES

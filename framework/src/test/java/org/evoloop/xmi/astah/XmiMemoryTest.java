@@ -74,7 +74,7 @@ class XmiMemoryTest {
         "machines, 400, " + TOO_LARGE,
         "events, 400, " + TOO_LARGE,
         "diagrams, 400, " + TOO_LARGE,
-        "hundredThousandTransitions, 800, 100000 transitions"
+        "hundredThousandTransitions, 400, 100000 transitions"
     })
     void shouldStayWithinTheHeap(String attack, int heapMib, String answer) throws IOException, InterruptedException {
         Process process = new ProcessBuilder(
