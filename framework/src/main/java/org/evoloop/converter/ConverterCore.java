@@ -45,6 +45,8 @@ final class ConverterCore implements VisitHost, LoopListener<Occurrence> {
     private volatile @Nullable Occurrence observed;
     private volatile @Nullable Conversion active;
     private volatile @Nullable Visit visit;
+    private volatile boolean sent;
+    private volatile long sentNanos;
     private long visits;
 
     /** What runs in the current state if it is a new one: the function of the transition that led there. */
@@ -125,6 +127,10 @@ final class ConverterCore implements VisitHost, LoopListener<Occurrence> {
         if (found != null && isNoNews(found, before)) {
             return null;
         }
+        if (found != null && sent && occurrence.observedNanos() < sentNanos) {
+            history.record(occurrence, before, before, Outcome.STALE, "the device has been sent an event since");
+            return null;
+        }
         observed = occurrence;
         active = null;
         transcript.observed(occurrence);
@@ -197,6 +203,8 @@ final class ConverterCore implements VisitHost, LoopListener<Occurrence> {
     void took(Step step) {
         if (!step.byDevice()) {
             transcript.command(step.event());
+            sent = true;
+            sentNanos = config.clock().nanoTime();
         }
         knowledge.move(knowledge.configuration().withOriginal(step.target()));
     }
