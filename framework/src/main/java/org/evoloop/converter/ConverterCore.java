@@ -49,6 +49,8 @@ final class ConverterCore implements VisitHost, LoopListener<Occurrence> {
     private volatile @Nullable Occurrence observed;
     private volatile @Nullable Conversion active;
     private volatile @Nullable Visit visit;
+    private volatile boolean sent;
+    private volatile long sentNanos;
     private long visits;
 
     /** When the timers of the current visit fire; one that has been heard is no longer in it. */
@@ -130,6 +132,10 @@ final class ConverterCore implements VisitHost, LoopListener<Occurrence> {
         }
         State found = occurrence.found();
         if (found != null && isNoNews(found, before)) {
+            return null;
+        }
+        if (found != null && sent && occurrence.observedNanos() < sentNanos) {
+            history.record(occurrence, before, before, Outcome.STALE, null, "the device has been sent an event since");
             return null;
         }
         if (occurrence.source() == Source.TIMER) {
@@ -226,6 +232,8 @@ final class ConverterCore implements VisitHost, LoopListener<Occurrence> {
     void took(Step step) {
         if (!step.byDevice()) {
             transcript.command(step.trigger());
+            sent = true;
+            sentNanos = config.clock().nanoTime();
         }
         knowledge.move(knowledge.configuration().withOriginal(step.target()));
     }

@@ -65,7 +65,8 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
 
     /**
      * The device was found in {@code state} of its model, whatever the converter took it to be in: after it was out of
-     * sight, or when it has done what its model does not know. Nothing comes of it if that is no news.
+     * sight, or when it has done what its model does not know. Nothing comes of it if that is no news, or if
+     * the device has been sent an event since.
      */
     protected final Occurrence foundIn(String state) {
         return Occurrence.found(new State(state), nanoTime());

@@ -5,6 +5,8 @@ import static org.evoloop.converter.Robot.at;
 
 import java.time.Duration;
 import org.evoloop.converter.HistoryEntry.Outcome;
+import org.evoloop.evolution.Occurrence;
+import org.evoloop.statemachine.State;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
@@ -80,5 +82,18 @@ class ResynchronizationTest {
         robot.panel("Clean", true).found("Flying");
 
         assertThat(robot.states()).isEqualTo(at("On", "On"));
+    }
+
+    @Test
+    void aFindingThatIsOlderThanTheLastEventThatWasSentIsStale() throws InterruptedException {
+        long before = robot.clock.nanoTime();
+        robot.clock.advance(Duration.ofMillis(1));
+        robot.controller("Clean");
+        robot.converter.offer(Occurrence.found(new State("Off"), before));
+        robot.converter.step();
+        assertThat(robot.states()).isEqualTo(at("On", "On"));
+        assertThat(robot.last().outcome()).isEqualTo(Outcome.STALE);
+        robot.found("Clean");
+        assertThat(robot.states()).isEqualTo(at("Clean", "Clean"));
     }
 }

@@ -30,7 +30,6 @@ final class Control {
     private volatile boolean wanted;
     private volatile boolean regaining;
     private @Nullable Command unconfirmed;
-    private int commandsUnderWay;
     private boolean outOfSight;
     private int settlingFrames;
     private boolean mayHaveMissed = true;
@@ -78,23 +77,13 @@ final class Control {
         return regaining;
     }
 
-    /** A command is about to be sent: until {@link #settled}, what the robot does cannot be told. */
-    void commanding() {
-        commandsUnderWay++;
+    /** A command has been sent. */
+    void commanded(Command command) {
         if (engaged) {
             // Who commands the robot makes it do what it is taken to do; frames that are on their way tell older
             // things.
             mayHaveMissed = false;
         }
-    }
-
-    /** A command that was about to be sent has been, or could not be. */
-    void settled() {
-        commandsUnderWay--;
-    }
-
-    /** A command has been sent. */
-    void commanded(Command command) {
         unconfirmed = null;
         if (command instanceof Command.Spot || command instanceof Command.Clean) {
             unconfirmed = underControl ? command : null;
@@ -147,11 +136,8 @@ final class Control {
         } else if (command != null && framesWith % CONFIRM_FRAMES == 0) {
             // It would have ended control, had the robot received it.
             connection.trySend(command);
-        } else if (command == null
-                && engaged
-                && !wanted
-                && commandsUnderWay == 0
-                && framesWith % SpotWatch.QUIET_FRAMES == 0) {
+        } else if (command == null && engaged && !wanted && framesWith % SpotWatch.QUIET_FRAMES == 0) {
+
             // Whatever it was left alone for, it does not do it.
             watch.tellOn();
         }

@@ -165,23 +165,6 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
             throw new RobotException(connection.description()
                     + ": the robot has just come back into sight; try again when it is under control");
         }
-        synchronized (receiving) {
-            control.commanding();
-        }
-        try {
-            transmit(command);
-            synchronized (receiving) {
-                control.commanded(command);
-                watch.commanded(command);
-            }
-        } finally {
-            synchronized (receiving) {
-                control.settled();
-            }
-        }
-    }
-
-    private void transmit(Command command) {
         synchronized (sending) {
             if (options.mayWait()) {
                 pauseAfterModeChange();
@@ -191,6 +174,10 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
                 modeChanged = true;
                 modeChangedNanos = clock.nanoTime();
             }
+        }
+        synchronized (receiving) {
+            control.commanded(command);
+            watch.commanded(command);
         }
     }
 
