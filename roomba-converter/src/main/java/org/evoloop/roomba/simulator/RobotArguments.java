@@ -14,11 +14,13 @@ import picocli.CommandLine.TypeConversionException;
 /** The command line's part that becomes {@link RobotOptions}, which checks the values. */
 final class RobotArguments {
     private static final double MILLIS_PER_SECOND = 1000;
+    private static final Path LIVING_ROOM = Path.of("living-room");
 
     @Option(
             names = "--room",
             paramLabel = "FILE",
-            description = "The room it lives in, described below (default: an open plain).")
+            description = "The room it lives in, described below, or living-room, which comes along "
+                    + "(default: an open plain).")
     private @Nullable Path room;
 
     @Option(
@@ -109,7 +111,7 @@ final class RobotArguments {
      */
     RobotOptions toOptions() {
         return RobotOptions.builder()
-                .room(room == null ? Room.OPEN : RoomFile.read(room))
+                .room(room())
                 .spotDurationMillis((int) Math.round(spotDurationSeconds * MILLIS_PER_SECOND))
                 .batteryPercent(batteryPercent)
                 .baud(baud)
@@ -123,6 +125,13 @@ final class RobotArguments {
                 .sleepy(sleepy)
                 .strictModeWindow(strictModeWindow)
                 .build();
+    }
+
+    private Room room() {
+        if (room == null) {
+            return Room.OPEN;
+        }
+        return room.equals(LIVING_ROOM) ? RoomFile.livingRoom() : RoomFile.read(room);
     }
 
     /** Made by picocli. */

@@ -7,6 +7,8 @@ import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
+import java.net.InetAddress;
+import java.net.ServerSocket;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
@@ -71,6 +73,14 @@ class SimulatorCommandTest {
                 "--link L --checksum md5 | Invalid value for option '--checksum': 'md5' is unknown; there are real and spec500",
                 "--link L --room none.txt | cannot start the simulator: none.txt: cannot be read; it must be an existing, readable text file",
                 "--link L --svg no/such/folder.svg | cannot write no/such/folder.svg (--svg); its folder must exist and be writable",
+                "--link L --camera 70000 | cannot start the simulator: camera port is 70000; allowed is 0 to 65535",
+                "--link L --camera web | Invalid value for option '--camera': 'web' is not an int",
+                "--link L --camera-fps 5 | cannot start the simulator: --camera-quality, --camera-size, --camera-fov and --camera-fps go with --camera PORT",
+                "--link L --camera 0 --camera-quality best | cannot start the simulator: camera quality is 'best'; there are clean, typical and hard",
+                "--link L --camera 0 --camera-size big | cannot start the simulator: --camera-size is 'big'; it takes WxH in pixels, for example 640x480",
+                "--link L --camera 0 --camera-size 8x480 | cannot start the simulator: picture width in pixels is 8; allowed is 16 to 1920",
+                "--link L --camera 0 --camera-fov 180 | cannot start the simulator: field of view in degrees is 180; allowed is 20 to 120",
+                "--link L --camera 0 --camera-fps 0 | cannot start the simulator: camera frames per second are 0.0; allowed is 0.1 to 60",
                 "--link . | cannot start the simulator: . exists and is not a symbolic link; remove it or choose another path",
             })
     void aWrongOptionIsOneClearMessageAndCode2(String arguments, String message) {
@@ -103,6 +113,29 @@ class SimulatorCommandTest {
                 .contains("cannot start the simulator: " + room
                         + ", line 2: 'sofa' is unknown; a line begins with wall,"
                         + " obstacle, cliff, dock, start or marker");
+    }
+
+    @Test
+    void aCameraTellsItsAddress() {
+        String link = folder.resolve("roomba").toString();
+        assertThat(run("camera stall\nquit\n", "--link", link, "--camera", "0", "--camera-size", "320x240"))
+                .isZero();
+        assertThat(output.toString().lines()).hasSize(4).first().isEqualTo("ready " + link);
+        assertThat(output.toString().lines().skip(1).findFirst().orElseThrow())
+                .matches("camera http://127\\.0\\.0\\.1:\\d+/stream");
+    }
+
+    @Test
+    void aTakenPortIsOneClearMessageAndCode2() throws IOException {
+        try (ServerSocket taken = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+            String port = Integer.toString(taken.getLocalPort());
+            assertThat(run("", "--link", folder.resolve("roomba").toString(), "--camera", port))
+                    .isEqualTo(2);
+            assertThat(errors.toString().lines().findFirst())
+                    .contains("cannot start the simulator: the camera's port " + port
+                            + " cannot be had (Address already in use); choose another, or 0 for any that is free");
+        }
+        assertThat(folder).isEmptyDirectory();
     }
 
     @Test

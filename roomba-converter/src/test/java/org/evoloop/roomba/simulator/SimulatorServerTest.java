@@ -6,11 +6,18 @@ import static org.awaitility.Awaitility.await;
 
 import java.io.IOException;
 import java.io.RandomAccessFile;
+import java.net.ConnectException;
+import java.net.URI;
+import java.net.http.HttpClient;
+import java.net.http.HttpRequest;
+import java.net.http.HttpResponse;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
@@ -28,9 +35,15 @@ import org.evoloop.roomba.oi.Packet;
 import org.evoloop.roomba.oi.PacketId;
 import org.evoloop.roomba.oi.SensorValues;
 import org.evoloop.roomba.oi.StreamFramer;
+import org.evoloop.roomba.simulator.eye.Effects;
+import org.evoloop.roomba.simulator.eye.EyeOptions;
 import org.evoloop.roomba.simulator.robot.Activity;
 import org.evoloop.roomba.simulator.robot.RobotOptions;
 import org.evoloop.roomba.simulator.robot.RobotState;
+import org.evoloop.roomba.simulator.room.Pose;
+import org.evoloop.roomba.simulator.room.RandomRooms;
+import org.evoloop.roomba.simulator.webcam.Webcam;
+import org.evoloop.roomba.simulator.webcam.WebcamOptions;
 import org.evoloop.time.Clock;
 import org.evoloop.time.ManualClock;
 import org.evoloop.time.SystemClock;
@@ -249,6 +262,59 @@ class SimulatorServerTest {
             RobotState state = server.robot().state();
             assertThat(state.timeMillis()).isEqualTo(30);
         }
+    }
+
+    @Test
+    void theRobotsCameraShowsWhereItIs() throws Exception {
+        RobotOptions options =
+                RobotOptions.builder().room(RandomRooms.withMarker(7)).build();
+        WebcamOptions camera = new WebcamOptions(
+                0, 30, EyeOptions.defaults().withSize(160, 120).withEffects(Effects.CLEAN));
+        HttpClient http = HttpClient.newHttpClient();
+        try (Clock clock = new SystemClock();
+                SimulatorServer server =
+                        SimulatorServer.start(port(), options, clock, 5, state -> {}, Optional.of(camera))) {
+            URI url = server.camera().orElseThrow().url().resolve("/frame.jpg");
+            HttpRequest request = HttpRequest.newBuilder(url).build();
+            byte[] before =
+                    http.send(request, HttpResponse.BodyHandlers.ofByteArray()).body();
+            assertThat(http.send(request, HttpResponse.BodyHandlers.ofByteArray())
+                            .body())
+                    .isEqualTo(before);
+            WorldCommands world = new WorldCommands(server);
+            Pose start = options.room().start();
+            assertThat(world.execute(String.format(
+                            Locale.ROOT, "place %.3f %.3f %.3f", start.xMm(), start.yMm(), start.headingDeg() + 10)))
+                    .isEqualTo("ok");
+            assertThat(http.send(request, HttpResponse.BodyHandlers.ofByteArray())
+                            .body())
+                    .isNotEqualTo(before);
+            assertThat(world.execute("camera unplug")).isEqualTo("ok");
+            assertThat(world.execute("camera unplug")).isEqualTo("error: the camera is unplugged already");
+            assertThatThrownBy(() -> http.send(request, HttpResponse.BodyHandlers.ofByteArray()))
+                    .isInstanceOf(ConnectException.class);
+            for (String command : List.of("camera replug", "camera stall", "camera resume", "camera damage 0.5")) {
+                assertThat(world.execute(command)).as(command).isEqualTo("ok");
+            }
+            assertThat(world.execute("camera damage 2")).isEqualTo("error: P is '2'; allowed is 0 to 1");
+            assertThat(world.execute("camera damage"))
+                    .isEqualTo("error: the command is 'camera stall|resume|unplug|replug|damage P'");
+            assertThat(world.execute("camera smile"))
+                    .isEqualTo("error: the command is 'camera stall|resume|unplug|replug|damage P'");
+        }
+    }
+
+    @Test
+    void aCameraWithoutItsPortLeavesNothingBehind() throws IOException {
+        try (Clock clock = new ManualClock();
+                Webcam other = Webcam.start(WebcamOptions.defaults())) {
+            WebcamOptions taken = new WebcamOptions(other.url().getPort(), 30, EyeOptions.defaults());
+            assertThatThrownBy(() -> SimulatorServer.start(
+                            port(), RobotOptions.defaults(), clock, 1, state -> {}, Optional.of(taken)))
+                    .isInstanceOf(IOException.class)
+                    .hasMessageContaining("cannot be had");
+        }
+        assertThat(folder).isEmptyDirectory();
     }
 
     @Test

@@ -156,7 +156,7 @@ public final class RandomRooms {
 
     private boolean hasSpace(Room room, Pose pose, double clearanceMm) {
         boolean inside = pose.xMm() > 0 && pose.xMm() < widthMm && pose.yMm() > 0 && pose.yMm() < lengthMm;
-        return inside && room.isFree(pose) && room.touched(pose, clearanceMm).isEmpty();
+        return inside && room.touched(pose, clearanceMm).isEmpty() && room.isFree(pose);
     }
 
     private @Nullable Room marked(Room room, double nearestMm, double farthestMm) {

@@ -1,13 +1,17 @@
 package org.evoloop.roomba.simulator.room;
 
 import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
 import java.nio.charset.CharacterCodingException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.Objects;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import java.util.Set;
@@ -32,6 +36,7 @@ import org.jspecify.annotations.Nullable;
  * height MM}.
  */
 public final class RoomFile {
+    private static final String LIVING_ROOM = "living-room.txt";
     private static final double FARTHEST_MM = 100_000;
 
     /** What may follow the corners of a wall or an obstacle. */
@@ -58,6 +63,18 @@ public final class RoomFile {
         } catch (IOException failure) {
             throw new IllegalArgumentException(
                     file + ": cannot be read; it must be an existing, readable text file", failure);
+        }
+    }
+
+    /** The living room that comes with the simulator: much furniture, a dock, and a marker behind the robot's back. */
+    public static Room livingRoom() {
+        try (InputStream file = RoomFile.class.getResourceAsStream(LIVING_ROOM)) {
+            byte[] text = Objects.requireNonNull(file, LIVING_ROOM).readAllBytes();
+            return parse(
+                    LIVING_ROOM,
+                    new String(text, StandardCharsets.UTF_8).lines().toList());
+        } catch (IOException brokenJar) {
+            throw new UncheckedIOException(brokenJar);
         }
     }
 

@@ -74,6 +74,12 @@ public final class Webcam implements Consumer<RobotState>, AutoCloseable {
         return options;
     }
 
+    /** How many watch. */
+    int clients() {
+        MjpegServer current = server;
+        return current == null ? 0 : current.clients();
+    }
+
     /** How many pictures have been drawn. */
     public long drawn() {
         return drawn.get();
@@ -82,9 +88,8 @@ public final class Webcam implements Consumer<RobotState>, AutoCloseable {
     /** Takes the robot's state; returns at once. */
     @Override
     public void accept(RobotState state) {
-        MjpegServer watched = server;
         long frame = frame(state);
-        if (watched != null && watched.clients() > 0 && !stalled && frame != latestFrame) {
+        if (clients() > 0 && !stalled && frame != latestFrame) {
             latestFrame = frame;
             moments.put(state);
         }

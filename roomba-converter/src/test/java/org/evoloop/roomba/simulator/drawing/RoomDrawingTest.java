@@ -101,6 +101,16 @@ class RoomDrawingTest {
     }
 
     @Test
+    void theMarkerAndWhatACameraSeesAreDrawn() throws Exception {
+        assertThat(draw().getElementsByTagName("polygon").getLength()).isEqualTo(2);
+        robot.moveMarker(new Pose(900, 200, Math.PI));
+        assertThat(draw().getElementsByTagName("polygon").getLength()).isEqualTo(3);
+        String svg = RoomDrawing.svg(robot.state(), trail, 60);
+        // The robot at 100, 200 looks along x; 4 m along the edges of 60 degrees.
+        assertThat(svg).contains("class='sight' points='100,200 3564,-1800 ").contains(" 3564,2200'");
+    }
+
+    @Test
     void allOfTheWayIsWithinThePicture() throws Exception {
         send(new Command.Start(), new Command.Full(), new DriveDirect(400, 380));
         seconds(20);

@@ -35,7 +35,7 @@ class RandomRoomsTest {
             assertThat(room.start().distanceMmTo(marker.pose().center()))
                     .as("seed %d", seed)
                     .isBetween(500.0, 3_500.0);
-            assertThat(room.shapes()).as("seed %d", seed).hasSizeBetween(2, 9);
+            assertThat(room.shapes()).as("seed %d", seed).hasSizeBetween(4, 9);
         }
     }
 

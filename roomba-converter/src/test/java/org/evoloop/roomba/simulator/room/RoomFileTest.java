@@ -62,6 +62,20 @@ class RoomFileTest {
     }
 
     @Test
+    void theLivingRoomHidesItsMarkerBehindTheRobot() {
+        Room room = RoomFile.livingRoom();
+        Marker marker = room.marker().orElseThrow();
+        Pose goal = marker.before(RandomRooms.GOAL_MM);
+        assertThat(goal.distanceMmTo(1_000, 500)).isLessThan(1);
+        assertThat(room.isFree(goal)).isTrue();
+        assertThat(room.touched(goal, 480)).as("space for a spot").isEmpty();
+        Point place = marker.pose().center();
+        assertThat(Math.abs(room.start().bearingRadTo(place.xMm(), place.yMm())))
+                .isGreaterThan(Math.PI / 2);
+        assertThat(room.dock()).isPresent();
+    }
+
+    @Test
     void theMarkerIsInNobodysWay() {
         Room room = RoomFile.parse("a", List.of("marker 0 0 180"));
         assertThat(room.isFree(Pose.ORIGIN)).isTrue();

@@ -1,0 +1,330 @@
+package org.evoloop.roomba.simulator.webcam;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.awaitility.Awaitility.await;
+
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayInputStream;
+import java.io.DataInputStream;
+import java.io.EOFException;
+import java.io.IOException;
+import java.io.InputStream;
+import java.net.ConnectException;
+import java.net.InetAddress;
+import java.net.Socket;
+import java.net.URI;
+import java.net.http.HttpClient;
+import java.net.http.HttpRequest;
+import java.net.http.HttpResponse;
+import java.net.http.HttpResponse.BodyHandlers;
+import java.nio.charset.StandardCharsets;
+import java.time.Duration;
+import java.util.Arrays;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.atomic.AtomicBoolean;
+import javax.imageio.ImageIO;
+import org.evoloop.roomba.simulator.eye.Effects;
+import org.evoloop.roomba.simulator.eye.Eye;
+import org.evoloop.roomba.simulator.eye.EyeOptions;
+import org.evoloop.roomba.simulator.eye.Picture;
+import org.evoloop.roomba.simulator.robot.RobotOptions;
+import org.evoloop.roomba.simulator.robot.SimulatedRoomba;
+import org.evoloop.roomba.simulator.room.Pose;
+import org.evoloop.roomba.simulator.room.RandomRooms;
+import org.evoloop.roomba.simulator.room.Room;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+@Timeout(60)
+class WebcamTest {
+    private static final EyeOptions SMALL = EyeOptions.defaults().withSize(160, 120);
+    private static final Room ROOM = RandomRooms.withMarker(3);
+
+    private final HttpClient http = HttpClient.newHttpClient();
+    private final SimulatedRoomba robot =
+            new SimulatedRoomba(RobotOptions.builder().room(ROOM).build(), bytes -> {});
+    private final Webcam webcam;
+
+    WebcamTest() throws IOException {
+        webcam = Webcam.start(new WebcamOptions(0, 30, SMALL));
+    }
+
+    @AfterEach
+    void close() {
+        webcam.close();
+    }
+
+    /** Reads a stream as it comes, on a thread of its own. */
+    private static final class Viewer {
+        final BlockingQueue<byte[]> pictures = new LinkedBlockingQueue<>();
+        final AtomicBoolean ended = new AtomicBoolean();
+        private final InputStream body;
+
+        Viewer(HttpResponse<InputStream> response) {
+            assertThat(response.headers().firstValue("Content-Type"))
+                    .contains("multipart/x-mixed-replace; boundary=evoloop-frame");
+            body = response.body();
+            Thread thread = new Thread(this::read, "viewer");
+            thread.setDaemon(true);
+            thread.start();
+        }
+
+        private void read() {
+            try (DataInputStream input = new DataInputStream(body)) {
+                while (true) {
+                    int length = 0;
+                    for (String line = line(input); !line.isEmpty(); line = line(input)) {
+                        length = line.startsWith("Content-Length: ") ? Integer.parseInt(line.substring(16)) : length;
+                    }
+                    byte[] picture = new byte[length];
+                    input.readFully(picture);
+                    assertThat(line(input)).isEmpty();
+                    pictures.add(picture);
+                }
+            } catch (IOException hungUp) {
+                ended.set(true);
+            }
+        }
+
+        private static String line(InputStream input) throws IOException {
+            StringBuilder line = new StringBuilder();
+            for (int next = input.read(); next != '\n'; next = input.read()) {
+                if (next < 0) {
+                    throw new EOFException();
+                }
+                if (next != '\r') {
+                    line.append((char) next);
+                }
+            }
+            return line.toString();
+        }
+
+        void leave() throws IOException {
+            body.close();
+        }
+    }
+
+    private Viewer view() throws IOException, InterruptedException {
+        int before = webcam.clients();
+        Viewer viewer = new Viewer(get("/stream"));
+        await().until(() -> webcam.clients() == before + 1);
+        return viewer;
+    }
+
+    private HttpResponse<InputStream> get(String path) throws IOException, InterruptedException {
+        return http.send(request(path), BodyHandlers.ofInputStream());
+    }
+
+    private HttpRequest request(String path) {
+        return HttpRequest.newBuilder(webcam.url().resolve(path)).build();
+    }
+
+    private void ticks(int count) {
+        for (int i = 0; i < count; i++) {
+            robot.tick();
+            webcam.accept(robot.state());
+        }
+    }
+
+    /** Lets time pass until a viewer has so many pictures more. */
+    private void untilSeen(Viewer viewer, int more) {
+        int wanted = viewer.pictures.size() + more;
+        await().pollInterval(Duration.ofMillis(1)).until(() -> {
+            ticks(3);
+            return viewer.pictures.size() >= wanted;
+        });
+    }
+
+    @Test
+    void clientsSeeWhatTheEyeSees() throws Exception {
+        Viewer one = view();
+        Viewer other = view();
+        untilSeen(one, 3);
+        untilSeen(other, 3);
+        BufferedImage image = ImageIO.read(new ByteArrayInputStream(one.pictures.take()));
+        Picture truth = new Eye(SMALL.withEffects(Effects.CLEAN)).render(ROOM, ROOM.start(), 0, 0);
+        assertThat(image.getWidth()).isEqualTo(160);
+        assertThat(image.getHeight()).isEqualTo(120);
+        // At the bright side, where a typical camera's levels are those of a clean one but for a tenth.
+        double difference = 0;
+        for (int y = 0; y < 120; y++) {
+            int at = (y * 160 + 146) * 3;
+            int rgb = image.getRGB(146, y);
+            difference += Math.abs((rgb >> 16 & 0xFF) - (truth.bgr()[at + 2] & 0xFF))
+                    + Math.abs((rgb & 0xFF) - (truth.bgr()[at] & 0xFF));
+        }
+        assertThat(difference / 240).as("red is red and blue is blue").isLessThan(25);
+    }
+
+    @Test
+    void nothingIsDrawnWhileNobodyLooks() throws Exception {
+        ticks(500);
+        assertThat(webcam.drawn()).isZero();
+        Viewer viewer = view();
+        untilSeen(viewer, 1);
+        viewer.leave();
+        await().until(() -> {
+            ticks(3);
+            return webcam.clients() == 0;
+        });
+        // Whatever was asked for before is drawn when this is.
+        byte[] last = picture();
+        long drawn = webcam.drawn();
+        ticks(500);
+        assertThat(last).isNotEmpty();
+        assertThat(webcam.drawn()).isEqualTo(drawn);
+    }
+
+    /** One picture, while time passes. */
+    private byte[] picture() {
+        var answer = http.sendAsync(request("/frame.jpg"), BodyHandlers.ofByteArray());
+        await().until(() -> {
+            ticks(3);
+            return answer.isDone();
+        });
+        assertThat(answer.join().statusCode()).isEqualTo(200);
+        await().until(() -> webcam.clients() == 0);
+        return answer.join().body();
+    }
+
+    @Test
+    void picturesComeAsOftenAsTheRobotsTimeSays() throws Exception {
+        try (Webcam slow = Webcam.start(new WebcamOptions(0, 10, SMALL))) {
+            http.send(HttpRequest.newBuilder(slow.url()).build(), BodyHandlers.ofInputStream());
+            await().until(() -> slow.clients() == 1);
+            for (int tick = 1; tick <= 200; tick++) {
+                robot.tick();
+                slow.accept(robot.state());
+                // Frame 0 shows the first tick; then one each 100 ms.
+                int frames = 1 + tick * SimulatedRoomba.TICK_MILLIS / 100;
+                await().pollInterval(Duration.ofMillis(1)).until(() -> slow.drawn() == frames);
+            }
+            assertThat(slow.drawn()).isEqualTo(31);
+        }
+    }
+
+    @Test
+    void aClientThatNeverReadsHoldsUpNobody() throws Exception {
+        try (Socket silent =
+                new Socket(InetAddress.getLoopbackAddress(), webcam.url().getPort())) {
+            silent.setReceiveBufferSize(1_024);
+            silent.getOutputStream()
+                    .write("GET /stream HTTP/1.1\r\nHost: robot\r\n\r\n".getBytes(StandardCharsets.US_ASCII));
+            await().until(() -> webcam.clients() == 1);
+            Viewer viewer = view();
+            untilSeen(viewer, 200);
+            assertThat(webcam.clients()).as("it still hangs there").isEqualTo(2);
+            webcam.close();
+            await().untilTrue(viewer.ended);
+            assertThat(webcam.clients()).isZero();
+        }
+    }
+
+    @Test
+    void aStalledCameraKeepsItsClientsWaiting() throws Exception {
+        Viewer viewer = view();
+        untilSeen(viewer, 1);
+        webcam.stall();
+        ticks(3);
+        // The one that is being drawn and the one after it may still come.
+        long drawn = webcam.drawn();
+        Viewer late = view();
+        ticks(500);
+        assertThat(webcam.drawn()).isBetween(drawn, drawn + 2);
+        assertThat(late.pictures).isEmpty();
+        assertThat(viewer.ended).isFalse();
+        webcam.resume();
+        untilSeen(viewer, 2);
+        untilSeen(late, 1);
+    }
+
+    @Test
+    void anUnpluggedCameraIsGoneUntilItIsPluggedInAgain() throws Exception {
+        URI url = webcam.url();
+        Viewer viewer = view();
+        untilSeen(viewer, 1);
+        assertThatThrownBy(webcam::replug).hasMessage("the camera is plugged in already");
+        webcam.unplug();
+        await().untilTrue(viewer.ended);
+        assertThatThrownBy(() -> get("/stream")).isInstanceOf(ConnectException.class);
+        assertThatThrownBy(webcam::unplug).hasMessage("the camera is unplugged already");
+        ticks(100);
+        webcam.replug();
+        assertThat(webcam.url()).isEqualTo(url);
+        untilSeen(view(), 2);
+    }
+
+    @Test
+    void damagedPicturesAreNotWhatTheyWere() throws Exception {
+        try (Webcam twin = Webcam.start(new WebcamOptions(0, 30, SMALL))) {
+            webcam.damage(1);
+            var damaged = http.sendAsync(request("/frame.jpg"), BodyHandlers.ofByteArray());
+            var whole = http.sendAsync(
+                    HttpRequest.newBuilder(twin.url().resolve("/frame.jpg")).build(), BodyHandlers.ofByteArray());
+            await().until(() -> webcam.clients() == 1 && twin.clients() == 1);
+            robot.tick();
+            webcam.accept(robot.state());
+            twin.accept(robot.state());
+            byte[] one = damaged.get().body();
+            byte[] other = whole.get().body();
+            assertThat(one).hasSameSizeAs(other);
+            assertThat(Arrays.mismatch(one, other)).isGreaterThan(600);
+        }
+        assertThatThrownBy(() -> webcam.damage(1.5)).hasMessage("the damaged share is 1.5; allowed is 0 to 1");
+    }
+
+    @Test
+    void aBrowserFindsAPageAndOthersFindOutWhatThereIs() throws Exception {
+        HttpResponse<String> page = http.send(request("/"), BodyHandlers.ofString());
+        assertThat(page.body()).contains("<img src=\"/stream\"");
+        assertThat(page.headers().firstValue("Content-Type")).contains("text/html; charset=utf-8");
+        HttpResponse<String> none = http.send(request("/favicon.ico"), BodyHandlers.ofString());
+        assertThat(none.statusCode()).isEqualTo(404);
+        assertThat(none.body()).isEqualTo("there are /, /stream and /frame.jpg\n");
+        HttpRequest post = HttpRequest.newBuilder(webcam.url())
+                .POST(HttpRequest.BodyPublishers.ofString("x"))
+                .build();
+        assertThat(http.send(post, BodyHandlers.ofString()).statusCode()).isEqualTo(405);
+    }
+
+    @Test
+    void tooManyClientsAreToldSo() throws Exception {
+        for (int i = 0; i < 16; i++) {
+            view();
+        }
+        assertThat(get("/stream").statusCode()).isEqualTo(503);
+        await().until(() -> webcam.clients() == 16);
+    }
+
+    @Test
+    void afterCloseNothingIsLeft() throws Exception {
+        view();
+        webcam.close();
+        webcam.close();
+        assertThat(Thread.getAllStackTraces().keySet())
+                .extracting(Thread::getName)
+                .doesNotContain("roomba-webcam");
+        await().until(() -> Thread.getAllStackTraces().keySet().stream()
+                .noneMatch(thread -> thread.getName().equals("roomba-webcam-client")));
+        assertThatThrownBy(() -> get("/stream")).isInstanceOf(ConnectException.class);
+        robot.place(new Pose(ROOM.start().xMm(), ROOM.start().yMm(), 0));
+        ticks(10);
+        assertThat(webcam.drawn()).isZero();
+    }
+
+    @Test
+    void whatCannotBeIsRefused() {
+        int taken = webcam.url().getPort();
+        assertThatThrownBy(() -> Webcam.start(new WebcamOptions(taken, 30, SMALL)))
+                .isInstanceOf(IOException.class)
+                .hasMessage("the camera's port " + taken
+                        + " cannot be had (Address already in use); choose another, or 0 for any that is free");
+        assertThatThrownBy(() -> new WebcamOptions(65_536, 30, SMALL))
+                .hasMessage("camera port is 65536; allowed is 0 to 65535");
+        assertThatThrownBy(() -> new WebcamOptions(0, 61, SMALL))
+                .hasMessage("camera frames per second are 61.0; allowed is 0.1 to 60");
+    }
+}
