@@ -28,9 +28,20 @@ final class Program {
     /** @param folder for what the program prints */
     static Result runWithInput(Path folder, String input, String... arguments)
             throws IOException, InterruptedException {
+        return run(folder, List.of(), input, arguments);
+    }
+
+    /** On a machine without OpenCV. */
+    static Result runWithoutOpenCv(Path folder, String... arguments) throws IOException, InterruptedException {
+        Path empty = Files.createDirectories(folder.resolve("no-opencv"));
+        return run(folder, List.of("-Devoloop.opencv.classes=" + empty), "", arguments);
+    }
+
+    private static Result run(Path folder, List<String> javaOptions, String input, String... arguments)
+            throws IOException, InterruptedException {
         Path out = Files.createTempFile(folder, "out", ".txt");
         Path err = Files.createTempFile(folder, "err", ".txt");
-        Process process = new ProcessBuilder(command(arguments))
+        Process process = new ProcessBuilder(command(javaOptions, arguments))
                 .redirectOutput(out.toFile())
                 .redirectError(err.toFile())
                 .start();
@@ -50,7 +61,7 @@ final class Program {
         return new Result(process.exitValue(), Files.readString(out), Files.readString(err));
     }
 
-    private static List<String> command(String... arguments) {
+    private static List<String> command(List<String> javaOptions, String... arguments) {
         // Without the tests' own settings, which silence the log.
         String classPath = Arrays.stream(System.getProperty("java.class.path").split(":"))
                 .filter(entry -> !entry.endsWith("test-classes") && !entry.endsWith("test-classes/"))
@@ -59,10 +70,9 @@ final class Program {
                 Path.of(System.getProperty("java.home"), "bin", "java").toString(),
                 "-XX:+UseSerialGC",
                 "-XX:TieredStopAtLevel=1",
-                "-Devoloop.home=" + System.getProperty("evoloop.root"),
-                "-cp",
-                classPath,
-                Main.class.getName()));
+                "-Devoloop.home=" + System.getProperty("evoloop.root")));
+        command.addAll(javaOptions);
+        command.addAll(List.of("-cp", classPath, Main.class.getName()));
         command.addAll(List.of(arguments));
         return command;
     }

@@ -2,12 +2,11 @@ package org.evoloop.roomba.camera.live;
 
 import java.time.Duration;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.Supplier;
 import org.evoloop.roomba.camera.CameraException;
 import org.evoloop.roomba.camera.CameraSource;
 import org.evoloop.roomba.camera.vision.Frame;
 import org.evoloop.roomba.camera.vision.FrameReader;
-import org.evoloop.roomba.camera.vision.FrameSize;
-import org.evoloop.roomba.camera.vision.Vision;
 import org.evoloop.time.Clock;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -27,19 +26,18 @@ final class Grabber implements Runnable {
 
     private static final Duration AT_ONCE = Duration.ofSeconds(1);
 
-    private final Vision vision;
     private final CameraSource source;
-    private final FrameSize size;
+    private final Supplier<FrameReader> opener;
     private final Clock clock;
     private final HealthTracker health;
     private final NewestFrame frames;
     private final AtomicLong damaged = new AtomicLong();
     private volatile boolean stopped;
 
-    Grabber(Vision vision, CameraSettings settings, Clock clock, HealthTracker health, NewestFrame frames) {
-        this.vision = vision;
-        source = settings.source();
-        size = settings.size();
+    /** @param opener opens the source, or throws a {@link CameraException} */
+    Grabber(CameraSource source, Supplier<FrameReader> opener, Clock clock, HealthTracker health, NewestFrame frames) {
+        this.source = source;
+        this.opener = opener;
         this.clock = clock;
         this.health = health;
         this.frames = frames;
@@ -61,7 +59,7 @@ final class Grabber implements Runnable {
             while (!stopped) {
                 health.opening();
                 String reason;
-                try (FrameReader reader = vision.open(source, size)) {
+                try (FrameReader reader = opener.get()) {
                     if (readAll(reader)) {
                         pause = FIRST_PAUSE;
                     }

@@ -61,7 +61,8 @@ public final class VideoCamera implements MarkerCamera {
         this.clock = clock;
         health = new HealthTracker("camera " + settings.source(), settings.staleAfter());
         frames = new NewestFrame(vision::newFrame, !settings.source().isLive());
-        grabber = new Grabber(vision, settings, clock, health, frames);
+        grabber = new Grabber(
+                settings.source(), () -> vision.open(settings.source(), settings.size()), clock, health, frames);
         finder = vision.finder(settings.marker(), settings.model());
         recorder = settings.record().map(file -> vision.recorder(file, RECORDED_FRAMES_PER_SECOND));
         belief = new Belief(settings.framesInARow());

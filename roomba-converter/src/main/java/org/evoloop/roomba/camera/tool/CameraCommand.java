@@ -60,10 +60,10 @@ public final class CameraCommand implements Callable<Integer> {
         CameraSettings settings = options.read(CameraSource.parse(source));
         Vision vision = OpenCv.vision();
         PrintWriter out = spec.commandLine().getOut();
-        out.println("OpenCV " + vision.version() + ", camera " + settings.source());
-        out.flush();
         try (Clock clock = new SystemClock();
                 VideoCamera camera = VideoCamera.open(vision, settings, clock)) {
+            out.println("OpenCV " + vision.version() + ", camera " + settings.source());
+            out.flush();
             return watch(camera, settings, clock, out);
         }
     }

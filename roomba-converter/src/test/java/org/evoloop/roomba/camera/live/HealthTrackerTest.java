@@ -1,0 +1,62 @@
+package org.evoloop.roomba.camera.live;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.time.Duration;
+import org.evoloop.roomba.camera.CameraHealth;
+import org.evoloop.roomba.camera.CameraHealth.State;
+import org.junit.jupiter.api.Test;
+
+class HealthTrackerTest {
+    private static final long SECOND = 1_000_000_000L;
+
+    private final HealthTracker health = new HealthTracker("camera x", Duration.ofMillis(300));
+
+    private void assertHealth(long nanos, State state, String reason) {
+        assertThat(health.at(nanos)).isEqualTo(new CameraHealth(state, reason));
+    }
+
+    @Test
+    void opensThenSeesThenStallsWithTimeAlone() {
+        assertHealth(0, State.OPENING, "camera x is being opened");
+        health.seeing(SECOND);
+        assertHealth(SECOND + 300_000_000, State.SEEING, "");
+        assertHealth(
+                SECOND + 301_000_000,
+                State.STALLED,
+                "camera x has sent no frame for 0.3 s; see to its cable and power");
+        health.seeing(2 * SECOND);
+        assertHealth(2 * SECOND, State.SEEING, "");
+    }
+
+    @Test
+    void tellsDamagedFramesFromNone() {
+        health.seeing(SECOND);
+        health.damaged();
+        health.damaged();
+        assertHealth(SECOND, State.SEEING, "");
+        assertHealth(
+                3 * SECOND,
+                State.STALLED,
+                "camera x has sent 2 damaged frames and no good one for 2.0 s; see to its cable, or ask it for "
+                        + "smaller frames");
+    }
+
+    @Test
+    void remembersWhyItWasGoneWhileItTriesAgain() {
+        health.gone("camera x does not exist; plug it in");
+        assertHealth(0, State.GONE, "camera x does not exist; plug it in");
+        health.opening();
+        assertHealth(0, State.OPENING, "trying again: camera x does not exist; plug it in");
+    }
+
+    @Test
+    void staysClosed() {
+        health.closed();
+        health.seeing(SECOND);
+        health.gone("late");
+        health.opening();
+        health.blind("late");
+        assertHealth(SECOND, State.CLOSED, "camera x is closed");
+    }
+}
