@@ -1,16 +1,27 @@
 package org.evoloop.roomba;
 
+import java.net.URI;
 import java.nio.file.Path;
+import java.text.DecimalFormat;
+import java.text.DecimalFormatSymbols;
 import java.time.Duration;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.function.Function;
 import org.evoloop.evolution.ModelPair;
+import org.evoloop.roomba.camera.CameraException;
+import org.evoloop.roomba.camera.CameraSource;
+import org.evoloop.roomba.camera.tool.CameraOptions;
 import org.evoloop.roomba.move.MoveOptions;
 import org.evoloop.roomba.move.StartPointSensor;
 import org.evoloop.statemachine.ModelException;
 import org.evoloop.statemachine.StateMachine;
+import org.evoloop.time.Clock;
 import org.evoloop.xmi.ModelFiles;
 import org.evoloop.xmi.ModelReference;
 import org.evoloop.xmi.XmiFile;
 import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
 /** The options of the command line that choose how the converter works. */
@@ -37,11 +48,28 @@ final class ConverterOptions {
             names = "--start-point",
             paramLabel = "X,Y",
             split = ",",
-            defaultValue = "1000,500",
             description =
-                    "Where Move drives to, in mm ahead and to the left of where the robot stands when the program "
-                            + "starts (default: ${DEFAULT-VALUE}).")
-    private double[] startPoint = {};
+                    "Where Move drives to without a camera, in mm ahead and to the left of where the robot stands when "
+                            + "the program starts (default: 1000,500).")
+    private double @Nullable [] startPoint;
+
+    @Option(
+            names = "--search-limit",
+            paramLabel = "SECONDS",
+            defaultValue = "300",
+            description = "How long Move looks for the starting point before it stops (default: ${DEFAULT-VALUE}).")
+    private double searchLimitSeconds;
+
+    @Option(
+            names = "--camera",
+            paramLabel = "SOURCE",
+            description =
+                    "The camera with which Move looks for the starting point's marker: a device such as /dev/video0 "
+                            + "or 0, the URL of an HTTP camera, a recording, or with --simulate sim for the robot's own.")
+    private @Nullable String camera;
+
+    @Mixin
+    private final CameraOptions cameraOptions = new CameraOptions();
 
     @Option(
             names = "--spot-wait",
@@ -50,25 +78,62 @@ final class ConverterOptions {
             description = "How long SpotWait waits for a second press (default: ${DEFAULT-VALUE}).")
     private double spotWaitSeconds;
 
+    /** Whether the camera is the simulated robot's own. */
+    boolean wantsSimulatedCamera() {
+        return CameraSource.SIMULATED.equals(camera);
+    }
+
     /**
      * The options, with the models read.
      *
+     * @param pace how many times as fast as real time the robot lives
+     * @param simulatedCamera where the simulated robot's camera is, if it has one
      * @throws ModelException if a model cannot be used
+     * @throws CameraException if there is a camera and no OpenCV, or its options make no sense
      * @throws IllegalArgumentException if options are out of range or contradict each other
      */
-    RoombaConverter.Options read() {
-        if (startPoint.length != 2 || !Double.isFinite(startPoint[0]) || !Double.isFinite(startPoint[1])) {
-            throw new IllegalArgumentException("--start-point takes two numbers, X,Y in mm, for example 1000,500");
-        }
-        if (!(spotWaitSeconds >= 0.1 && spotWaitSeconds <= 3600)) {
-            throw new IllegalArgumentException(
-                    "--spot-wait is " + spotWaitSeconds + ", allowed is 0.1 to 3600 seconds");
-        }
+    RoombaConverter.Options read(double pace, Optional<URI> simulatedCamera) {
+        requireWithin("--spot-wait", spotWaitSeconds, 0.1, 3600);
+        requireWithin("--search-limit", searchLimitSeconds, 1, 3600);
         return new RoombaConverter.Options(
                 pair(),
-                StartPointSensor.byWheels(startPoint[0], startPoint[1]),
-                MoveOptions.defaults(),
-                Duration.ofMillis(Math.round(spotWaitSeconds * 1000)));
+                startPoint(pace, simulatedCamera),
+                MoveOptions.defaults().withLimit(seconds(searchLimitSeconds)).atPace(pace),
+                seconds(spotWaitSeconds));
+    }
+
+    private static void requireWithin(String option, double value, double least, double most) {
+        if (!(value >= least && value <= most)) {
+            DecimalFormat plain = new DecimalFormat("0.###", DecimalFormatSymbols.getInstance(Locale.ROOT));
+            throw new IllegalArgumentException(option + " is " + value + ", allowed is " + plain.format(least) + " to "
+                    + plain.format(most) + " seconds");
+        }
+    }
+
+    private static Duration seconds(double value) {
+        return Duration.ofMillis(Math.round(value * 1000));
+    }
+
+    private Function<Clock, StartPointSensor> startPoint(double pace, Optional<URI> simulatedCamera) {
+        String wanted = camera;
+        double[] point = startPoint;
+        if (wanted != null) {
+            if (point != null) {
+                throw new IllegalArgumentException(
+                        "--camera and --start-point both say where the starting point is; give one of them");
+            }
+            CameraSource source =
+                    CameraSource.parse(simulatedCamera.map(URI::toString).orElse(wanted));
+            if (source.kind() == CameraSource.Kind.SIMULATED) {
+                throw new IllegalArgumentException("--camera sim goes with --simulate; a real robot has a real camera");
+            }
+            return Eyes.through(cameraOptions.read(source), pace);
+        }
+        double[] known = point == null ? new double[] {Scenario.START_X_MM, Scenario.START_Y_MM} : point;
+        if (known.length != 2 || !Double.isFinite(known[0]) || !Double.isFinite(known[1])) {
+            throw new IllegalArgumentException("--start-point takes two numbers, X,Y in mm, for example 1000,500");
+        }
+        return clock -> StartPointSensor.byWheels(known[0], known[1]);
     }
 
     private ModelPair pair() {

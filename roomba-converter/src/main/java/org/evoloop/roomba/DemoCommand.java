@@ -2,10 +2,16 @@ package org.evoloop.roomba;
 
 import java.io.IOException;
 import java.io.PrintWriter;
+import java.net.URI;
+import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.Callable;
 import org.evoloop.evolution.ModelPair;
+import org.evoloop.roomba.camera.CameraException;
+import org.evoloop.roomba.camera.CameraSource;
+import org.evoloop.roomba.camera.live.CameraSettings;
+import org.evoloop.roomba.camera.vision.OpenCv;
 import org.evoloop.roomba.move.MoveOptions;
 import org.evoloop.roomba.move.StartPointSensor;
 import org.evoloop.time.Clock;
@@ -25,6 +31,8 @@ import picocli.CommandLine.Spec;
         description = "Plays scenarios with a simulated Roomba and prints their transcripts.",
         mixinStandardHelpOptions = true)
 final class DemoCommand implements Callable<Integer> {
+    private static final double FASTEST_WITH_CAMERA = 4;
+
     @Option(
             names = "--scenario",
             paramLabel = "NAME",
@@ -35,13 +43,26 @@ final class DemoCommand implements Callable<Integer> {
             names = "--speed",
             paramLabel = "N",
             defaultValue = "10",
-            description = "How many times faster than real time robot and converter live (default: ${DEFAULT-VALUE}).")
+            description = "How many times faster than real time robot and converter live (default: ${DEFAULT-VALUE}); "
+                    + "with the camera, whose pictures take their time, 4 at most.")
     private double speed;
 
     @Option(
             names = "--two-processes",
             description = "Runs the simulated robot in a process of its own, joined by nothing but its serial port.")
     private boolean twoProcesses;
+
+    @Option(
+            names = "--svg",
+            paramLabel = "FILE",
+            description = "With one --scenario: draws the room, the marker, the robot's way and what its camera sees.")
+    private @Nullable Path svg;
+
+    @Option(
+            names = "--record",
+            paramLabel = "FILE.avi",
+            description = "With --scenario remote-start: records what the camera sees and finds.")
+    private @Nullable Path record;
 
     @Spec
     @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
@@ -53,7 +74,8 @@ final class DemoCommand implements Callable<Integer> {
         RoombaCommand.requireSpeed(speed);
         String only = scenario;
         List<Scenario> wanted = only == null ? List.of(Scenario.values()) : List.of(Scenario.of(only));
-        int failed = 0;
+        requireOne(wanted);
+        int status = CommandLine.ExitCode.OK;
         for (Scenario next : wanted) {
             if (only == null) {
                 System.out.println("=== scenario: " + next);
@@ -62,31 +84,66 @@ final class DemoCommand implements Callable<Integer> {
                 play(next);
                 err.println("evoloop: " + next + " ended where it should, by the simulated robot's true state");
             } catch (Play.Unfulfilled broken) {
-                failed++;
+                status = Math.max(status, CommandLine.ExitCode.SOFTWARE);
                 err.println("evoloop: " + next + " failed: " + broken.getMessage());
+            } catch (CameraException noCamera) {
+                status = CommandLine.ExitCode.USAGE;
+                err.println("error: " + next + " cannot be played: " + noCamera.getMessage());
             }
             err.flush();
         }
-        return failed == 0 ? CommandLine.ExitCode.OK : CommandLine.ExitCode.SOFTWARE;
+        return status;
+    }
+
+    private void requireOne(List<Scenario> wanted) {
+        if (svg != null && wanted.size() > 1) {
+            throw new IllegalArgumentException("--svg draws one scenario; say which one with --scenario NAME");
+        }
+        if (record != null && !wanted.equals(List.of(Scenario.REMOTE_START))) {
+            throw new IllegalArgumentException("--record goes with --scenario remote-start, the one with a camera");
+        }
     }
 
     private void play(Scenario next) throws IOException, InterruptedException, Play.Unfulfilled {
         XmiFile file = XmiFile.read(ModelFiles.find("models/cleaning-robot.xml", DemoCommand.class));
-        RoombaConverter.Options options = new RoombaConverter.Options(
-                new ModelPair(file.pick("original"), file.pick("new")),
-                StartPointSensor.byWheels(Scenario.START_X_MM, Scenario.START_Y_MM),
-                MoveOptions.defaults().atPace(speed),
-                Duration.ofSeconds(5));
-        try (Clock clock = new SystemClock(speed);
-                SimulatedWorld world =
-                        twoProcesses ? SimulatedWorld.inAnotherProcess(speed) : SimulatedWorld.inThisProcess(speed);
-                RoombaConverter roomba = RoombaConverter.connect(
-                        RoombaCommand.cable(world.port().toString()),
-                        RoombaCommand.config(clock, speed),
-                        RoombaCommand.sessionOptions(speed),
-                        options)) {
-            roomba.converter().start();
-            next.play(new Play(roomba, world, clock));
+        ModelPair models = new ModelPair(file.pick("original"), file.pick("new"));
+        boolean camera = next == Scenario.REMOTE_START;
+        double pace = camera ? Math.min(speed, FASTEST_WITH_CAMERA) : speed;
+        if (camera) {
+            // Before anything else is begun, it must be known that there is no OpenCV.
+            OpenCv.vision();
         }
+        try (Clock clock = new SystemClock(pace);
+                SimulatedWorld world = twoProcesses
+                        ? SimulatedWorld.inAnotherProcess(pace, camera)
+                        : SimulatedWorld.inThisProcess(pace, camera)) {
+            try (RoombaConverter roomba = RoombaConverter.connect(
+                    RoombaCommand.cable(world.port().toString()),
+                    RoombaCommand.config(clock, pace),
+                    RoombaCommand.sessionOptions(pace),
+                    options(models, world, pace))) {
+                roomba.converter().start();
+                next.play(new Play(roomba, world, clock));
+            }
+            if (svg != null) {
+                world.draw(svg);
+            }
+        }
+    }
+
+    private RoombaConverter.Options options(ModelPair models, SimulatedWorld world, double pace) {
+        return new RoombaConverter.Options(
+                models,
+                world.camera()
+                        .map(url -> Eyes.through(settings(url), pace))
+                        .orElse(clock -> StartPointSensor.byWheels(Scenario.START_X_MM, Scenario.START_Y_MM)),
+                MoveOptions.defaults().atPace(pace),
+                Duration.ofSeconds(5));
+    }
+
+    private CameraSettings settings(URI url) {
+        CameraSettings settings = CameraSettings.of(CameraSource.parse(url.toString()));
+        Path file = record;
+        return file == null ? settings : settings.withRecord(file);
     }
 }

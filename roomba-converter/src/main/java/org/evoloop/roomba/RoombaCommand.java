@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.time.Duration;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.function.IntFunction;
 import org.evoloop.console.Console;
@@ -63,13 +64,12 @@ final class RoombaCommand implements Callable<Integer> {
     @Override
     public Integer call() throws IOException, InterruptedException {
         double pace = checkedSpeed();
-        RoombaConverter.Options read = options.read();
         String robotPort = port;
         if (robotPort != null) {
-            return converse(robotPort, read, pace, null);
+            return converse(robotPort, options.read(pace, Optional.empty()), pace, null);
         }
-        try (SimulatedWorld world = SimulatedWorld.inThisProcess(pace)) {
-            return converse(world.port().toString(), read, pace, world);
+        try (SimulatedWorld world = SimulatedWorld.inThisProcess(pace, options.wantsSimulatedCamera())) {
+            return converse(world.port().toString(), options.read(pace, world.camera()), pace, world);
         }
     }
 

@@ -1,6 +1,7 @@
 package org.evoloop.roomba;
 
 import java.time.Duration;
+import java.util.function.Function;
 import java.util.function.IntFunction;
 import org.evoloop.converter.EventMonitor;
 import org.evoloop.converter.PushMonitor;
@@ -32,11 +33,12 @@ record RoombaConverter(
     /**
      * What can be chosen.
      *
-     * @param startPoint senses where Move has to go
+     * @param startPoint opens what senses where Move has to go
      * @param move how patient Move is
      * @param spotWait how long SpotWait waits for a second press
      */
-    record Options(ModelPair models, StartPointSensor startPoint, MoveOptions move, Duration spotWait) {}
+    record Options(
+            ModelPair models, Function<Clock, StartPointSensor> startPoint, MoveOptions move, Duration spotWait) {}
 
     /**
      * Builds a converter; the session may be opened before or after.

@@ -2,17 +2,29 @@ package org.evoloop.roomba;
 
 import java.io.BufferedReader;
 import java.io.IOException;
+import java.io.InputStream;
 import java.io.InputStreamReader;
 import java.io.UncheckedIOException;
 import java.io.Writer;
+import java.net.URI;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import org.evoloop.roomba.simulator.SimulatorServer;
 import org.evoloop.roomba.simulator.WorldCommands;
+import org.evoloop.roomba.simulator.drawing.RoomDrawing;
+import org.evoloop.roomba.simulator.drawing.Trail;
+import org.evoloop.roomba.simulator.eye.EyeOptions;
 import org.evoloop.roomba.simulator.robot.RobotOptions;
+import org.evoloop.roomba.simulator.room.RoomFile;
+import org.evoloop.roomba.simulator.webcam.Webcam;
+import org.evoloop.roomba.simulator.webcam.WebcamOptions;
 import org.evoloop.time.Clock;
 import org.evoloop.time.SystemClock;
 
@@ -22,6 +34,11 @@ import org.evoloop.time.SystemClock;
  * <p>Threading: thread-safe.
  */
 interface SimulatedWorld extends AutoCloseable {
+    String ROOM = "demo-room.txt";
+    String DRAWING = "drawing.svg";
+
+    /** Of the robot's time: as many as two slow cores can make and look at when it lives four times as fast. */
+    double CAMERA_FRAMES_PER_SECOND = 8;
 
     /** The robot's serial port. */
     Path port();
@@ -32,17 +49,63 @@ interface SimulatedWorld extends AutoCloseable {
     @Override
     void close();
 
+    /** Where its camera's pictures are to be had; empty if it carries none. */
+    Optional<URI> camera();
+
+    /** Draws the room, the robot's way and what it sees now. */
+    void draw(Path file) throws IOException;
+
+    /**
+     * Somewhere for a robot with a camera: a room with a marker, 0.4 m before which is the scenarios' starting point.
+     *
+     * @throws IOException if it cannot be written
+     */
+    private static Path markedRoom(Path folder) throws IOException {
+        Path file = folder.resolve(ROOM);
+        try (InputStream room = Objects.requireNonNull(SimulatedWorld.class.getResourceAsStream(ROOM), ROOM)) {
+            Files.copy(room, file);
+        }
+        return file;
+    }
+
     /**
      * A robot in this process.
      *
+     * @param camera whether it carries one, in a room with a marker
      * @throws IOException if this system has no pseudo-terminals
      */
-    static SimulatedWorld inThisProcess(double speed) throws IOException {
+    static SimulatedWorld inThisProcess(double speed, boolean camera) throws IOException {
         Path folder = Files.createTempDirectory("evoloop");
         Clock clock = new SystemClock();
-        SimulatorServer server = SimulatorServer.start(folder.resolve("roomba"), RobotOptions.defaults(), clock, speed);
+        RobotOptions.Builder options = RobotOptions.builder();
+        if (camera) {
+            options.room(RoomFile.read(markedRoom(folder)));
+        }
+        Trail trail = new Trail();
+        SimulatorServer server = SimulatorServer.start(
+                folder.resolve("roomba"),
+                options.build(),
+                clock,
+                speed,
+                trail,
+                camera
+                        ? Optional.of(new WebcamOptions(0, CAMERA_FRAMES_PER_SECOND, EyeOptions.defaults()))
+                        : Optional.empty());
         WorldCommands commands = new WorldCommands(server);
         return new SimulatedWorld() {
+            @Override
+            public Optional<URI> camera() {
+                return server.camera().map(Webcam::url);
+            }
+
+            @Override
+            public void draw(Path file) throws IOException {
+                double view = server.camera()
+                        .map(webcam -> webcam.options().eye().fieldOfViewDeg())
+                        .orElse(0.0);
+                Files.writeString(file, RoomDrawing.svg(server.robot().state(), trail, view));
+            }
+
             @Override
             public Path port() {
                 return server.path();
@@ -63,35 +126,55 @@ interface SimulatedWorld extends AutoCloseable {
     }
 
     /**
-     * A robot in a process of its own: nothing but the port joins it with whoever opens that.
+     * A robot in a process of its own: nothing but the port, and its camera's address, joins it with whoever opens that.
      *
+     * @param camera whether it carries one, in a room with a marker
      * @throws IOException if it cannot be started
      */
-    static SimulatedWorld inAnotherProcess(double speed) throws IOException {
+    static SimulatedWorld inAnotherProcess(double speed, boolean camera) throws IOException {
         Path folder = Files.createTempDirectory("evoloop");
         Path port = folder.resolve("roomba");
-        Process process = new ProcessBuilder(List.of(
-                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                        "-cp",
-                        System.getProperty("java.class.path"),
-                        Main.class.getName(),
-                        "simulator",
-                        "--link",
-                        port.toString(),
-                        "--speed",
-                        Double.toString(speed)))
+        Path drawing = folder.resolve(DRAWING);
+        List<String> command = new ArrayList<>(List.of(
+                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-cp",
+                System.getProperty("java.class.path"),
+                Main.class.getName(),
+                "simulator",
+                "--link=" + port,
+                "--speed=" + speed,
+                "--svg=" + drawing));
+        if (camera) {
+            command.addAll(
+                    List.of("--room=" + markedRoom(folder), "--camera=0", "--camera-fps=" + CAMERA_FRAMES_PER_SECOND));
+        }
+        Process process = new ProcessBuilder(command)
                 .redirectError(ProcessBuilder.Redirect.INHERIT)
                 .start();
         Writer input = process.outputWriter(StandardCharsets.UTF_8);
         BufferedReader output =
                 new BufferedReader(new InputStreamReader(process.getInputStream(), StandardCharsets.UTF_8));
         String ready = output.readLine();
-        if (ready == null || !ready.startsWith("ready ")) {
+        String sees = camera ? output.readLine() : "camera ";
+        if (ready == null || !ready.startsWith("ready ") || sees == null || !sees.startsWith("camera ")) {
             process.destroy();
             delete(folder);
             throw new IOException("the simulator did not start; its messages are above");
         }
+        Optional<URI> url = camera ? Optional.of(URI.create(sees.substring("camera ".length()))) : Optional.empty();
         return new SimulatedWorld() {
+            @Override
+            public Optional<URI> camera() {
+                return url;
+            }
+
+            @Override
+            public void draw(Path file) throws IOException {
+                // It draws when it ends.
+                end();
+                Files.copy(drawing, file, StandardCopyOption.REPLACE_EXISTING);
+            }
+
             @Override
             public Path port() {
                 return port;
@@ -111,6 +194,11 @@ interface SimulatedWorld extends AutoCloseable {
 
             @Override
             public void close() {
+                end();
+                delete(folder);
+            }
+
+            private void end() {
                 process.destroy();
                 try {
                     if (!process.waitFor(5, TimeUnit.SECONDS)) {
@@ -120,14 +208,15 @@ interface SimulatedWorld extends AutoCloseable {
                     process.destroyForcibly();
                     Thread.currentThread().interrupt();
                 }
-                delete(folder);
             }
         };
     }
 
     private static void delete(Path folder) {
         try {
-            Files.deleteIfExists(folder.resolve("roomba"));
+            for (String file : List.of("roomba", ROOM, DRAWING)) {
+                Files.deleteIfExists(folder.resolve(file));
+            }
             Files.deleteIfExists(folder);
         } catch (IOException leftBehind) {
             // A link in the folder for temporary files does no harm.

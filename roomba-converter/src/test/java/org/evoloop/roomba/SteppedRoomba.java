@@ -64,12 +64,13 @@ final class SteppedRoomba implements AutoCloseable {
             MoveOptions move,
             BiFunction<SimulatedRoomba, ManualClock, StartPointSensor> sensor) {
         robot = new SimulatedRoomba(options, robotSays::writeBytes);
+        StartPointSensor startPoint = sensor.apply(robot, clock);
         RoombaSession session =
                 new RoombaSession(this::plugIn, clock, SessionOptions.defaults().withoutWaiting());
         roomba = RoombaConverter.build(
                 LoopConfig.defaults("roomba", clock).withoutThreads(),
                 session,
-                new RoombaConverter.Options(models, sensor.apply(robot, clock), move, Duration.ofSeconds(5)));
+                new RoombaConverter.Options(models, opened -> startPoint, move, Duration.ofSeconds(5)));
         session.open();
         advance(Duration.ofMillis(500));
         roomba.converter().start();

@@ -8,9 +8,6 @@ record Approach(Memory memory) implements Phase {
     /** Seen further to the side than this, the robot turns on the spot first. */
     private static final double TURN_RAD = Math.toRadians(20);
 
-    /** A goal that was not seen for so long is lost: that is some looks, and 60 mm. */
-    private static final long LOST_NANOS = 700_000_000L;
-
     @Override
     public Phase begun(Situation now) {
         return this;
@@ -23,7 +20,7 @@ record Approach(Memory memory) implements Phase {
 
     @Override
     public Step next(Situation now) {
-        Optional<Pose> seen = now.sight().goalSince(now.nanos() - LOST_NANOS);
+        Optional<Pose> seen = now.sight().goalSince(memory.seenSince(now));
         if (seen.isEmpty()) {
             return Phase.standing(Look.around(memory, now));
         }

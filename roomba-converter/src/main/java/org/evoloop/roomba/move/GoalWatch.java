@@ -21,11 +21,11 @@ final class GoalWatch {
     /** Two sightings no farther apart are of the same thing: 2.8 % of 3.5 m is what one is wrong by at most, usually. */
     static final double SAME_MM = 250;
 
-    /** A place that was seen so long ago is no help to believe a single look. */
-    private static final long FORGOTTEN_NANOS = 1_000_000_000L;
+    /** A place that was not seen for so many times as long as a frame may take is no help to believe a single look. */
+    private static final int FORGOTTEN_FRAMES = 3;
 
-    /** So long ago the robot's way is known; looks are younger. */
-    private static final long TRAIL_NANOS = 2_000_000_000L;
+    /** For so many times as long the robot's way is known; looks are younger. */
+    private static final int TRAIL_FRAMES = 6;
 
     private record Footprint(long nanos, Pose pose) {}
 
@@ -44,7 +44,7 @@ final class GoalWatch {
     /** Takes what was monitored next. */
     Sight update(Percept percept) {
         trail.addLast(new Footprint(percept.nanos(), percept.telemetry().pose()));
-        while (percept.nanos() - trail.getFirst().nanos() > TRAIL_NANOS) {
+        while (percept.nanos() - trail.getFirst().nanos() > TRAIL_FRAMES * frameLimitNanos) {
             trail.removeFirst();
         }
         Look look = percept.look();
@@ -64,7 +64,7 @@ final class GoalWatch {
     private void see(Pose place, long takenNanos) {
         inARow = isSame(last, place) ? inARow + 1 : 1;
         last = place;
-        boolean follows = isSame(goal, place) && takenNanos - goalNanos < FORGOTTEN_NANOS;
+        boolean follows = isSame(goal, place) && takenNanos - goalNanos < FORGOTTEN_FRAMES * frameLimitNanos;
         if (inARow >= BELIEVED || follows) {
             goal = place;
             goalNanos = takenNanos;

@@ -1,5 +1,6 @@
 package org.evoloop.roomba.move;
 
+import java.util.function.Function;
 import org.evoloop.function.ControlLoopFunction;
 import org.evoloop.function.Visit;
 import org.evoloop.loop.Analyze;
@@ -10,6 +11,7 @@ import org.evoloop.roomba.link.LinkException;
 import org.evoloop.roomba.oi.ActuatorCommand.DriveDirect;
 import org.evoloop.roomba.session.RoombaSession;
 import org.evoloop.roomba.session.connection.RobotException;
+import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -31,21 +33,24 @@ public final class Move extends ControlLoopFunction<Percept, Situation, Maneuver
     private static final Logger LOG = LoggerFactory.getLogger(Move.class);
 
     private final RoombaSession session;
-    private final StartPointSensor sensor;
+    private final Function<Clock, StartPointSensor> startPoint;
     private final MoveOptions options;
 
-    public Move(RoombaSession session, StartPointSensor sensor, MoveOptions options) {
+    /** @param startPoint opens the sensor anew each time the state is entered, which closes it when it is left */
+    public Move(RoombaSession session, Function<Clock, StartPointSensor> startPoint, MoveOptions options) {
         this.session = session;
-        this.sensor = sensor;
+        this.startPoint = startPoint;
         this.options = options;
     }
 
     @Override
     protected void assemble(MapeLoop<Percept, Situation, Maneuver> loop, Visit visit) {
+        StartPointSensor sensor = startPoint.apply(visit.clock());
+        visit.onEnd(sensor::close);
         MonitorSenses monitor = new MonitorSenses(loop, sensor, visit.clock(), visit.threads());
         loop.addMonitor(monitor);
         loop.addAnalyze(new AnalyzeSituation(options, visit.clock().nanoTime()));
-        loop.addPlan(new PlanManeuver(new Memory(sensor.target(), options.settle())));
+        loop.addPlan(new PlanManeuver(new Memory(sensor.target(), options)));
         loop.addExecute(new ExecuteManeuver(visit));
         visit.onEnd(this::stopWheels);
         visit.onEnd(() -> session.removeListener(monitor));
@@ -114,6 +119,13 @@ public final class Move extends ControlLoopFunction<Percept, Situation, Maneuver
             Phase present = phase;
             Phase.Step step = Phase.inAny(present == null ? new Look.Around(memory) : present, now);
             phase = step.phase();
+            if (present == null || present.getClass() != step.phase().getClass()) {
+                LOG.debug(
+                        "{} at {}, goal {}",
+                        step.phase().getClass().getSimpleName(),
+                        now.pose(),
+                        now.sight().goal());
+            }
             return step.maneuver();
         }
     }

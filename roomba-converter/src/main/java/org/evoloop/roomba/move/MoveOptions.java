@@ -27,9 +27,9 @@ public record MoveOptions(Duration limit, Duration frameLimit, Duration settle) 
         }
     }
 
-    /** Three minutes in all, 300 ms for a frame, 250 ms to come to rest. */
+    /** Five minutes in all, 300 ms for a frame, 250 ms to come to rest. */
     public static MoveOptions defaults() {
-        return new MoveOptions(Duration.ofMinutes(3), Duration.ofMillis(300), Duration.ofMillis(250));
+        return new MoveOptions(Duration.ofMinutes(5), Duration.ofMillis(300), Duration.ofMillis(250));
     }
 
     /** The same with another limit. */

@@ -12,7 +12,7 @@ import org.evoloop.roomba.session.Telemetry;
  *
  * <p>Threading: called from one thread at a time, once a frame of the robot's stream; must not wait.
  */
-public interface StartPointSensor {
+public interface StartPointSensor extends AutoCloseable {
 
     /**
      * What was sensed last.
@@ -20,6 +20,10 @@ public interface StartPointSensor {
      * @param nowNanos on the clock that also dates the look
      */
     Look look(Telemetry telemetry, long nowNanos);
+
+    /** Ends what it was opened for. Idempotent; waits for 2 s at most. */
+    @Override
+    default void close() {}
 
     /** How near the robot has to come to what it senses. */
     Target target();
@@ -50,7 +54,7 @@ public interface StartPointSensor {
         };
     }
 
-    /** Sees the point's marker; the robot arrives 0.40 m before it, looking at it. */
+    /** Sees the point's marker, with a camera that is closed along with this; the robot arrives 0.40 m before it, looking at it. */
     static StartPointSensor byCamera(MarkerCamera camera) {
         return new StartPointSensor() {
             @Override
@@ -61,6 +65,11 @@ public interface StartPointSensor {
             @Override
             public Target target() {
                 return new Target(400, 20, true);
+            }
+
+            @Override
+            public void close() {
+                camera.close();
             }
         };
     }

@@ -1,6 +1,5 @@
 package org.evoloop.roomba.move;
 
-import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.ToIntFunction;
@@ -18,7 +17,7 @@ import org.evoloop.roomba.session.Telemetry;
 /** Situations for tests by value: a robot under control at the origin that sees nothing, and what differs from that. */
 final class Given {
     static final StartPointSensor.Target MARKER = new StartPointSensor.Target(400, 20, true);
-    static final Memory MEMORY = new Memory(MARKER, Duration.ofMillis(250));
+    static final Memory MEMORY = new Memory(MARKER, MoveOptions.defaults());
     static final Situation NOTHING = new Situation(
             0, Pose.ORIGIN, true, Obstacle.NONE, false, false, new Sight(false, 1, 0, false, Optional.empty(), 0), "");
 

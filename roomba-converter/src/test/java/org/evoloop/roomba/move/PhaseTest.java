@@ -54,8 +54,8 @@ class PhaseTest {
     @Test
     void aGoalThatWasNotSeenForLongIsLookedForAgain() {
         Situation seen = seeing(at(NOTHING, 1_000, 2, 0), 2_000, 0);
-        assertThat(next(APPROACH, at(seen, 1_700, 20, 0)).phase()).isEqualTo(APPROACH);
-        Phase.Step lost = next(APPROACH, at(seen, 1_701, 20, 0));
+        assertThat(next(APPROACH, at(seen, 1_600, 20, 0)).phase()).isEqualTo(APPROACH);
+        Phase.Step lost = next(APPROACH, at(seen, 1_601, 20, 0));
         assertThat(lost.phase()).isInstanceOf(Turn.class);
         assertThat(lost.maneuver()).isEqualTo(Maneuver.STAND);
     }

@@ -18,13 +18,13 @@ public final class CameraOptions {
     private static final Pattern SIZE = Pattern.compile("(\\d{2,5})x(\\d{2,5})");
 
     @Option(
-            names = "--field-of-view",
+            names = {"--field-of-view", "--camera-fov"},
             paramLabel = "DEGREES",
             description = "The camera's horizontal field of view (default: 60); a calibration is better.")
     private @Nullable Double fieldOfViewDegrees;
 
     @Option(
-            names = "--calibration",
+            names = {"--calibration", "--camera-calibration"},
             paramLabel = "FILE",
             description = "What 'calibrate' has measured; instead of --field-of-view.")
     private @Nullable Path calibration;
