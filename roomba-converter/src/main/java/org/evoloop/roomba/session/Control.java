@@ -18,8 +18,11 @@ final class Control {
     /** So many frames after it came back into sight it is plain what the robot does. */
     private static final int SETTLING_FRAMES = 4;
 
-    /** A command that ends control shows within a few frames. */
-    private static final int CONFIRM_FRAMES = 10;
+    /**
+     * A command that ends control shows within a few frames, but older frames may be on their way through a busy computer.
+     * It must not be sent twice if it has arrived: the second Clean ends what the first began.
+     */
+    static final int CONFIRM_FRAMES = SpotWatch.QUIET_FRAMES;
 
     /** Three Safe commands, with whatever was pending completed between. */
     private static final int TRIES_ON_DOCK = 5;

@@ -122,7 +122,7 @@ class RoombaSessionTest {
         takeControl();
         session.leaveAlone();
         session.send(new Command.Clean());
-        frames(25, CONTROLLED);
+        frames(2 * Control.CONFIRM_FRAMES, CONTROLLED);
         assertThat(cables.heard()).isEqualTo(bytes(new Command.Clean(), new Command.Clean(), new Command.Clean()));
         frames(100, Frames.cleaning());
         assertThat(cables.heard()).isEmpty();
