@@ -47,7 +47,8 @@ public final class SvgWriter {
         List<Layout> layouts = diagrams.stream().map(ElkLayout::of).toList();
         Shelves shelves = Shelves.of(layouts);
         Set<Tone> tones = tones(diagrams);
-        double legend = tones.equals(EnumSet.of(Tone.PLAIN)) ? 0 : tones.size() * LEGEND_LINE + GAP;
+        Set<Tone> explained = explained(tones);
+        double legend = explained.isEmpty() ? 0 : explained.size() * LEGEND_LINE + GAP;
         double width = legend == 0 ? shelves.width() : Math.max(shelves.width(), LEGEND_WIDTH);
         double height = shelves.height() + legend;
         head(title, width, height, tones);
@@ -56,7 +57,7 @@ public final class SvgWriter {
             machine(diagrams.get(i), layouts.get(i), shelves.places().get(i));
         }
         if (legend > 0) {
-            legend(tones, shelves.height());
+            legend(explained, shelves.height());
         }
         return svg.raw("</svg>\n").toString();
     }
@@ -80,6 +81,15 @@ public final class SvgWriter {
             diagram.edges().forEach(edge -> tones.add(edge.tone()));
         }
         return tones;
+    }
+
+    /** What the legend tells: what is plain only where something else has come or gone. */
+    private static Set<Tone> explained(Set<Tone> tones) {
+        Set<Tone> explained = EnumSet.copyOf(tones);
+        if (EnumSet.of(Tone.PLAIN, Tone.MARKED).containsAll(tones)) {
+            explained.remove(Tone.PLAIN);
+        }
+        return explained;
     }
 
     private static void collect(Diagram.Node node, Set<Tone> tones) {

@@ -3,14 +3,17 @@ package org.evoloop.models.scaffold;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.platform.engine.discovery.DiscoverySelectors.selectClass;
 
+import java.io.BufferedReader;
 import java.io.File;
 import java.io.IOException;
 import java.io.StringWriter;
+import java.io.Writer;
 import java.net.URL;
 import java.net.URLClassLoader;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
@@ -26,6 +29,7 @@ import org.evoloop.statemachine.StateMachineBuilder;
 import org.evoloop.statemachine.Transition;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.platform.launcher.LauncherDiscoveryRequest;
 import org.junit.platform.launcher.core.LauncherDiscoveryRequestBuilder;
@@ -180,33 +184,52 @@ class ScaffoldTest {
     /** What its owner does first. It takes Maven and what Maven has fetched for the framework's own build. */
     @Test
     @Tag("slow")
+    @Timeout(600)
     void mavenBuildsItAndItsJarRuns() throws Exception {
         Path project = scaffold(Tool.ROBOT + "#original", Tool.ROBOT + "#new", "--device-only", "endSpot");
         String maven = System.getProperty("evoloop.root") + "/mvnw";
 
-        assertThat(run(project, "", maven, "-q", "-B", "verify")).isEmpty();
+        assertThat(run(project, maven, "-q", "-B", "verify")).isEmpty();
         try (Stream<Path> built = Files.list(project.resolve("target"))) {
             assertThat(built.filter(file -> file.toString().endsWith(".jar")))
                     .containsExactly(project.resolve("target/made.jar"));
         }
-        assertThat(run(
-                        directory,
-                        "start\npress Clean\npress Spot\nexit\n",
-                        System.getProperty("java.home") + "/bin/java",
-                        "-jar",
-                        project.resolve("target/made.jar").toString()))
-                .contains(" inputs Clean event.", "device in On", "***  Move  ***");
+        assertConverts(project.resolve("target/made.jar"));
     }
 
-    private String run(Path where, String input, String... command) throws Exception {
+    /** Presses buttons, reads until the new function runs, and leaves. */
+    private void assertConverts(Path jar) throws Exception {
+        Process program = new ProcessBuilder(System.getProperty("java.home") + "/bin/java", "-jar", jar.toString())
+                .directory(directory.toFile())
+                .redirectErrorStream(true)
+                .start();
+        List<String> said = new ArrayList<>();
+        try (BufferedReader screen = program.inputReader(StandardCharsets.UTF_8);
+                Writer keyboard = program.outputWriter(StandardCharsets.UTF_8)) {
+            keyboard.write("start\npress Clean\npress Spot\n");
+            keyboard.flush();
+            while (said.stream().noneMatch(line -> line.contains("***  Move  ***"))) {
+                String line = screen.readLine();
+                assertThat(line).as("the line after " + said).isNotNull();
+                said.add(line);
+            }
+            keyboard.write("exit\n");
+            keyboard.flush();
+            assertThat(program.waitFor(1, TimeUnit.MINUTES)).isTrue();
+            assertThat(program.exitValue()).isZero();
+        } finally {
+            program.destroyForcibly();
+        }
+        assertThat(said).contains(" inputs Clean event.", "device in On");
+    }
+
+    private String run(Path where, String... command) throws Exception {
         File output = Files.createTempFile(directory, "output", ".txt").toFile();
         Process process = new ProcessBuilder(command)
                 .directory(where.toFile())
                 .redirectErrorStream(true)
                 .redirectOutput(output)
                 .start();
-        process.getOutputStream().write(input.getBytes(StandardCharsets.UTF_8));
-        process.getOutputStream().close();
         assertThat(process.waitFor(5, TimeUnit.MINUTES)).as("it has ended").isTrue();
         String said = Files.readString(output.toPath());
         assertThat(process.exitValue()).as(said).isZero();
