@@ -119,6 +119,9 @@ public final class Move extends ControlLoopFunction<Percept, Situation, Maneuver
             Phase present = phase;
             Phase.Step step = Phase.inAny(present == null ? new Look.Around(memory) : present, now);
             phase = step.phase();
+            if (present == null || present.getClass() != step.phase().getClass()) {
+                LOG.debug("{} at {}, goal {}", step.phase().getClass().getSimpleName(), now.pose(), now.sight().goal());
+            }
             return step.maneuver();
         }
     }

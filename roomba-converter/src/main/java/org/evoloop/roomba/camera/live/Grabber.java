@@ -69,6 +69,9 @@ final class Grabber implements Runnable {
                 } catch (CameraException notThere) {
                     reason = notThere.getMessage();
                 }
+                if (stopped) {
+                    return;
+                }
                 health.gone(reason);
                 if (!source.isLive()) {
                     return;
