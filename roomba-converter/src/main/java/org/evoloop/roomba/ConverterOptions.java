@@ -1,10 +1,10 @@
 package org.evoloop.roomba;
 
-import java.nio.file.Path;
 import java.net.URI;
-import java.time.Duration;
+import java.nio.file.Path;
 import java.text.DecimalFormat;
 import java.text.DecimalFormatSymbols;
+import java.time.Duration;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Function;
@@ -63,8 +63,9 @@ final class ConverterOptions {
     @Option(
             names = "--camera",
             paramLabel = "SOURCE",
-            description = "The camera with which Move looks for the starting point's marker: a device such as /dev/video0 "
-                    + "or 0, the URL of an HTTP camera, a recording, or with --simulate sim for the robot's own.")
+            description =
+                    "The camera with which Move looks for the starting point's marker: a device such as /dev/video0 "
+                            + "or 0, the URL of an HTTP camera, a recording, or with --simulate sim for the robot's own.")
     private @Nullable String camera;
 
     @Mixin

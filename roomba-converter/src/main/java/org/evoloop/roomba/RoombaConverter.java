@@ -37,7 +37,8 @@ record RoombaConverter(
      * @param move how patient Move is
      * @param spotWait how long SpotWait waits for a second press
      */
-    record Options(ModelPair models, Function<Clock, StartPointSensor> startPoint, MoveOptions move, Duration spotWait) {}
+    record Options(
+            ModelPair models, Function<Clock, StartPointSensor> startPoint, MoveOptions move, Duration spotWait) {}
 
     /**
      * Builds a converter; the session may be opened before or after.

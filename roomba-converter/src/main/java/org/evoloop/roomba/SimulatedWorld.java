@@ -145,8 +145,8 @@ interface SimulatedWorld extends AutoCloseable {
                 "--speed=" + speed,
                 "--svg=" + drawing));
         if (camera) {
-            command.addAll(List.of(
-                    "--room=" + markedRoom(folder), "--camera=0", "--camera-fps=" + CAMERA_FRAMES_PER_SECOND));
+            command.addAll(
+                    List.of("--room=" + markedRoom(folder), "--camera=0", "--camera-fps=" + CAMERA_FRAMES_PER_SECOND));
         }
         Process process = new ProcessBuilder(command)
                 .redirectError(ProcessBuilder.Redirect.INHERIT)

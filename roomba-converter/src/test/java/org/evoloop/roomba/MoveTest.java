@@ -18,7 +18,7 @@ import org.junit.jupiter.api.Test;
 /** Move with a camera, from the converter's state machines to the robot's wheels. */
 class MoveTest {
     private static final Pose MARKER = pose(3_998, 1_500, 180);
-    private static final Duration LIMIT = Duration.ofMinutes(3);
+    private static final Duration LIMIT = Duration.ofMinutes(5);
 
     private static void assertArrives(MoveTrip trip) {
         assertThat(trip.ends(LIMIT)).as("left Move").isTrue();

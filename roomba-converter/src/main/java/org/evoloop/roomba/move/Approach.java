@@ -8,9 +8,6 @@ record Approach(Memory memory) implements Phase {
     /** Seen further to the side than this, the robot turns on the spot first. */
     private static final double TURN_RAD = Math.toRadians(20);
 
-    /** A goal that was not seen for so many times as long as a frame may take is lost: after 0.6 s, or 50 mm. */
-    private static final int LOST_FRAMES = 2;
-
     @Override
     public Phase begun(Situation now) {
         return this;
@@ -23,7 +20,7 @@ record Approach(Memory memory) implements Phase {
 
     @Override
     public Step next(Situation now) {
-        Optional<Pose> seen = now.sight().goalSince(now.nanos() - LOST_FRAMES * memory.options().frameLimit().toNanos());
+        Optional<Pose> seen = now.sight().goalSince(memory.seenSince(now));
         if (seen.isEmpty()) {
             return Phase.standing(Look.around(memory, now));
         }

@@ -18,7 +18,8 @@ record Calm(long fromNanos, long frame, int looks) {
 
     /** The robot is told to stop now. */
     static Calm after(Memory memory, Situation now) {
-        return new Calm(now.nanos() + memory.options().settle().toNanos(), now.sight().frame(), 0);
+        return new Calm(
+                now.nanos() + memory.options().settle().toNanos(), now.sight().frame(), 0);
     }
 
     /** Counts the newest look. */

@@ -23,6 +23,8 @@ record Memory(
         List<Pose> obstacles,
         int side,
         int inARow) {
+    /** A goal that was not seen for so many times as long as a frame may take is lost: after 0.6 s, or 50 mm. */
+    private static final int LOST_FRAMES = 2;
 
     Memory(StartPointSensor.Target target, MoveOptions options) {
         this(target, options, List.of(), List.of(), 0, 0);
@@ -40,6 +42,11 @@ record Memory(
     /** Something is in the way there, and the robot goes round it to this side. */
     Memory withDetour(Pose place, int newSide) {
         return new Memory(target, options, stations, and(obstacles, place), newSide, inARow + 1);
+    }
+
+    /** Since when the goal must have been seen to be in sight now. */
+    long seenSince(Situation now) {
+        return now.nanos() - LOST_FRAMES * options.frameLimit().toNanos();
     }
 
     private static List<Pose> and(List<Pose> places, Pose more) {

@@ -120,7 +120,11 @@ public final class Move extends ControlLoopFunction<Percept, Situation, Maneuver
             Phase.Step step = Phase.inAny(present == null ? new Look.Around(memory) : present, now);
             phase = step.phase();
             if (present == null || present.getClass() != step.phase().getClass()) {
-                LOG.debug("{} at {}, goal {}", step.phase().getClass().getSimpleName(), now.pose(), now.sight().goal());
+                LOG.debug(
+                        "{} at {}, goal {}",
+                        step.phase().getClass().getSimpleName(),
+                        now.pose(),
+                        now.sight().goal());
             }
             return step.maneuver();
         }

@@ -45,7 +45,10 @@ final class Wandering {
                 .mapToObj(which -> choice(memory, pose, home, 2 * Math.PI * which / DIRECTIONS))
                 .max(Comparator.comparingDouble(Choice::worthMm))
                 .orElseThrow();
-        return Turn.roughly(memory, best.headingRad(), Leg.of(memory, best.lengthMm(), new Look.Around(memory)));
+        return Turn.roughly(
+                memory,
+                best.headingRad(),
+                Leg.of(memory, best.lengthMm(), new Look.Around(memory)).alertly());
     }
 
     private static Choice choice(Memory memory, Pose pose, Pose home, double bearingRad) {
