@@ -27,6 +27,7 @@ class ArchitectureTest {
     private static final String SIMULATOR = "org.evoloop.roomba.simulator..";
     private static final String SESSION = "org.evoloop.roomba.session..";
     private static final String CAMERA = "org.evoloop.roomba.camera..";
+    private static final String OPENCV = "org.evoloop.roomba.camera.opencv..";
     private static final String MOVE = "org.evoloop.roomba.move..";
     private static final String TIME = "org.evoloop.time..";
 
@@ -53,6 +54,30 @@ class ArchitectureTest {
 
     @ArchTest
     static final ArchRule theCameraKnowsNoRobot = room(CAMERA, resideInAPackage(TIME));
+
+    @ArchTest
+    static final ArchRule onlyOneRoomTouchesOpenCv = noClasses()
+            .that()
+            .resideOutsideOfPackage(OPENCV)
+            .should()
+            .dependOnClassesThat()
+            .resideInAnyPackage("org.opencv..", OPENCV);
+
+    @ArchTest
+    static final ArchRule aCameraIsKnownWithoutHowItWorks = noClasses()
+            .that()
+            .resideInAPackage("org.evoloop.roomba.camera")
+            .should()
+            .dependOnClassesThat()
+            .resideInAPackage("org.evoloop.roomba.camera.*..");
+
+    @ArchTest
+    static final ArchRule openCvIsAskedWithoutThreads = noClasses()
+            .that()
+            .resideInAnyPackage("org.evoloop.roomba.camera.vision..", OPENCV)
+            .should()
+            .dependOnClassesThat()
+            .resideInAnyPackage("org.evoloop.roomba.camera.live..", "org.evoloop.roomba.camera.tool..");
 
     @ArchTest
     static final ArchRule moveSeesTheRobotThroughItsSession = room(

@@ -73,7 +73,7 @@ final class Grabber implements Runnable {
                     return;
                 }
                 health.gone(reason);
-                if (!source.isLive()) {
+                if (stopped || !source.isLive()) {
                     return;
                 }
                 LOG.warn("{}; trying again in {} ms", reason, pause.toMillis());

@@ -1,5 +1,6 @@
 package org.evoloop.roomba.camera.live;
 
+import java.time.Duration;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -59,7 +60,9 @@ public final class VideoCamera implements MarkerCamera {
     private VideoCamera(Vision vision, CameraSettings settings, Clock clock) {
         this.settings = settings;
         this.clock = clock;
-        health = new HealthTracker("camera " + settings.source(), settings.staleAfter());
+        // Nobody can tell how fast a recording is read.
+        Duration staleAfter = settings.source().isLive() ? settings.staleAfter() : Duration.ofDays(365);
+        health = new HealthTracker("camera " + settings.source(), staleAfter);
         frames = new NewestFrame(vision::newFrame, !settings.source().isLive());
         grabber = new Grabber(
                 settings.source(), () -> vision.open(settings.source(), settings.size()), clock, health, frames);

@@ -139,8 +139,8 @@ class VideoCameraTest {
         try (VideoCamera camera = open(url)) {
             awaitState(camera, State.GONE);
             assertThat(camera.newest().health().reason())
-                    .isEqualTo("camera " + url + " cannot be opened; does it answer with Motion JPEG? "
-                            + "Open it in a browser");
+                    .isEqualTo("camera " + url + " cannot be opened; does that very address answer with Motion JPEG, "
+                            + "not with a page that shows it?");
             assertThat(camera.newest().frame()).isZero();
         }
     }
