@@ -95,8 +95,7 @@ class BadInputTest {
                 folder.resolve("empty.xml"),
                 models.replaceAll("(?s)<XMI\\.content>.*</XMI\\.content>", "<XMI.content/>"));
         assertRefused(
-                "error: " + empty + ": holds no state machine; in Astah draw a State Machine Diagram and save with "
-                        + "Tools > XML Input & Output > Save as XML Project",
+                "error: " + empty + ": holds no state machine; draw one and export the file again",
                 "--simulate",
                 "--models",
                 empty.toString());
