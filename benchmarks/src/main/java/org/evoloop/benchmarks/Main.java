@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
 import org.evoloop.benchmarks.decision.DecisionSuite;
+import org.evoloop.benchmarks.device.DeviceSuite;
 import org.evoloop.benchmarks.loading.LoadingSuite;
 import org.evoloop.benchmarks.report.Row;
 import org.evoloop.benchmarks.report.Suite;
@@ -26,7 +27,7 @@ import picocli.CommandLine.Option;
         mixinStandardHelpOptions = true)
 public final class Main implements Callable<Integer> {
     private static final List<Suite> SUITES =
-            List.of(new DecisionSuite(), new RingSuite(), new RunningSuite(), new LoadingSuite());
+            List.of(new DecisionSuite(), new RingSuite(), new RunningSuite(), new LoadingSuite(), new DeviceSuite());
 
     @Option(names = "--quick", description = "Takes three minutes; the figures are rougher.")
     private boolean quick;
@@ -35,7 +36,7 @@ public final class Main implements Callable<Integer> {
             names = "--only",
             paramLabel = "SUITE",
             split = ",",
-            description = "Only these: decision, ring, running, loading (default: all).")
+            description = "Only these: decision, ring, running, loading, device (default: all).")
     private List<String> only = new ArrayList<>();
 
     @Option(names = "--json", paramLabel = "FILE", description = "Writes the rows to FILE as well.")

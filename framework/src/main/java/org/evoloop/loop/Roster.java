@@ -156,9 +156,9 @@ final class Roster<O, A, P> {
 
     @Nullable
     MonitorWorker<O> workerOf(Monitor<O> monitor) {
-        for (MonitorWorker<O> worker : monitors) {
-            if (worker.component() == monitor) {
-                return worker;
+        for (int index = 0; index < monitors.size(); index++) {
+            if (monitors.get(index).component() == monitor) {
+                return monitors.get(index);
             }
         }
         return null;

@@ -26,7 +26,7 @@ import org.evoloop.time.Clock;
  * @param controller where an external controller's buttons are pressed
  * @param converter built, not started
  */
-record RoombaConverter(
+public record RoombaConverter(
         RoombaSession session, EventMonitor robot, PushMonitor controller, SystemEventConverter converter)
         implements AutoCloseable {
 
@@ -37,7 +37,7 @@ record RoombaConverter(
      * @param move how patient Move is
      * @param spotWait how long SpotWait waits for a second press
      */
-    record Options(
+    public record Options(
             ModelPair models, Function<Clock, StartPointSensor> startPoint, MoveOptions move, Duration spotWait) {}
 
     /**
@@ -45,7 +45,7 @@ record RoombaConverter(
      *
      * @throws org.evoloop.statemachine.ModelException if the models are no evolution that this robot can take part in
      */
-    static RoombaConverter build(LoopConfig config, RoombaSession session, Options options) {
+    public static RoombaConverter build(LoopConfig config, RoombaSession session, Options options) {
         Clock clock = config.clock();
         PushMonitor controller = new PushMonitor("Controller");
         SystemEventConverter converter = new SystemEventConverter(config);
@@ -64,7 +64,7 @@ record RoombaConverter(
     }
 
     /** Builds a converter for the robot at the cable's other end, and waits for the robot to answer. */
-    static RoombaConverter connect(
+    public static RoombaConverter connect(
             IntFunction<Link> cable, LoopConfig config, SessionOptions sessionOptions, Options options)
             throws InterruptedException {
         RoombaSession session = new RoombaSession(cable, config.clock(), sessionOptions);

@@ -1,0 +1,121 @@
+package org.evoloop.benchmarks.device;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.io.Writer;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import org.evoloop.benchmarks.report.Figures;
+import org.evoloop.benchmarks.report.Fork;
+import org.evoloop.benchmarks.report.Row;
+import org.evoloop.benchmarks.report.Suite;
+
+/** From the press of a button to the command, and from the start of the program to its first event. */
+public final class DeviceSuite implements Suite {
+    private static final List<String> SHIPPED_OPTIONS = List.of("-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1");
+
+    @Override
+    public String name() {
+        return "device";
+    }
+
+    @Override
+    public List<Row> measure(boolean quick) throws Exception {
+        Figures press = Fork.of(PressToCommand.class, SHIPPED_OPTIONS, quick ? "20" : "200")
+                .figures();
+        Fork version = Fork.java("-version");
+        double java = Double.POSITIVE_INFINITY;
+        double[] starts = new double[quick ? 3 : 9];
+        double megabytes = 0;
+        for (int start = 0; start < starts.length; start++) {
+            java = Math.min(java, version.wallSeconds());
+            Started started = start();
+            starts[start] = started.seconds();
+            megabytes = Math.max(megabytes, started.megabytes());
+        }
+        Arrays.sort(starts);
+        return List.of(
+                new Row("button to command, added by us, median", "us", press.get("press p50"), Row.Goal.atMost(100)),
+                new Row("button to command, 99th percentile", "us", press.get("press p99"), Row.Goal.atMost(1000)),
+                new Row(
+                        "start of the Roomba converter to the first event",
+                        "s",
+                        starts[starts.length / 2],
+                        Row.Goal.atMostTimes(10, "java -version", java)),
+                new Row("its resident memory", "MB", megabytes, Row.Goal.atMost(90)));
+    }
+
+    private record Started(double seconds, double megabytes) {}
+
+    /** Starts the program on a simulated robot that runs already; a press of its controller's button is the first event. */
+    private static Started start() throws IOException {
+        Path folder = Files.createTempDirectory("evoloop");
+        Path port = folder.resolve("roomba");
+        Process robot = program("simulator", "--link", port.toString());
+        try {
+            BufferedReader ready = robot.inputReader(StandardCharsets.UTF_8);
+            if (ready.readLine() == null) {
+                throw new IOException("the simulator did not start");
+            }
+            long begun = System.nanoTime();
+            Process converter = program("--port", port.toString());
+            try (Writer console = converter.outputWriter(StandardCharsets.UTF_8);
+                    BufferedReader transcript = new BufferedReader(
+                            new InputStreamReader(converter.getErrorStream(), StandardCharsets.UTF_8));
+                    BufferedReader output = converter.inputReader(StandardCharsets.UTF_8)) {
+                console.write("start\npress clean\n");
+                console.flush();
+                awaitLine(output, transcript, "new_current_state: On");
+                double seconds = (System.nanoTime() - begun) / 1e9;
+                return new Started(seconds, residentMegabytes(converter.pid()));
+            } finally {
+                converter.destroy();
+            }
+        } finally {
+            robot.destroy();
+            Files.deleteIfExists(port);
+            Files.deleteIfExists(folder);
+        }
+    }
+
+    /** The transcript goes to one of the two streams, and both must be read. */
+    private static void awaitLine(BufferedReader output, BufferedReader other, String end) throws IOException {
+        for (String line = output.readLine(); line != null; line = output.readLine()) {
+            if (line.contains(end)) {
+                return;
+            }
+        }
+        throw new IOException("the converter ended before its first event: " + other.readLine());
+    }
+
+    private static double residentMegabytes(long pid) throws IOException {
+        for (String line : Files.readAllLines(Path.of("/proc/" + pid + "/status"))) {
+            if (line.startsWith("VmHWM:")) {
+                return Double.parseDouble(line.replaceAll("[^0-9]", "")) / 1024;
+            }
+        }
+        throw new IOException("/proc tells no VmHWM of process " + pid);
+    }
+
+    private static Process program(String... arguments) throws IOException {
+        List<String> command = new ArrayList<>(
+                List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString()));
+        String home = System.getProperty("evoloop.home", "");
+        command.addAll(SHIPPED_OPTIONS);
+        command.add("-XX:SharedArchiveFile=" + Path.of(home, "target", "roomba-converter.jsa"));
+        command.add("-Xlog:cds=off");
+        command.add("-Xlog:cds+dynamic=off");
+        command.add("-Devoloop.home=" + home);
+        command.addAll(List.of(
+                "-jar",
+                Path.of(home, "roomba-converter", "target", "roomba-converter.jar")
+                        .toString()));
+        command.addAll(List.of(arguments));
+        return new ProcessBuilder(command).start();
+    }
+}

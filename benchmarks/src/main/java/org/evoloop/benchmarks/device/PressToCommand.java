@@ -1,0 +1,87 @@
+package org.evoloop.benchmarks.device;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import org.HdrHistogram.Histogram;
+import org.evoloop.evolution.ModelPair;
+import org.evoloop.loop.LoopConfig;
+import org.evoloop.roomba.RoombaConverter;
+import org.evoloop.roomba.link.SerialLink;
+import org.evoloop.roomba.link.SerialSettings;
+import org.evoloop.roomba.move.MoveOptions;
+import org.evoloop.roomba.move.StartPointSensor;
+import org.evoloop.roomba.session.SessionOptions;
+import org.evoloop.roomba.simulator.SimulatorServer;
+import org.evoloop.roomba.simulator.WorldCommands;
+import org.evoloop.roomba.simulator.robot.RobotOptions;
+import org.evoloop.statemachine.StateMachine;
+import org.evoloop.time.Clock;
+import org.evoloop.time.SystemClock;
+
+/**
+ * Presses the robot's own CLEAN again and again: idle and on it only reports the press, and the converter sends the
+ * command; at work it pauses by itself. The models are those of the device itself, so nothing else comes between.
+ */
+public final class PressToCommand {
+    private static final long LONGEST_NANOS = 10_000_000_000L;
+    private static final double SPEED = 4;
+    private static final Duration LOOK = Duration.ofMillis(50);
+
+    private PressToCommand() {}
+
+    /**
+     * Prints the median and the 99th percentile in microseconds.
+     *
+     * @param arguments how many commands
+     */
+    public static void main(String[] arguments) throws IOException, InterruptedException {
+        int wanted = Integer.parseInt(arguments[0]);
+        StateMachine device = StateMachine.named("device")
+                .initial("Off")
+                .transition("Off", "Clean", "On")
+                .transition("On", "Clean", "Clean")
+                .transition("On", "Spot", "Spot")
+                .transition("Clean", "Clean", "On")
+                .transition("Spot", "endSpot", "On")
+                .build();
+        Histogram nanos = new Histogram(LONGEST_NANOS, 3);
+        Path folder = Files.createTempDirectory("evoloop");
+        Path port = folder.resolve("roomba");
+        try (Clock clock = new SystemClock(SPEED);
+                Clock robotClock = new SystemClock();
+                SimulatorServer robot = SimulatorServer.start(port, RobotOptions.defaults(), robotClock, SPEED);
+                RoombaConverter roomba = RoombaConverter.connect(
+                        baud -> new TimedLink(
+                                new SerialLink(new SerialSettings(port.toString()).withBaud(baud)), nanos),
+                        LoopConfig.defaults("roomba", clock),
+                        SessionOptions.defaults().withSilenceLimit(Duration.ofSeconds(8)),
+                        new RoombaConverter.Options(
+                                new ModelPair(device, device),
+                                time -> StartPointSensor.byWheels(1000, 500),
+                                MoveOptions.defaults(),
+                                Duration.ofSeconds(5)))) {
+            roomba.converter().start();
+            WorldCommands world = new WorldCommands(robot);
+            while (nanos.getTotalCount() < wanted) {
+                press(world, roomba, clock);
+            }
+        } finally {
+            Files.deleteIfExists(port);
+            Files.delete(folder);
+        }
+        System.out.println("press p50 " + nanos.getValueAtPercentile(50) / 1e3);
+        System.out.println("press p99 " + nanos.getValueAtPercentile(99) / 1e3);
+    }
+
+    private static void press(WorldCommands world, RoombaConverter roomba, Clock clock) throws InterruptedException {
+        long before = roomba.converter().status().events().handled();
+        world.execute("press clean");
+        while (roomba.converter().status().events().handled() == before) {
+            clock.sleep(LOOK);
+        }
+        // What it was told or did by itself takes a moment to come about.
+        clock.sleep(Duration.ofSeconds(2));
+    }
+}

@@ -1,0 +1,9 @@
+/**
+ * The Roomba converter as it is used: with a robot behind a pseudo-terminal, and as a program of its own.
+ *
+ * <p>This room may use the Roomba converter, the framework and {@code org.evoloop.benchmarks.report}.
+ */
+@NullMarked
+package org.evoloop.benchmarks.device;
+
+import org.jspecify.annotations.NullMarked;
