@@ -37,10 +37,8 @@ final class MonitorWorker<O> extends Worker {
     boolean observe() throws InterruptedException {
         try {
             O occurrence = monitor.getEvent();
-            if (occurrence != null) {
-                sequencer.offer(occurrence);
-            } else {
-                // Such a monitor polls; at least it shall not starve the others.
+            if (occurrence == null || !sequencer.offer(occurrence)) {
+                // It polls, or tells more than there is room for; at least it shall not starve the others.
                 giveWay();
             }
             pause = FIRST_PAUSE;

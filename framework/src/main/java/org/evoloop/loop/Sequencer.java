@@ -33,7 +33,9 @@ final class Sequencer<O> {
     private @Nullable StageWorker<O> analyze;
     private long cycle;
     private @Nullable O occurrence;
-    private @Nullable StageWorker<?> busy;
+    /** Changed under the lock; whose turn it is may be read without. */
+    private volatile @Nullable StageWorker<?> busy;
+
     private long busySinceNanos;
     private boolean watched;
 
@@ -379,12 +381,7 @@ final class Sequencer<O> {
     }
 
     private @Nullable StageWorker<?> turn() {
-        acquire();
-        try {
-            return busy;
-        } finally {
-            release();
-        }
+        return busy;
     }
 
     boolean hasTurn(Component component) {

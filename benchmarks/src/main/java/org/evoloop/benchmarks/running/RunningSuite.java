@@ -1,6 +1,5 @@
 package org.evoloop.benchmarks.running;
 
-import com.sun.management.OperatingSystemMXBean;
 import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
 import java.time.Duration;
@@ -118,16 +117,26 @@ public final class RunningSuite implements Suite {
         System.out.println("path p99 " + nanos.getValueAtPercentile(99) / 1e3);
     }
 
-    /** The processor time of this whole process in a minute in which a converter with threads waits for events. */
+    /**
+     * The processor time of all Java threads in a minute in which a converter with threads waits for events. What the
+     * virtual machine does by itself, with or without a program, is not in it.
+     */
     private static void idle(int tenSeconds) throws InterruptedException {
-        OperatingSystemMXBean system = (OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean();
         try (CleaningRobot robot = new CleaningRobot(new PathTimer(), true);
                 SystemClock clock = new SystemClock()) {
             robot.next();
             clock.sleep(Duration.ofSeconds(1));
-            long before = system.getProcessCpuTime();
+            long before = threadNanos();
             clock.sleep(Duration.ofSeconds(10L * tenSeconds));
-            System.out.println("idle " + (system.getProcessCpuTime() - before) / 1e6 * 6 / tenSeconds);
+            System.out.println("idle " + (threadNanos() - before) / 1e6 * 6 / tenSeconds);
         }
+    }
+
+    private static long threadNanos() {
+        long sum = 0;
+        for (long id : THREADS.getAllThreadIds()) {
+            sum += Math.max(0, THREADS.getThreadCpuTime(id));
+        }
+        return sum;
     }
 }
