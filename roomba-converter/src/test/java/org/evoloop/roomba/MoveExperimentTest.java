@@ -3,11 +3,11 @@ package org.evoloop.roomba;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.time.Duration;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.LongFunction;
+import java.util.stream.LongStream;
 import org.evoloop.roomba.move.MoveOptions;
 import org.evoloop.roomba.simulator.eye.Effects;
 import org.evoloop.roomba.simulator.room.Marker;
@@ -57,10 +57,10 @@ class MoveExperimentTest {
 
     private static void assertRuns(
             String name, int rooms, LongFunction<Room> room, Effects effects, Duration limit, double leastShare) {
-        List<Run> runs = new ArrayList<>();
-        for (long seed = 1; seed <= rooms; seed++) {
-            runs.add(run(seed, room.apply(seed), effects, limit));
-        }
+        List<Run> runs = LongStream.rangeClosed(1, rooms)
+                .parallel()
+                .mapToObj(seed -> run(seed, room.apply(seed), effects, limit))
+                .toList();
         long arrived = runs.stream().filter(run -> run.end() == End.ARRIVED).count();
         List<Double> seconds = runs.stream()
                 .filter(run -> run.end() == End.ARRIVED)
