@@ -9,6 +9,7 @@ import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import java.util.Set;
 import java.util.SplittableRandom;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -33,6 +34,12 @@ public final class RandomRooms {
 
     /** Between the robot on its way and what is beside it. */
     private static final double WAY_CLEARANCE_MM = 40;
+
+    /** Farther to the side a marker is seen too narrow from far away. */
+    private static final double MOST_ASIDE_RAD = Math.toRadians(50);
+
+    /** Between furniture and the lines from the start to the board's edges: the camera turns about the robot's middle. */
+    private static final double SIGHT_CLEARANCE_MM = 100;
 
     /** From a stand to what is around it. */
     private static final double STAND_CLEARANCE_MM = 250;
@@ -59,8 +66,10 @@ public final class RandomRooms {
     }
 
     /**
-     * A room with a marker so far from the robot. A robot can drive to {@value #GOAL_MM} mm before it, where nothing is
-     * between the two; but it may have to look for the marker first.
+     * A room with a marker so far from the robot, that can be seen from the start: no furniture is between the two, and
+     * the marker looks at most 50 degrees past the start. Where the robot looks is left to chance, so that it may have to
+     * turn first. {@value #GOAL_MM} mm before the marker, on the way from the start and straight in front of it, there is
+     * room for the robot, and it can get there; but furniture may be close to the way.
      */
     public static Room withMarker(long seed, double nearestMm, double farthestMm) {
         if (!(nearestMm >= NEAREST_MARKER_MM && nearestMm < farthestMm && farthestMm <= FARTHEST_MARKER_MM)) {
@@ -164,17 +173,44 @@ public final class RandomRooms {
         for (int tries = 0; tries < TRIES; tries++) {
             Marker marker = Marker.at(random.nextBoolean() ? onWall() : onStand());
             double awayMm = room.start().distanceMmTo(marker.pose().center());
-            Pose goal = marker.before(GOAL_MM);
             if (awayMm >= nearestMm
                     && awayMm <= farthestMm
                     && isOpenAround(room, marker)
-                    && hasSpace(room, goal, GOAL_CLEARANCE_MM)
-                    && room.freeMm(goal, 0) > GOAL_MM - TOUCH_MM
-                    && reached.contains(cell(room, goal))) {
+                    && isSeen(room, marker)
+                    && Stream.of(marker.before(GOAL_MM), onTheWay(room, marker))
+                            .allMatch(goal -> isGoal(room, goal) && reached.contains(cell(room, goal)))) {
                 return room.withMarker(marker);
             }
         }
         return null;
+    }
+
+    /** Whether the robot sees the marker from its start, once it has turned to it. */
+    private static boolean isSeen(Room room, Marker marker) {
+        Point start = room.start().center();
+        double halfMm = marker.boardMm() / 2 + SIGHT_CLEARANCE_MM;
+        Shape sight = new Shape(
+                Shape.Kind.OBSTACLE,
+                List.of(
+                        start,
+                        marker.pose().ahead(TOUCH_MM, halfMm),
+                        marker.pose().ahead(TOUCH_MM, -halfMm)));
+        return Math.abs(marker.pose().bearingRadTo(start.xMm(), start.yMm())) <= MOST_ASIDE_RAD
+                && room.shapes().stream()
+                        .filter(shape -> shape.kind() == Shape.Kind.OBSTACLE)
+                        .noneMatch(piece -> overlap(sight, piece));
+    }
+
+    /** Where a robot comes to rest that drives straight from the start to the marker. */
+    private static Pose onTheWay(Room room, Marker marker) {
+        Pose place = marker.pose();
+        double bearingRad = place.bearingRadTo(room.start().xMm(), room.start().yMm());
+        return marker.movedTo(new Pose(place.xMm(), place.yMm(), place.headingRad() + bearingRad))
+                .before(GOAL_MM);
+    }
+
+    private boolean isGoal(Room room, Pose goal) {
+        return hasSpace(room, goal, GOAL_CLEARANCE_MM) && room.freeMm(goal, 0) > GOAL_MM - TOUCH_MM;
     }
 
     private Pose onWall() {
