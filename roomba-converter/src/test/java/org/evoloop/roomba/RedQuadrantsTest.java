@@ -30,6 +30,7 @@ import org.junit.jupiter.api.Test;
 class RedQuadrantsTest {
     private static final double GOAL_MM = RandomRooms.GOAL_MM;
     private static final int ROOMS = 50;
+
     /** What a board of 200 mm covers of the picture from the goal: 139 by 139 of 320 by 240 pixels. */
     private static final double ENOUGH = 0.25;
 
@@ -38,7 +39,7 @@ class RedQuadrantsTest {
     private static final double SPEED_MM_PER_S = 85;
     private static final double TURN_RAD_PER_S = 0.3;
 
-    /** Less red than this share of the picture is noise; the board has four times as much from the farthest start. */
+    /** Less red than this share of the picture is noise; the board has twice as much from the farthest start. */
     private static final double LEAST_SHARE = 0.001;
 
     /** The sides are balanced when they differ by less than this share of all red. */
