@@ -142,10 +142,13 @@ final class Sequencer<O> {
 
     private <I> void hand(StageWorker<I> worker, I input) {
         busy = worker;
-        busySinceNanos = config.clock().nanoTime();
         worker.give(cycle, input);
+        if (!config.threads()) {
+            return;
+        }
         given = worker;
-        if (!watched && config.threads()) {
+        busySinceNanos = config.clock().nanoTime();
+        if (!watched) {
             watched = true;
             config.clock().schedule(config.stepLimit(), this::watch);
         }

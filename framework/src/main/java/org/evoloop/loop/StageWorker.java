@@ -1,10 +1,15 @@
 package org.evoloop.loop;
 
+import java.lang.invoke.VarHandle;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.locks.LockSupport;
 import org.jspecify.annotations.Nullable;
 
 /**
  * The thread of an analyze, plan or execute component: it takes one piece of work at a time from its slot.
+ *
+ * <p>Flags that others only read are set without the fence of a volatile write, which would cost more than most of the
+ * work between two of them.
  *
  * @param <I> what its component works on
  */
@@ -25,9 +30,9 @@ final class StageWorker<I> extends Worker {
     private final WaitStrategy waiting;
     private @Nullable I input;
     private long cycle;
-    private volatile boolean full;
+    private final AtomicBoolean full = new AtomicBoolean();
     private volatile boolean asleep;
-    private volatile boolean working;
+    private final AtomicBoolean working = new AtomicBoolean();
 
     StageWorker(Component component, LoopConfig config, Work<I> work, Failed failed) {
         super(component, config);
@@ -40,11 +45,13 @@ final class StageWorker<I> extends Worker {
     void give(long givenCycle, I givenInput) {
         cycle = givenCycle;
         input = givenInput;
-        full = true;
+        full.setRelease(true);
     }
 
     /** Wakes the thread if it sleeps. */
     void wake() {
+        // The slot was filled before the flag is read; with the same order in sleep(), one of the two sees the other.
+        VarHandle.fullFence();
         if (asleep) {
             unpark();
         }
@@ -52,7 +59,7 @@ final class StageWorker<I> extends Worker {
 
     @Override
     void work() throws InterruptedException {
-        for (int round = 0; !full; round++) {
+        for (int round = 0; !full.get(); round++) {
             if (isRetired()) {
                 return;
             }
@@ -73,8 +80,7 @@ final class StageWorker<I> extends Worker {
 
     private void sleep() throws InterruptedException {
         asleep = true;
-        // Whoever fills the slot looks at the flag afterwards, so one of the two sees the other.
-        if (!full && !isRetired()) {
+        if (!full.get() && !isRetired()) {
             LockSupport.park(this);
         }
         asleep = false;
@@ -91,20 +97,22 @@ final class StageWorker<I> extends Worker {
         }
         long givenCycle = cycle;
         input = null;
-        full = false;
-        working = true;
+        full.setRelease(false);
+        working.setRelease(true);
         try {
             work.run(givenCycle, given);
         } catch (Throwable cause) {
             failed.failed(this, givenCycle, cause);
         } finally {
-            working = false;
-            setStuck(false);
+            working.setRelease(false);
+            if (isStuck()) {
+                setStuck(false);
+            }
         }
     }
 
     @Override
     boolean isWorking() {
-        return working;
+        return working.get();
     }
 }
