@@ -4,6 +4,7 @@ import java.util.Set;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Source;
 import org.evoloop.loop.LoopConfig;
+import org.evoloop.loop.MapeLoop;
 import org.evoloop.loop.Monitor;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
@@ -17,6 +18,7 @@ import org.jspecify.annotations.Nullable;
  */
 public abstract class EventMonitor extends Monitor<Occurrence> {
     private volatile @Nullable LoopConfig config;
+    private volatile @Nullable MapeLoop<Occurrence, ?, ?> loop;
 
     /** A monitor that is called like its class. */
     protected EventMonitor() {}
@@ -26,8 +28,15 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
         super(name);
     }
 
-    void attach(LoopConfig loopConfig) {
+    void attach(LoopConfig loopConfig, MapeLoop<Occurrence, ?, ?> joined) {
         config = loopConfig;
+        loop = joined;
+    }
+
+    /** Tells the loop on the caller's thread; false if {@link #getEvent} has to, on the monitor's. */
+    final boolean tell(Occurrence occurrence) {
+        MapeLoop<Occurrence, ?, ?> joined = loop;
+        return joined != null && joined.tell(this, occurrence);
     }
 
     /** Whether this monitor has a thread of its own; without, {@link #getEvent} must not wait. */

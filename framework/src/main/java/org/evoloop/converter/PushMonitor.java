@@ -2,16 +2,24 @@ package org.evoloop.converter;
 
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.evoloop.evolution.Occurrence;
 import org.jspecify.annotations.Nullable;
 
 /**
  * A monitor whose events come from other threads: a console, a driver's callback, a web server.
  *
- * <p>Threading: {@link #push} and {@link #press} may be called from any thread and never wait.
+ * <p>Threading: {@link #push} and {@link #press} may be called from any thread and never wait. Once the loop has been
+ * opened they tell it directly, since the monitor's own thread would have to be woken first; what one thread pushes stays
+ * in order.
  */
 public class PushMonitor extends EventMonitor {
     private final BlockingQueue<Occurrence> pushed = new LinkedBlockingQueue<>();
+
+    /** How many the monitor's own thread has still to tell; none may overtake them. */
+    private final AtomicInteger behind = new AtomicInteger();
+
+    private boolean telling;
 
     /** A monitor that is called like its class. */
     public PushMonitor() {}
@@ -28,11 +36,21 @@ public class PushMonitor extends EventMonitor {
 
     /** Tells an occurrence. */
     protected final void push(Occurrence occurrence) {
-        pushed.add(occurrence);
+        if (behind.get() > 0 || !tell(occurrence)) {
+            behind.incrementAndGet();
+            pushed.add(occurrence);
+        }
     }
 
     @Override
     protected final @Nullable Occurrence getEvent() throws InterruptedException {
-        return hasThread() ? pushed.take() : pushed.poll();
+        if (telling) {
+            // Whoever asks again has told the last one.
+            telling = false;
+            behind.decrementAndGet();
+        }
+        Occurrence next = hasThread() ? pushed.take() : pushed.poll();
+        telling = next != null;
+        return next;
     }
 }

@@ -13,7 +13,8 @@ import org.slf4j.LoggerFactory;
 /**
  * The log of the paper's experiment, word for word, a line a message, as the SLF4J logger {@value #LOGGER}.
  *
- * <p>The lines of one event stand together: what a new function says meanwhile follows after them.
+ * <p>The lines of one event stand together, and are put into words when it has come to its end: the logger must not stand
+ * in its way. What a new function says meanwhile follows after them.
  *
  * <p>Threading: thread-safe.
  */
@@ -22,6 +23,7 @@ final class Transcript {
 
     private static final Logger LOG = LoggerFactory.getLogger(LOGGER);
 
+    private final List<Runnable> ofEvent = new ArrayList<>();
     private final List<String> later = new ArrayList<>();
     private boolean inEvent;
     private boolean begun;
@@ -30,25 +32,29 @@ final class Transcript {
     private boolean gap;
 
     synchronized void observed(Occurrence occurrence) {
+        // One that came to no end at all.
+        sayEvent();
         inEvent = true;
         gap = begun;
-        if (isOff()) {
-            return;
+        if (isRead()) {
+            ofEvent.add(() -> {
+                line("----   " + (occurrence.source().isButton() ? "button_event" : "internal_event") + " : "
+                        + occurrence.event() + "   -----");
+                line("");
+                line("Monitor");
+                line(" inputs " + occurrence.event() + " event.");
+            });
         }
-        line("----   " + (occurrence.source().isButton() ? "button_event" : "internal_event") + " : "
-                + occurrence.event() + "   -----");
-        line("");
-        line("Monitor");
-        line(" inputs " + occurrence.event() + " event.");
     }
 
     synchronized void analyzed(Decision decision) {
-        if (isOff()) {
-            return;
+        if (isRead()) {
+            ofEvent.add(() -> {
+                line("Analyze");
+                states(decision.before());
+                line(" mode: " + mode(decision));
+            });
         }
-        line("Analyze");
-        states(decision.before());
-        line(" mode: " + mode(decision));
     }
 
     /** A detour counts as new: no single function of the device does what it does. */
@@ -65,34 +71,51 @@ final class Transcript {
     }
 
     synchronized void planned(boolean anyEvents) {
-        line("Plan");
-        if (!anyEvents) {
-            line(" MAPE-K loop does not send events. ");
+        if (isRead()) {
+            ofEvent.add(() -> {
+                line("Plan");
+                if (!anyEvents) {
+                    line(" MAPE-K loop does not send events. ");
+                }
+                line("Execute");
+            });
         }
-        line("Execute");
     }
 
     synchronized void step(Event event) {
-        if (!isOff()) {
-            line(" MAPE-K loop will send this event : " + event);
+        if (isRead()) {
+            ofEvent.add(() -> line(" MAPE-K loop will send this event : " + event));
         }
     }
 
     synchronized void command(Event event) {
-        if (!isOff()) {
-            line(" " + event + " command");
+        if (isRead()) {
+            ofEvent.add(() -> line(" " + event + " command"));
         }
     }
 
     synchronized void starts(State state) {
-        if (!isOff()) {
-            line(" Operate existing functions for " + state + " in the another thread");
+        if (isRead()) {
+            ofEvent.add(() -> line(" Operate existing functions for " + state + " in the another thread"));
         }
+    }
+
+    /** Asked before anything is kept: without a reader it costs nothing. */
+    private static boolean isRead() {
+        return LOG.isInfoEnabled();
+    }
+
+    private void sayEvent() {
+        ofEvent.forEach(Runnable::run);
+        ofEvent.clear();
     }
 
     /** The event's last lines; what was said meanwhile follows. */
     synchronized void executed(Configuration now) {
-        states(now);
+        sayEvent();
+        if (isRead()) {
+            states(now);
+        }
         gap = true;
         closeEvent();
     }
@@ -122,16 +145,8 @@ final class Transcript {
     }
 
     private void states(Configuration configuration) {
-        if (isOff()) {
-            return;
-        }
         line(" original_current_state: " + configuration.original());
         line(" new_current_state: " + configuration.evolved());
-    }
-
-    /** Asked before a line is put into words: without a reader it costs nothing. */
-    private static boolean isOff() {
-        return !LOG.isInfoEnabled();
     }
 
     private void line(String line) {

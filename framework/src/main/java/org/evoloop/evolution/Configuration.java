@@ -1,6 +1,7 @@
 package org.evoloop.evolution;
 
 import org.evoloop.statemachine.State;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Where an evolved device stands: the current states of both models (the paper's oState and nState).
@@ -11,6 +12,21 @@ import org.evoloop.statemachine.State;
  * @param evolved where the evolved system is
  */
 public record Configuration(State original, State evolved) {
+
+    // By hand, see State.
+
+    @Override
+    public boolean equals(@Nullable Object other) {
+        return this == other
+                || (other instanceof Configuration configuration
+                        && original.equals(configuration.original)
+                        && evolved.equals(configuration.evolved));
+    }
+
+    @Override
+    public int hashCode() {
+        return 31 * original.hashCode() + evolved.hashCode();
+    }
 
     /** The same with the device moved to {@code state}. */
     public Configuration withOriginal(State state) {

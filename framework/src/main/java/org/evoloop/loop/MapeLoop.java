@@ -245,6 +245,20 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
     }
 
     /**
+     * Queues what a monitor of this loop has to tell, on the caller's thread instead of the monitor's.
+     *
+     * @return false if that has to be left to the monitor: the loop has no threads or has not been opened yet, or the
+     *     monitor is not part of it
+     */
+    public boolean tell(Monitor<O> monitor, O occurrence) {
+        if (!config.threads() || !sequencer.hasBeenOpened() || roster.workerOf(monitor) == null) {
+            return false;
+        }
+        sequencer.offer(occurrence);
+        return true;
+    }
+
+    /**
      * Queues an occurrence that must not be lost: waits while the queue is full.
      *
      * @return false if the loop is closed, or closes meanwhile

@@ -84,6 +84,10 @@ final class Sequencer<O> {
         }
     }
 
+    boolean hasBeenOpened() {
+        return everOpen;
+    }
+
     /** Queues an occurrence; false if the loop is closed, or the queue full and the occurrence one that may be lost. */
     boolean offer(O offered) {
         boolean first;

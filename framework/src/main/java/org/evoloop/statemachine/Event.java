@@ -3,6 +3,7 @@ package org.evoloop.statemachine;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
+import org.jspecify.annotations.Nullable;
 
 /**
  * An event that may trigger transitions; its identity is its name, as drawn on the transition, and its guards.
@@ -42,6 +43,19 @@ public record Event(String name, List<String> guards) implements Comparable<Even
      */
     public Optional<Duration> timeTrigger() {
         return TimeTrigger.parse(name);
+    }
+
+    // By hand, see State.
+
+    @Override
+    public boolean equals(@Nullable Object other) {
+        return this == other
+                || (other instanceof Event event && name.equals(event.name) && guards.equals(event.guards));
+    }
+
+    @Override
+    public int hashCode() {
+        return 31 * name.hashCode() + guards.hashCode();
     }
 
     /** Orders by name, then by guards. */

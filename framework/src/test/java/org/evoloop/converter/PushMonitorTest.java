@@ -1,0 +1,120 @@
+package org.evoloop.converter;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.IntStream;
+import org.evoloop.evolution.Occurrence;
+import org.evoloop.loop.Analyze;
+import org.evoloop.loop.Execute;
+import org.evoloop.loop.Failure;
+import org.evoloop.loop.LoopConfig;
+import org.evoloop.loop.LoopListener;
+import org.evoloop.loop.MapeLoop;
+import org.evoloop.loop.Plan;
+import org.evoloop.time.ManualClock;
+import org.junit.jupiter.api.RepeatedTest;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** What is pushed reaches the loop in order, whichever thread brings it there. */
+@Timeout(60)
+class PushMonitorTest {
+    private static final int EVENTS = 2_000;
+    private static final List<String> IN_ORDER =
+            IntStream.range(0, EVENTS).mapToObj(number -> "e" + number).toList();
+
+    private final ManualClock clock = new ManualClock();
+    private final BlockingQueue<String> handled = new LinkedBlockingQueue<>();
+    private final PushMonitor monitor = new PushMonitor("Panel");
+
+    @RepeatedTest(20)
+    void whatOneThreadPushesWhileTheLoopOpensStaysInOrder() throws Exception {
+        try (MapeLoop<Occurrence, Occurrence, Occurrence> loop = built()) {
+            CompletableFuture<Void> pushing = CompletableFuture.runAsync(() -> IN_ORDER.forEach(monitor::press));
+            loop.start();
+            assertThat(takeAll()).isEqualTo(IN_ORDER);
+            pushing.get();
+        }
+    }
+
+    @Test
+    void whatWasPushedBeforeTheLoopOpensIsNotOvertaken() throws Exception {
+        try (MapeLoop<Occurrence, Occurrence, Occurrence> loop = built()) {
+            IN_ORDER.subList(0, EVENTS / 2).forEach(monitor::press);
+            loop.start();
+            IN_ORDER.subList(EVENTS / 2, EVENTS).forEach(monitor::press);
+            assertThat(takeAll()).isEqualTo(IN_ORDER);
+        }
+    }
+
+    @Test
+    void aMonitorThatIsNoPartOfTheLoopAnyMoreTellsItNothing() throws Exception {
+        try (MapeLoop<Occurrence, Occurrence, Occurrence> loop = built()) {
+            loop.start();
+            monitor.press("before");
+            assertThat(handled.poll(10, TimeUnit.SECONDS)).isEqualTo("before");
+            loop.remove("Panel");
+            monitor.press("meanwhile");
+            assertThat(loop.queueStatus().taken()).isEqualTo(1);
+            loop.addMonitor(monitor);
+            monitor.press("after");
+            assertThat(handled.poll(10, TimeUnit.SECONDS)).isEqualTo("meanwhile");
+            assertThat(handled.poll(10, TimeUnit.SECONDS)).isEqualTo("after");
+        }
+    }
+
+    private List<String> takeAll() throws InterruptedException {
+        List<String> taken = new ArrayList<>();
+        while (taken.size() < EVENTS) {
+            String next = handled.poll(10, TimeUnit.SECONDS);
+            assertThat(next).as("after %s", taken).isNotNull();
+            taken.add(next);
+        }
+        return taken;
+    }
+
+    private MapeLoop<Occurrence, Occurrence, Occurrence> built() {
+        LoopConfig config = LoopConfig.defaults("pushed", clock).withQueueCapacity(EVENTS);
+        MapeLoop<Occurrence, Occurrence, Occurrence> loop = new MapeLoop<>(config, new Strict());
+        monitor.attach(config, loop);
+        loop.addMonitor(monitor);
+        loop.addAnalyze(new Analyze<>("Analyze") {
+            @Override
+            protected Occurrence analyze(Occurrence occurrence) {
+                return occurrence;
+            }
+        });
+        loop.addPlan(new Plan<>("Plan") {
+            @Override
+            protected Occurrence plan(Occurrence occurrence) {
+                return occurrence;
+            }
+        });
+        loop.addExecute(new Execute<>("Execute") {
+            @Override
+            protected void execute(Occurrence occurrence) {
+                handled.add(occurrence.event().name());
+            }
+        });
+        loop.build();
+        return loop;
+    }
+
+    private static final class Strict implements LoopListener<Occurrence> {
+        @Override
+        public void failed(Failure<Occurrence> failure) {
+            throw new AssertionError(failure.toString());
+        }
+
+        @Override
+        public void dropped(Occurrence occurrence, boolean first) {
+            throw new AssertionError(occurrence + " was dropped");
+        }
+    }
+}

@@ -1,0 +1,62 @@
+package org.evoloop.converter;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import org.evoloop.PaperModels;
+import org.evoloop.evolution.Step;
+import org.evoloop.function.NewFunction;
+import org.evoloop.loop.LoopConfig;
+import org.evoloop.time.ManualClock;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+
+/** When the transcript says what. */
+class TranscriptTest {
+    private final TranscriptLines transcript = new TranscriptLines();
+    private final List<String> saidBeforeTheCommandLeft = new ArrayList<>();
+    private final PushMonitor panel = new PushMonitor();
+    private final SystemEventConverter converter = new SystemEventConverter(
+            LoopConfig.defaults("robot", new ManualClock()).withoutThreads());
+
+    @AfterEach
+    void close() {
+        converter.close();
+        transcript.close();
+    }
+
+    @Test
+    void nothingStandsInTheWayOfACommand() throws InterruptedException {
+        converter.addMonitor(panel);
+        converter.addExecute(new EventExecute("Device") {
+            @Override
+            protected Set<String> sendableEvents() {
+                return Set.of("Clean", "Spot");
+            }
+
+            @Override
+            protected void send(Step step) {
+                saidBeforeTheCommandLeft.addAll(transcript.lines());
+            }
+        });
+        converter.addKnowledge(new StateKnowledge(PaperModels.cleaningRobot()) {
+            @Override
+            protected void registerNewFunctions() {
+                function("Move", NewFunction.none());
+                function("SpotWait", NewFunction.none());
+            }
+        });
+        converter.build();
+        converter.start();
+        panel.press("Clean");
+        converter.observe(panel);
+        converter.step();
+        assertThat(saidBeforeTheCommandLeft).isEmpty();
+        assertThat(transcript.lines())
+                .startsWith("----   button_event : Clean   -----")
+                .contains(" Clean command")
+                .endsWith(" original_current_state: On", " new_current_state: On");
+    }
+}
