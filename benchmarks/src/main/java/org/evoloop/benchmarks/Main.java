@@ -27,7 +27,7 @@ import picocli.CommandLine.Option;
         name = "bench",
         description = "Measures Evoloop beside others, on this machine, in one run.",
         mixinStandardHelpOptions = true,
-        subcommands = PlotCommand.class)
+        subcommands = {PlotCommand.class, ProfileCommand.class})
 public final class Main implements Callable<Integer> {
     private static final List<Suite> SUITES =
             List.of(new DecisionSuite(), new RingSuite(), new RunningSuite(), new LoadingSuite(), new DeviceSuite());

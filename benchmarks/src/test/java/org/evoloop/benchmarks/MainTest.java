@@ -50,4 +50,21 @@ class MainTest {
                 .isEqualToIgnoringNewLines(
                         "error: cannot write " + picture + "; name a file in a directory that exists");
     }
+
+    @Test
+    void saysBeforeItRecordsThatThereIsNoFolder(@TempDir Path directory) {
+        Path folder = directory.resolve("missing");
+
+        assertThat(run("profile", "--flame-graphs", folder.toString())).isEqualTo(2);
+        assertThat(errors.toString())
+                .isEqualToIgnoringNewLines("error: --flame-graphs: there is no folder " + folder + "; make it");
+    }
+
+    @Test
+    void namesWorkThatThereIsNot() {
+        assertThat(run("profile", "laundry")).isEqualTo(2);
+        assertThat(errors.toString())
+                .isEqualToIgnoringNewLines(
+                        "error: there is no work laundry to look at; there are [decision, conversion, threads]");
+    }
 }
