@@ -10,6 +10,8 @@ import java.util.concurrent.Callable;
 import org.evoloop.benchmarks.decision.DecisionSuite;
 import org.evoloop.benchmarks.device.DeviceSuite;
 import org.evoloop.benchmarks.loading.LoadingSuite;
+import org.evoloop.benchmarks.report.Origin;
+import org.evoloop.benchmarks.report.Results;
 import org.evoloop.benchmarks.report.Row;
 import org.evoloop.benchmarks.report.Suite;
 import org.evoloop.benchmarks.report.Table;
@@ -24,7 +26,8 @@ import picocli.CommandLine.Option;
 @Command(
         name = "bench",
         description = "Measures Evoloop beside others, on this machine, in one run.",
-        mixinStandardHelpOptions = true)
+        mixinStandardHelpOptions = true,
+        subcommands = {PlotCommand.class, ProfileCommand.class})
 public final class Main implements Callable<Integer> {
     private static final List<Suite> SUITES =
             List.of(new DecisionSuite(), new RingSuite(), new RunningSuite(), new LoadingSuite(), new DeviceSuite());
@@ -76,9 +79,10 @@ public final class Main implements Callable<Integer> {
             rows.addAll(suite.measure(quick));
         }
         System.out.print(Table.text(rows));
-        System.out.println(machine());
+        Results results = new Results(Origin.here(), rows);
+        System.out.println(results.origin().machine());
         if (file != null) {
-            Files.writeString(file, Table.json(rows, machine()));
+            Files.writeString(file, results.json());
         }
         return CommandLine.ExitCode.OK;
     }
@@ -105,11 +109,5 @@ public final class Main implements Callable<Integer> {
             throw new IllegalArgumentException(
                     "--json: cannot write " + file + "; name a file in a directory that exists", cause);
         }
-    }
-
-    private static String machine() {
-        return "JDK " + Runtime.version() + ", " + Runtime.getRuntime().availableProcessors() + " processors, "
-                + System.getProperty("os.name") + " " + System.getProperty("os.version") + " "
-                + System.getProperty("os.arch");
     }
 }

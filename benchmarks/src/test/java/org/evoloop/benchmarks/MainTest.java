@@ -30,4 +30,41 @@ class MainTest {
                 .isEqualToIgnoringNewLines(
                         "error: --json: cannot write " + file + "; name a file in a directory that exists");
     }
+
+    @Test
+    void drawsTheResultsOfARun(@TempDir Path directory) {
+        Path kept = Path.of(System.getProperty("evoloop.root"), "benchmarks", "results", "2026-11-21-quick.json");
+        Path picture = directory.resolve("plot.svg");
+
+        assertThat(run("plot", kept.toString(), picture.toString())).isZero();
+        assertThat(picture).content().startsWith("<svg ").contains("commit 7440ae6");
+    }
+
+    @Test
+    void saysThatThePictureCannotBeWritten(@TempDir Path directory) {
+        Path kept = Path.of(System.getProperty("evoloop.root"), "benchmarks", "results", "2026-11-21-quick.json");
+        Path picture = directory.resolve("missing").resolve("plot.svg");
+
+        assertThat(run("plot", kept.toString(), picture.toString())).isEqualTo(2);
+        assertThat(errors.toString())
+                .isEqualToIgnoringNewLines(
+                        "error: cannot write " + picture + "; name a file in a directory that exists");
+    }
+
+    @Test
+    void saysBeforeItRecordsThatThereIsNoFolder(@TempDir Path directory) {
+        Path folder = directory.resolve("missing");
+
+        assertThat(run("profile", "--flame-graphs", folder.toString())).isEqualTo(2);
+        assertThat(errors.toString())
+                .isEqualToIgnoringNewLines("error: --flame-graphs: there is no folder " + folder + "; make it");
+    }
+
+    @Test
+    void namesWorkThatThereIsNot() {
+        assertThat(run("profile", "laundry")).isEqualTo(2);
+        assertThat(errors.toString())
+                .isEqualToIgnoringNewLines(
+                        "error: there is no work laundry to look at; there are [decision, conversion, threads]");
+    }
 }

@@ -80,7 +80,7 @@ public final class Conversion {
         try {
             execute.settled(core.configuration());
         } finally {
-            core.startFunction(entered);
+            core.visits.startFunction(entered);
         }
     }
 

@@ -1,9 +1,6 @@
 package org.evoloop.converter;
 
-import java.time.Duration;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Set;
 import org.evoloop.converter.HistoryEntry.Outcome;
 import org.evoloop.evolution.Configuration;
@@ -12,10 +9,8 @@ import org.evoloop.evolution.DecisionTable;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Source;
 import org.evoloop.evolution.Step;
-import org.evoloop.function.FunctionRunner;
 import org.evoloop.function.NewFunction;
 import org.evoloop.function.Visit;
-import org.evoloop.function.VisitHost;
 import org.evoloop.loop.Execute;
 import org.evoloop.loop.Failure;
 import org.evoloop.loop.LoopConfig;
@@ -24,47 +19,38 @@ import org.evoloop.loop.MapeLoop;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.Transition;
-import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * What the components of a converter do together: decide, plan, carry out, visit states, and keep the books.
+ * What the components of a converter do together: decide, plan, carry out, and keep the books.
  *
- * <p>Threading: the loop calls it for one event at a time; visits and the clock call it from their own threads.
+ * <p>Threading: the loop calls it for one event at a time; a full queue is told by whoever found it full.
  */
-final class ConverterCore implements VisitHost, LoopListener<Occurrence> {
+final class ConverterCore implements LoopListener<Occurrence> {
     private static final Logger LOG = LoggerFactory.getLogger(SystemEventConverter.class);
 
     private final LoopConfig config;
     private final StateKnowledge knowledge;
     private final Transcript transcript = new Transcript();
     private final FailureLog failures = new FailureLog();
-    private final FunctionRunner functions;
     final History history;
     final LatencyWindow latency = new LatencyWindow();
     final MapeLoop<Occurrence, Decision, Conversion> loop;
+    final Visits visits;
     private volatile List<EventExecute> executes = List.of();
     private volatile @Nullable Occurrence observed;
     private volatile @Nullable Conversion active;
-    private volatile @Nullable Visit visit;
     private volatile boolean sent;
     private volatile long sentNanos;
-    private long visits;
-
-    /** When the timers of the current visit fire; one that has been heard is no longer in it. */
-    private final Map<Event, Long> deadlines = new HashMap<>();
-
-    /** What runs in the current state if it is a new one: the function of the transition that led there. */
-    private NewFunction function = NewFunction.none();
 
     ConverterCore(LoopConfig config, StateKnowledge knowledge) {
         this.config = config;
         this.knowledge = knowledge;
-        this.functions = new FunctionRunner(this, config.joinLimit());
         this.history = new History(config.clock());
         this.loop = new MapeLoop<>(config, this, this::dispatch, ConverterCore::isFact);
+        this.visits = new Visits(config, knowledge, loop, transcript, failures);
     }
 
     /**
@@ -102,7 +88,7 @@ final class ConverterCore implements VisitHost, LoopListener<Occurrence> {
 
     /** Ends the current visit and lets go of the device; the loop is closed. */
     void release() {
-        leave();
+        visits.leave();
         executes.forEach(execute -> tell(execute, "released", execute::released));
     }
 
@@ -125,8 +111,7 @@ final class ConverterCore implements VisitHost, LoopListener<Occurrence> {
     @Nullable
     Decision decide(Occurrence occurrence) {
         Configuration before = knowledge.configuration();
-        Visit current = visit;
-        if (occurrence.visit() != Occurrence.ANY_VISIT && (current == null || occurrence.visit() != current.number())) {
+        if (visits.isStale(occurrence)) {
             history.record(occurrence, before, before, Outcome.STALE, null, "the state that raised it has been left");
             return null;
         }
@@ -139,7 +124,7 @@ final class ConverterCore implements VisitHost, LoopListener<Occurrence> {
             return null;
         }
         if (occurrence.source() == Source.TIMER) {
-            heard(occurrence.event());
+            visits.heard(occurrence.event());
         }
         observed = occurrence;
         active = null;
@@ -208,7 +193,7 @@ final class ConverterCore implements VisitHost, LoopListener<Occurrence> {
         latency.record(config.clock().nanoTime() - conversion.occurrence().observedNanos());
         if (conversion.decision().leavesState()) {
             // Before the first command leaves: a function that still moved the device would contradict it.
-            functions.end();
+            visits.endFunction();
         }
     }
 
@@ -247,7 +232,7 @@ final class ConverterCore implements VisitHost, LoopListener<Occurrence> {
         Visit entered = null;
         if (decision.leavesState()) {
             Transition transition = decision.transition();
-            entered = enter(
+            entered = visits.enter(
                     after.evolved(),
                     transition == null ? NewFunction.none() : knowledge.action(transition),
                     transition == null ? Set.of() : transition.keeps());
@@ -259,7 +244,7 @@ final class ConverterCore implements VisitHost, LoopListener<Occurrence> {
         record(conversion, after);
         if (decision instanceof Decision.Impossible) {
             // Its timers start anew: what was impossible now may be possible the next time.
-            enterAgain();
+            visits.enterAgain();
         }
         return entered;
     }
@@ -278,109 +263,6 @@ final class ConverterCore implements VisitHost, LoopListener<Occurrence> {
                 conversion.occurrence(), decision.before(), after, outcome, decision, conversion.failedEffects());
     }
 
-    // Visits
-
-    /**
-     * Begins a visit.
-     *
-     * @param kept names of time triggers that go on from the visit before, since a state around both is not left
-     */
-    private synchronized Visit enter(State state, NewFunction toRun, Set<String> kept) {
-        Visit entered = new Visit(state, ++visits, this);
-        functions.begin(entered);
-        visit = entered;
-        function = toRun;
-        Map<Event, Duration> timers = knowledge.timersOf(state);
-        if (timers.isEmpty() && deadlines.isEmpty()) {
-            return entered;
-        }
-        deadlines.keySet().removeIf(event -> !kept.contains(event.name()));
-        long now = config.clock().nanoTime();
-        timers.forEach((event, delay) -> {
-            if (kept.contains(event.name()) && !deadlines.containsKey(event)) {
-                // It has been heard in an earlier visit of the state around.
-                return;
-            }
-            long deadline = deadlines.computeIfAbsent(event, key -> now + delay.toNanos());
-            entered.after(Duration.ofNanos(Math.max(0, deadline - now)), () -> fire(event, entered));
-        });
-        return entered;
-    }
-
-    private void fire(Event event, Visit raising) {
-        loop.offer(new Occurrence(
-                event, Source.TIMER, false, raising.number(), config.clock().nanoTime()));
-    }
-
-    private synchronized void heard(Event timer) {
-        deadlines.remove(timer);
-    }
-
-    /** Runs the function of a new state that was entered, if it has not been left meanwhile. */
-    synchronized void startFunction(@Nullable Visit entered) {
-        if (entered != null && entered == visit && knowledge.models().isNew(entered.state())) {
-            functions.run(function);
-        }
-    }
-
-    /** Enters the current state anew, as after a start or an attempt to leave it that failed. */
-    synchronized void enterAgain() {
-        startFunction(enter(knowledge.getCurrentState(), function, Set.of()));
-    }
-
-    private synchronized void leave() {
-        functions.end();
-        visit = null;
-    }
-
-    ConverterStatus.RunningFunction runningFunction() {
-        Visit running = functions.running();
-        return new ConverterStatus.RunningFunction(
-                running == null ? "" : running.state().name(), functions.threadName());
-    }
-
-    // VisitHost
-
-    @Override
-    public Clock clock() {
-        return config.clock();
-    }
-
-    @Override
-    public boolean threads() {
-        return config.threads();
-    }
-
-    @Override
-    public boolean accepts(Visit asking, Event event) {
-        return knowledge.models().evolved().hasTransition(asking.state(), event);
-    }
-
-    @Override
-    public void raise(Visit raising, Event event) throws InterruptedException {
-        loop.put(raisedBy(raising, event));
-    }
-
-    @Override
-    public void finish(Visit finishing, Event event) {
-        loop.offer(raisedBy(finishing, event));
-    }
-
-    private Occurrence raisedBy(Visit raising, Event event) {
-        return new Occurrence(
-                event, Source.FUNCTION, false, raising.number(), config.clock().nanoTime());
-    }
-
-    @Override
-    public void notice(String line) {
-        transcript.notice(line);
-    }
-
-    @Override
-    public void failed(Visit failing, Throwable cause) {
-        failures.log(new Failure<>(failing.state().name(), "function", 0, null, cause));
-    }
-
     // LoopListener
 
     @Override
@@ -397,7 +279,7 @@ final class ConverterCore implements VisitHost, LoopListener<Occurrence> {
         } else if (conversion.giveUp()) {
             endInFailure(occurrence, conversion.decision().before(), now, failure);
             if (conversion.hasLeftState()) {
-                enterAgain();
+                visits.enterAgain();
             }
         }
     }

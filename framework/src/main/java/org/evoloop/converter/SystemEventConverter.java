@@ -176,7 +176,7 @@ public final class SystemEventConverter implements AutoCloseable {
         ConverterCore built = built();
         if (built.loop.state() != LoopState.RUNNING) {
             built.settle();
-            built.loop.start(built::enterAgain);
+            built.loop.start(built.visits::enterAgain);
         }
     }
 
@@ -291,7 +291,7 @@ public final class SystemEventConverter implements AutoCloseable {
                 built.history.counts(),
                 built.latency.summary(),
                 built.loop.components(),
-                built.runningFunction(),
+                built.visits.runningFunction(),
                 device == null
                         ? new ConverterStatus.Link(false, "")
                         : new ConverterStatus.Link(device.isUp(), device.describe()));

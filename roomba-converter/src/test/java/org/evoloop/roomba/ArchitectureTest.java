@@ -101,6 +101,10 @@ class ArchitectureTest {
                     type(LinkException.class)));
 
     @ArchTest
+    static final ArchRule whatMoveDoesNextIsPure =
+            room("org.evoloop.roomba.move.phase..", resideInAnyPackage(OI, "org.evoloop.roomba.session"));
+
+    @ArchTest
     static final ArchRule nothingUsesTheApplication = noClasses()
             .that()
             .resideOutsideOfPackage(APPLICATION)

@@ -2,7 +2,6 @@ package org.evoloop.benchmarks.decision;
 
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import org.evoloop.benchmarks.report.Row;
 import org.evoloop.benchmarks.report.Suite;
@@ -55,7 +54,7 @@ public final class DecisionSuite implements Suite {
                         "a decision by the event's name",
                         "ns",
                         nanos(Library.EVOLOOP, 6),
-                        Row.Goal.atMostTimes(0.4, "stateless4j", nanos(Library.STATELESS4J, 6)),
+                        Row.Goal.atMostTimes(0.4, Library.STATELESS4J.label(), nanos(Library.STATELESS4J, 6)),
                         peers(6)),
                 new Row("the same, allocated", "B", Math.rint(bytes(Library.EVOLOOP)), Row.Goal.atMost(0)),
                 new Row(
@@ -82,7 +81,7 @@ public final class DecisionSuite implements Suite {
         Map<String, Double> peers = new LinkedHashMap<>();
         for (Library library : Library.values()) {
             if (library != Library.EVOLOOP) {
-                peers.put(library.name().toLowerCase(Locale.ROOT), nanos(library, states));
+                peers.put(library.label(), nanos(library, states));
             }
         }
         return peers;

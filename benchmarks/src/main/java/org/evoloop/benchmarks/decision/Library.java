@@ -2,48 +2,59 @@ package org.evoloop.benchmarks.decision;
 
 /** The libraries that are compared. */
 public enum Library {
-    EVOLOOP {
+    EVOLOOP("Evoloop") {
         @Override
         Walker walk(Walk walk) {
             return new EvoloopWalker(walk);
         }
     },
-    STATELESS4J {
+    STATELESS4J("stateless4j") {
         @Override
         Walker walk(Walk walk) {
             return new Stateless4jWalker(walk);
         }
     },
-    COLA {
+    COLA("COLA") {
         @Override
         Walker walk(Walk walk) {
             return new ColaWalker(walk);
         }
     },
-    SQUIRREL {
+    SQUIRREL("squirrel") {
         @Override
         Walker walk(Walk walk) {
             return new SquirrelWalker(walk);
         }
     },
-    COMMONS_SCXML {
+    COMMONS_SCXML("Commons SCXML") {
         @Override
         Walker walk(Walk walk) {
             return new ScxmlWalker(walk);
         }
     },
-    SPRING {
+    SPRING("Spring") {
         @Override
         Walker walk(Walk walk) {
             return new SpringWalker(walk);
         }
     },
-    HASH_MAP {
+    HASH_MAP("map of maps") {
         @Override
         Walker walk(Walk walk) {
             return new HashMapWalker(walk);
         }
     };
+
+    private final String label;
+
+    Library(String label) {
+        this.label = label;
+    }
+
+    /** As in the table. */
+    String label() {
+        return label;
+    }
 
     /** A machine of this library, at the beginning of the way. */
     abstract Walker walk(Walk walk);

@@ -1,7 +1,8 @@
 /**
  * What one decision costs: ours beside the state machine libraries that people use, on the same machines.
  *
- * <p>This room may use the framework, the libraries, and {@code org.evoloop.benchmarks}' rows.
+ * <p>This room may use the framework, the libraries, {@code org.evoloop.benchmarks.report} and {@code
+ * org.evoloop.benchmarks.profile}.
  */
 @NullMarked
 package org.evoloop.benchmarks.decision;

@@ -12,13 +12,12 @@ import java.util.Arrays;
 import java.util.List;
 import org.evoloop.benchmarks.report.Figures;
 import org.evoloop.benchmarks.report.Fork;
+import org.evoloop.benchmarks.report.ResidentMemory;
 import org.evoloop.benchmarks.report.Row;
 import org.evoloop.benchmarks.report.Suite;
 
 /** From the press of a button to the command, and from the start of the program to its first event. */
 public final class DeviceSuite implements Suite {
-    private static final List<String> SHIPPED_OPTIONS = List.of("-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1");
-
     @Override
     public String name() {
         return "device";
@@ -26,7 +25,7 @@ public final class DeviceSuite implements Suite {
 
     @Override
     public List<Row> measure(boolean quick) throws Exception {
-        Figures press = Fork.of(PressToCommand.class, SHIPPED_OPTIONS, quick ? "20" : "200")
+        Figures press = Fork.of(PressToCommand.class, Fork.SHIPPED_OPTIONS, quick ? "20" : "200")
                 .figures();
         Fork version = Fork.java("-version");
         double java = Double.POSITIVE_INFINITY;
@@ -72,7 +71,7 @@ public final class DeviceSuite implements Suite {
                 console.flush();
                 awaitLine(output, transcript, "new_current_state: On");
                 double seconds = (System.nanoTime() - begun) / 1e9;
-                return new Started(seconds, residentMegabytes(converter.pid()));
+                return new Started(seconds, ResidentMemory.of(converter.pid()));
             } finally {
                 converter.destroy();
             }
@@ -93,20 +92,11 @@ public final class DeviceSuite implements Suite {
         throw new IOException("the converter ended before its first event: " + other.readLine());
     }
 
-    private static double residentMegabytes(long pid) throws IOException {
-        for (String line : Files.readAllLines(Path.of("/proc/" + pid + "/status"))) {
-            if (line.startsWith("VmHWM:")) {
-                return Double.parseDouble(line.replaceAll("[^0-9]", "")) / 1024;
-            }
-        }
-        throw new IOException("/proc tells no VmHWM of process " + pid);
-    }
-
     private static Process program(String... arguments) throws IOException {
         List<String> command = new ArrayList<>(
                 List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString()));
         String home = System.getProperty("evoloop.home", "");
-        command.addAll(SHIPPED_OPTIONS);
+        command.addAll(Fork.SHIPPED_OPTIONS);
         command.add("-XX:SharedArchiveFile=" + Path.of(home, "target", "roomba-converter.jsa"));
         command.add("-Xlog:cds=off");
         command.add("-Xlog:cds+dynamic=off");

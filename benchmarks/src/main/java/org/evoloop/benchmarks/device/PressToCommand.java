@@ -5,6 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import org.HdrHistogram.Histogram;
+import org.evoloop.benchmarks.report.Latencies;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.roomba.RoombaConverter;
@@ -25,7 +26,6 @@ import org.evoloop.time.SystemClock;
  * command; at work it pauses by itself. The models are those of the device itself, so nothing else comes between.
  */
 public final class PressToCommand {
-    private static final long LONGEST_NANOS = 10_000_000_000L;
     private static final double SPEED = 4;
     private static final Duration LOOK = Duration.ofMillis(50);
 
@@ -46,7 +46,7 @@ public final class PressToCommand {
                 .transition("Clean", "Clean", "On")
                 .transition("Spot", "endSpot", "On")
                 .build();
-        Histogram nanos = new Histogram(LONGEST_NANOS, 3);
+        Histogram nanos = Latencies.histogram();
         Path folder = Files.createTempDirectory("evoloop");
         Path port = folder.resolve("roomba");
         try (Clock clock = new SystemClock(SPEED);
@@ -71,8 +71,7 @@ public final class PressToCommand {
             Files.deleteIfExists(port);
             Files.delete(folder);
         }
-        System.out.println("press p50 " + nanos.getValueAtPercentile(50) / 1e3);
-        System.out.println("press p99 " + nanos.getValueAtPercentile(99) / 1e3);
+        Latencies.print("press", nanos);
     }
 
     private static void press(WorldCommands world, RoombaConverter roomba, Clock clock) throws InterruptedException {

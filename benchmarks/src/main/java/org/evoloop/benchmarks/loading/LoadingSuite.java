@@ -13,9 +13,6 @@ import org.evoloop.xmi.ModelFiles;
 
 /** Reading and compiling in a process that has just begun and in one that is warm, and the size of the jar. */
 public final class LoadingSuite implements Suite {
-    /** As {@code ./evoloop} starts programs. */
-    static final List<String> SHIPPED_OPTIONS = List.of("-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1");
-
     @Override
     public String name() {
         return "loading";
@@ -26,8 +23,8 @@ public final class LoadingSuite implements Suite {
         int times = quick ? 3 : 10;
         String file =
                 ModelFiles.find("models/cleaning-robot.xml", LoadingSuite.class).toString();
-        Fork read = Fork.of(ReadPair.class, SHIPPED_OPTIONS, file);
-        Fork dom = Fork.of(ParseDom.class, SHIPPED_OPTIONS, file);
+        Fork read = Fork.of(ReadPair.class, Fork.SHIPPED_OPTIONS, file);
+        Fork dom = Fork.of(ParseDom.class, Fork.SHIPPED_OPTIONS, file);
         Fork nothing = Fork.java("-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1", "-version");
         double domSeconds = Double.POSITIVE_INFINITY;
         double readSeconds = Double.POSITIVE_INFINITY;

@@ -2,6 +2,7 @@ package org.evoloop.benchmarks.loading;
 
 import java.io.File;
 import javax.xml.parsers.DocumentBuilderFactory;
+import org.evoloop.benchmarks.report.ResidentMemory;
 
 /** Parses a file with the JDK's DOM parser and does nothing with it: the least that another reader could do. */
 public final class ParseDom {
@@ -21,6 +22,6 @@ public final class ParseDom {
         if (elements == 0) {
             throw new IllegalStateException("nothing was parsed");
         }
-        System.out.println("rss " + ReadPair.residentMegabytes());
+        System.out.println("rss " + ResidentMemory.ofThisProcess());
     }
 }

@@ -1,10 +1,10 @@
 package org.evoloop.benchmarks.loading;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.HashSet;
 import java.util.Set;
+import org.evoloop.benchmarks.report.ResidentMemory;
 import org.evoloop.evolution.DecisionTable;
 import org.evoloop.evolution.DeviceEvents;
 import org.evoloop.evolution.ModelPair;
@@ -25,7 +25,7 @@ public final class ReadPair {
         if (table.configurations().isEmpty()) {
             throw new IllegalStateException("nothing was compiled");
         }
-        System.out.println("rss " + residentMegabytes());
+        System.out.println("rss " + ResidentMemory.ofThisProcess());
     }
 
     static DecisionTable compile(Path path) {
@@ -42,14 +42,5 @@ public final class ReadPair {
         Set<Event> sendable = new HashSet<>(pair.original().events());
         sendable.remove(new Event("endSpot"));
         return DecisionTable.compile(pair, new DeviceEvents(sendable, Set.of()));
-    }
-
-    static double residentMegabytes() throws IOException {
-        for (String line : Files.readAllLines(Path.of("/proc/self/status"))) {
-            if (line.startsWith("VmHWM:")) {
-                return Double.parseDouble(line.replaceAll("[^0-9]", "")) / 1024;
-            }
-        }
-        throw new IOException("/proc/self/status tells no VmHWM");
     }
 }

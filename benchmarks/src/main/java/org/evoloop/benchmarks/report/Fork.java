@@ -12,6 +12,9 @@ import java.util.concurrent.TimeUnit;
  * found it prints as lines of a name and a number.
  */
 public final class Fork {
+    /** As {@code ./evoloop} starts programs. */
+    public static final List<String> SHIPPED_OPTIONS = List.of("-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1");
+
     private static final long LIMIT_MINUTES = 20;
 
     private final List<String> command = new ArrayList<>();

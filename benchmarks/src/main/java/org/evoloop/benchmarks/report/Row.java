@@ -1,5 +1,7 @@
 package org.evoloop.benchmarks.report;
 
+import java.util.Collections;
+import java.util.LinkedHashMap;
 import java.util.Map;
 
 /**
@@ -15,7 +17,7 @@ import java.util.Map;
 public record Row(String what, String unit, double ours, Goal goal, Map<String, Double> peers) {
     public Row {
         // Copied in order, which Map.copyOf would not keep.
-        peers = java.util.Collections.unmodifiableMap(new java.util.LinkedHashMap<>(peers));
+        peers = Collections.unmodifiableMap(new LinkedHashMap<>(peers));
     }
 
     /** A row without peers. */
@@ -56,6 +58,11 @@ public record Row(String what, String unit, double ours, Goal goal, Map<String, 
         /** The figure that is held against the bound. */
         public double ratio(double ours) {
             return ours / against;
+        }
+
+        /** The goal in the unit of the figure itself. */
+        public double limit() {
+            return bound * against;
         }
 
         /** Whether it is a ratio to something else. */

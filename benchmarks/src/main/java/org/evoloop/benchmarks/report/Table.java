@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
 
-/** The rows as a table for people, and as JSON for programs. */
+/** The rows as a table for people. */
 public final class Table {
     private static final String LINE = "%-52s %12s %-28s %9s %-9s %s%n";
 
@@ -36,29 +36,8 @@ public final class Table {
         return text.toString();
     }
 
-    /** An object with the machine and an array of rows. */
-    public static String json(List<Row> rows, String machine) {
-        String all = rows.stream().map(Table::json).collect(Collectors.joining(",\n    "));
-        return "{\n  \"machine\": " + quote(machine) + ",\n  \"rows\": [\n    " + all + "\n  ]\n}\n";
-    }
-
-    private static String json(Row row) {
-        String peers = row.peers().entrySet().stream()
-                .map(peer -> quote(peer.getKey()) + ": " + peer.getValue())
-                .collect(Collectors.joining(", "));
-        Row.Goal goal = row.goal();
-        return "{\"what\": " + quote(row.what()) + ", \"unit\": " + quote(row.unit()) + ", \"ours\": " + row.ours()
-                + ", \"against\": " + quote(goal.name()) + ", \"againstValue\": " + goal.against() + ", \"ratio\": "
-                + goal.ratio(row.ours()) + ", \"bound\": " + goal.bound() + ", \"atLeast\": " + goal.atLeast()
-                + ", \"reached\": " + row.reached() + ", \"peers\": {" + peers + "}}";
-    }
-
-    private static String quote(String text) {
-        return '"' + text.replace("\\", "\\\\").replace("\"", "\\\"") + '"';
-    }
-
     /** Three digits that tell something. */
-    static String number(double value) {
+    public static String number(double value) {
         String form = value >= 100 ? "%.0f" : value >= 10 ? "%.1f" : value >= 0.01 || value == 0 ? "%.2f" : "%.1e";
         return String.format(Locale.ROOT, form, value);
     }

@@ -1,11 +1,11 @@
 package org.evoloop.benchmarks.ring;
 
 import org.HdrHistogram.Histogram;
+import org.evoloop.benchmarks.report.Latencies;
 
 /** Four threads that hand one object round and do nothing else: what a loop of four threads costs at least. */
 final class BareRing {
     private static final Object TOKEN = new Object();
-    private static final long LONGEST_NANOS = 10_000_000_000L;
     private static final int THREADS = 4;
 
     private BareRing() {}
@@ -24,7 +24,7 @@ final class BareRing {
             others[index].setDaemon(true);
             others[index].start();
         }
-        Histogram nanos = new Histogram(LONGEST_NANOS, 3);
+        Histogram nanos = Latencies.histogram();
         for (int round = -warmUp; round < rounds; round++) {
             long begun = System.nanoTime();
             hands[0].give(TOKEN);

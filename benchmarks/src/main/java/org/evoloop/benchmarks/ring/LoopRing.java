@@ -2,16 +2,15 @@ package org.evoloop.benchmarks.ring;
 
 import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
+import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import org.HdrHistogram.Histogram;
-import org.evoloop.loop.Analyze;
+import org.evoloop.benchmarks.report.Latencies;
+import org.evoloop.benchmarks.running.PlainLoop;
 import org.evoloop.loop.Execute;
-import org.evoloop.loop.Failure;
 import org.evoloop.loop.LoopConfig;
-import org.evoloop.loop.LoopListener;
 import org.evoloop.loop.MapeLoop;
 import org.evoloop.loop.Monitor;
-import org.evoloop.loop.Plan;
 import org.evoloop.time.SystemClock;
 import org.jspecify.annotations.Nullable;
 
@@ -21,12 +20,11 @@ import org.jspecify.annotations.Nullable;
  */
 final class LoopRing {
     private static final Object TOKEN = new Object();
-    private static final long LONGEST_NANOS = 10_000_000_000L;
 
     private final int warmUp;
     private final int rounds;
     private final HandOff back = HandOff.Kind.YIELDING_SLOT.make();
-    private final Histogram nanos = new Histogram(LONGEST_NANOS, 3);
+    private final Histogram nanos = Latencies.histogram();
     private final CountDownLatch over = new CountDownLatch(1);
     private volatile long allocatedBytes;
 
@@ -41,13 +39,8 @@ final class LoopRing {
     static Result run(int warmUp, int rounds) throws InterruptedException {
         LoopRing ring = new LoopRing(warmUp, rounds);
         try (SystemClock clock = new SystemClock();
-                MapeLoop<Object, Object, Object> loop =
-                        new MapeLoop<>(LoopConfig.defaults("ring", clock), new Quiet())) {
-            loop.addMonitor(ring.new Teller());
-            loop.addAnalyze(new Nothing());
-            loop.addPlan(new Same());
-            loop.addExecute(ring.new Done());
-            loop.build();
+                MapeLoop<Object, Object, Object> loop = PlainLoop.build(
+                        LoopConfig.defaults("ring", clock), false, List.of(ring.new Teller()), ring.new Done())) {
             loop.start();
             ring.over.await();
         }
@@ -91,36 +84,10 @@ final class LoopRing {
         }
     }
 
-    private static final class Nothing extends Analyze<Object, Object> {
-        @Override
-        protected Object analyze(Object token) {
-            return token;
-        }
-    }
-
-    private static final class Same extends Plan<Object, Object> {
-        @Override
-        protected Object plan(Object token) {
-            return token;
-        }
-    }
-
     private final class Done extends Execute<Object> {
         @Override
         protected void execute(Object token) throws InterruptedException {
             back.give(token);
-        }
-    }
-
-    private static final class Quiet implements LoopListener<Object> {
-        @Override
-        public void failed(Failure<Object> failure) {
-            throw new IllegalStateException(failure.toString());
-        }
-
-        @Override
-        public void dropped(Object occurrence, boolean first) {
-            throw new IllegalStateException("an occurrence was lost");
         }
     }
 }

@@ -3,14 +3,10 @@ package org.evoloop.benchmarks.running;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
-import org.evoloop.loop.Analyze;
 import org.evoloop.loop.Execute;
-import org.evoloop.loop.Failure;
 import org.evoloop.loop.LoopConfig;
-import org.evoloop.loop.LoopListener;
 import org.evoloop.loop.MapeLoop;
 import org.evoloop.loop.Monitor;
-import org.evoloop.loop.Plan;
 import org.evoloop.time.SystemClock;
 
 /**
@@ -35,16 +31,10 @@ final class FloodedLoop implements AutoCloseable {
     FloodedLoop(boolean threads, long wanted) {
         this.wanted = wanted;
         LoopConfig config = LoopConfig.defaults("flood", clock).withQueueCapacity(1024);
-        loop = new MapeLoop<>(threads ? config : config.withoutThreads(), new Quiet());
         for (int index = 0; index < MONITORS; index++) {
-            Teller teller = new Teller(index);
-            tellers.add(teller);
-            loop.addMonitor(teller);
+            tellers.add(new Teller(index));
         }
-        loop.addAnalyze(new Look());
-        loop.addPlan(new Same());
-        loop.addExecute(new Count());
-        loop.build();
+        loop = PlainLoop.build(threads ? config : config.withoutThreads(), true, tellers, new Count());
     }
 
     /** Events a second, by threads. */
@@ -98,20 +88,6 @@ final class FloodedLoop implements AutoCloseable {
         }
     }
 
-    private static final class Look extends Analyze<Told, Told> {
-        @Override
-        protected Told analyze(Told told) {
-            return told;
-        }
-    }
-
-    private static final class Same extends Plan<Told, Told> {
-        @Override
-        protected Told plan(Told told) {
-            return told;
-        }
-    }
-
     private final class Count extends Execute<Told> {
         @Override
         protected void execute(Told told) {
@@ -123,15 +99,5 @@ final class FloodedLoop implements AutoCloseable {
                 enough.countDown();
             }
         }
-    }
-
-    private static final class Quiet implements LoopListener<Told> {
-        @Override
-        public void failed(Failure<Told> failure) {
-            throw new IllegalStateException(failure.toString());
-        }
-
-        @Override
-        public void dropped(Told occurrence, boolean first) {}
     }
 }

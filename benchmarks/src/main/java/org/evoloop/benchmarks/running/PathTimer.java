@@ -1,6 +1,7 @@
 package org.evoloop.benchmarks.running;
 
 import org.HdrHistogram.Histogram;
+import org.evoloop.benchmarks.report.Latencies;
 
 /**
  * Measures one event after the other: from where a monitor has it to where the execute component is called.
@@ -8,10 +9,8 @@ import org.HdrHistogram.Histogram;
  * <p>Threading: one event at a time; whoever starts, stops and reads it is ordered by the loop.
  */
 final class PathTimer {
-    private static final long LONGEST_NANOS = 10_000_000_000L;
-
     // Made beforehand: allocation is measured, too.
-    private final Histogram nanos = new Histogram(LONGEST_NANOS, 3);
+    private final Histogram nanos = Latencies.histogram();
     private long startNanos;
     private boolean running;
 

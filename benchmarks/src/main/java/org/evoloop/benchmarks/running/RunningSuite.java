@@ -5,9 +5,9 @@ import java.lang.management.ManagementFactory;
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;
-import org.HdrHistogram.Histogram;
 import org.evoloop.benchmarks.report.Figures;
 import org.evoloop.benchmarks.report.Fork;
+import org.evoloop.benchmarks.report.Latencies;
 import org.evoloop.benchmarks.report.Row;
 import org.evoloop.benchmarks.report.Suite;
 import org.evoloop.time.SystemClock;
@@ -112,9 +112,7 @@ public final class RunningSuite implements Suite {
             }
             robot.requireAllHandled();
         }
-        Histogram nanos = timer.nanos();
-        System.out.println("path p50 " + nanos.getValueAtPercentile(50) / 1e3);
-        System.out.println("path p99 " + nanos.getValueAtPercentile(99) / 1e3);
+        Latencies.print("path", timer.nanos());
     }
 
     /**

@@ -1,13 +1,10 @@
 package org.evoloop.benchmarks.running;
 
-import org.evoloop.loop.Analyze;
+import java.util.List;
 import org.evoloop.loop.Execute;
-import org.evoloop.loop.Failure;
 import org.evoloop.loop.LoopConfig;
-import org.evoloop.loop.LoopListener;
 import org.evoloop.loop.MapeLoop;
 import org.evoloop.loop.Monitor;
-import org.evoloop.loop.Plan;
 import org.evoloop.time.SystemClock;
 
 /** The framework's loop without threads and with components that do nothing: one cycle is an observation and a step. */
@@ -20,12 +17,8 @@ final class SteppedLoop implements AutoCloseable {
     private long executed;
 
     SteppedLoop() {
-        loop = new MapeLoop<>(LoopConfig.defaults("step", clock).withoutThreads(), new Quiet());
-        loop.addMonitor(monitor);
-        loop.addAnalyze(new Same());
-        loop.addPlan(new SamePlan());
-        loop.addExecute(new Count());
-        loop.build();
+        loop = PlainLoop.build(
+                LoopConfig.defaults("step", clock).withoutThreads(), false, List.of(monitor), new Count());
         loop.start();
     }
 
@@ -51,36 +44,10 @@ final class SteppedLoop implements AutoCloseable {
         }
     }
 
-    private static final class Same extends Analyze<Object, Object> {
-        @Override
-        protected Object analyze(Object token) {
-            return token;
-        }
-    }
-
-    private static final class SamePlan extends Plan<Object, Object> {
-        @Override
-        protected Object plan(Object token) {
-            return token;
-        }
-    }
-
     private final class Count extends Execute<Object> {
         @Override
         protected void execute(Object token) {
             executed++;
-        }
-    }
-
-    private static final class Quiet implements LoopListener<Object> {
-        @Override
-        public void failed(Failure<Object> failure) {
-            throw new IllegalStateException(failure.toString());
-        }
-
-        @Override
-        public void dropped(Object occurrence, boolean first) {
-            throw new IllegalStateException("an occurrence was lost");
         }
     }
 }

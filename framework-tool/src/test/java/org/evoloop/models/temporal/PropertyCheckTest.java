@@ -3,6 +3,7 @@ package org.evoloop.models.temporal;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Set;
 import org.evoloop.evolution.ModelPair;
@@ -10,32 +11,18 @@ import org.evoloop.evolution.check.CheckInput;
 import org.evoloop.evolution.check.Finding;
 import org.evoloop.evolution.check.Rule;
 import org.evoloop.statemachine.ModelException;
-import org.evoloop.statemachine.StateMachine;
+import org.evoloop.xmi.XmiFile;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class PropertyCheckTest {
-    private static final ModelPair ROBOT = new ModelPair(
-            StateMachine.named("original")
-                    .initial("Off")
-                    .transition("Off", "Clean", "On")
-                    .transition("On", "Clean", "Clean")
-                    .transition("On", "Spot", "Spot")
-                    .transition("Clean", "Clean", "On")
-                    .transition("Spot", "endSpot", "On")
-                    .build(),
-            StateMachine.named("new")
-                    .initial("Off")
-                    .transition("Off", "Clean", "On")
-                    .transition("On", "Spot", "Move")
-                    .transition("On", "Clean", "Clean")
-                    .transition("Move", "arriveSpot", "Spot")
-                    .transition("Spot", "endSpot", "On")
-                    .transition("Clean", "Clean", "SpotWait")
-                    .transition("SpotWait", "timeout", "On")
-                    .transition("SpotWait", "Clean", "Spot")
-                    .build());
+    private static final ModelPair ROBOT = cleaningRobot();
+
+    private static ModelPair cleaningRobot() {
+        XmiFile file = XmiFile.read(Path.of(System.getProperty("evoloop.root"), "models", "cleaning-robot.xml"));
+        return new ModelPair(file.pick("original"), file.pick("new"));
+    }
 
     private static List<Finding> check(String text) {
         return PropertyCheck.run(CheckInput.of(ROBOT).withOwnEvents(Set.of("endSpot")), "robot.properties.txt", text);

@@ -16,8 +16,10 @@ public interface DrawnMachine {
     /** The machine's own name, often the tool's default; may be empty. */
     String name();
 
-    /** The name of the diagram that shows the machine; empty if there is none. */
-    Optional<String> diagramName();
+    /** The name of the diagram that shows the machine; empty if there is none, or if the dialect keeps no diagrams. */
+    default Optional<String> diagramName() {
+        return Optional.empty();
+    }
 
     /** Where the machine starts in the file, counted from 1. */
     int line();

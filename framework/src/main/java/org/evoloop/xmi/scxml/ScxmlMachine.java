@@ -1,7 +1,6 @@
 package org.evoloop.xmi.scxml;
 
 import java.nio.file.Path;
-import java.util.Optional;
 import org.evoloop.statechart.Statechart;
 import org.evoloop.xmi.dialect.DrawnMachine;
 import org.evoloop.xmi.dialect.Problems;
@@ -24,11 +23,6 @@ record ScxmlMachine(ScxmlDocument document) implements DrawnMachine {
         String file = Path.of(document.file()).getFileName().toString();
         int dot = file.lastIndexOf('.');
         return dot > 0 ? file.substring(0, dot) : file;
-    }
-
-    @Override
-    public Optional<String> diagramName() {
-        return Optional.empty();
     }
 
     @Override

@@ -14,6 +14,7 @@ import org.evoloop.statechart.Vertex.Kind;
 import org.evoloop.statechart.Vertex.Pseudostate;
 import org.evoloop.xmi.dialect.ChartScope;
 import org.evoloop.xmi.dialect.Problems;
+import org.evoloop.xmi.dialect.TransitionEnd;
 
 /** Turns one machine into a chart. */
 final class Uml14ChartReader {
@@ -183,14 +184,11 @@ final class Uml14ChartReader {
 
     private Optional<String> end(Uml14Element transition, String role, ChartScope<Uml14Element> scope) {
         int before = problems.count();
+        TransitionEnd words = new TransitionEnd(transition.label(), role);
         List<Uml14Element> ends = transition.all(role, problems);
         if (ends.size() != 1) {
             if (problems.count() == before) {
-                problems.add(
-                        transition.line(),
-                        "transition " + transition.label() + " has "
-                                + (ends.isEmpty() ? "no " + role : "more than one " + role)
-                                + "; draw it from one state to one state");
+                problems.add(transition.line(), words.notOne(ends.isEmpty()));
             }
             return Optional.empty();
         }
@@ -198,9 +196,8 @@ final class Uml14ChartReader {
         if (key.isEmpty()) {
             problems.add(
                     transition.line(),
-                    "the " + role + " of transition " + transition.label() + " is no vertex of this state machine but "
-                            + "the " + ends.get(0).type() + " " + ends.get(0).label()
-                            + "; draw it from state to state");
+                    words.noVertex(
+                            "the " + ends.get(0).type() + " " + ends.get(0).label()));
         }
         return key;
     }

@@ -1,6 +1,5 @@
 package org.evoloop.xmi.uml14;
 
-import java.util.Optional;
 import org.evoloop.statechart.Statechart;
 import org.evoloop.xmi.dialect.DrawnMachine;
 import org.evoloop.xmi.dialect.Problems;
@@ -16,11 +15,6 @@ record Uml14Machine(Uml14Element element) implements DrawnMachine {
     @Override
     public String name() {
         return element.name();
-    }
-
-    @Override
-    public Optional<String> diagramName() {
-        return Optional.empty();
     }
 
     @Override

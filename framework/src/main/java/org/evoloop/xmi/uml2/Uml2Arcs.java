@@ -5,6 +5,7 @@ import java.util.Optional;
 import org.evoloop.statechart.Arc;
 import org.evoloop.xmi.dialect.ChartScope;
 import org.evoloop.xmi.dialect.Problems;
+import org.evoloop.xmi.dialect.TransitionEnd;
 
 /** Reads transitions. */
 final class Uml2Arcs {
@@ -44,14 +45,11 @@ final class Uml2Arcs {
 
     private Optional<String> end(Uml2Element transition, String role, ChartScope<Uml2Element> scope) {
         int before = problems.count();
+        TransitionEnd words = new TransitionEnd(transition.label(), role);
         List<Uml2Element> ends = references.all(transition, role);
         if (ends.size() != 1) {
             if (problems.count() == before) {
-                problems.add(
-                        transition.line(),
-                        "transition " + transition.label() + " has "
-                                + (ends.isEmpty() ? "no " + role : "more than one " + role)
-                                + "; draw it from one state to one state");
+                problems.add(transition.line(), words.notOne(ends.isEmpty()));
             }
             return Optional.empty();
         }
@@ -64,11 +62,10 @@ final class Uml2Arcs {
         if (key.isEmpty()) {
             problems.add(
                     transition.line(),
-                    "the " + role + " of transition " + transition.label() + " is no vertex of this state machine but "
-                            + (points.size() > 1
+                    words.noVertex(
+                            points.size() > 1
                                     ? "a point of a submachine that " + points.size() + " states share"
-                                    : "the " + end.type() + " " + end.label())
-                            + "; draw it from state to state");
+                                    : "the " + end.type() + " " + end.label()));
         }
         return key;
     }

@@ -2,7 +2,6 @@ package org.evoloop.xmi.uml2;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import org.evoloop.xmi.dialect.Problems;
@@ -64,8 +63,9 @@ final class Uml2Triggers {
             case "SignalEvent", "ReceiveSignalEvent", "SendSignalEvent", "SignalTrigger" -> named(event, "signal", own);
             case "CallEvent", "ReceiveOperationEvent", "SendOperationEvent", "CallTrigger" ->
                 named(event, "operation", own);
-            case "TimeEvent", "TimeTrigger" -> time(event, own);
-            case "ChangeEvent", "ChangeTrigger" -> change(event, own);
+            case "TimeEvent", "TimeTrigger" ->
+                expression(event, "when", event.attribute("isRelative").equals("true") ? "after " : "at ", own);
+            case "ChangeEvent", "ChangeTrigger" -> expression(event, "changeExpression", "when ", own);
             case "AnyReceiveEvent", "AnyTrigger" -> any(event, trigger);
             default -> own;
         };
@@ -79,28 +79,15 @@ final class Uml2Triggers {
                 .orElse(own);
     }
 
-    private String time(Uml2Element event, String own) {
-        Optional<String> when = references
-                .one(event, "when")
+    /** What the expression in this role says, with {@code prefix} if it does not say so itself. */
+    private String expression(Uml2Element event, String role, String prefix, String own) {
+        return references
+                .one(event, role)
                 .map(texts::expression)
                 .map(String::strip)
-                .filter(text -> !text.isEmpty());
-        if (when.isEmpty() || SAYS_SO.matcher(when.get()).matches()) {
-            return when.orElse(own);
-        }
-        return (event.attribute("isRelative").equals("true") ? "after " : "at ") + when.get();
-    }
-
-    private String change(Uml2Element event, String own) {
-        Optional<String> condition = references
-                .one(event, "changeExpression")
-                .map(texts::expression)
-                .map(String::strip)
-                .filter(text -> !text.isEmpty());
-        if (condition.isEmpty() || SAYS_SO.matcher(condition.get()).matches()) {
-            return condition.orElse(own);
-        }
-        return "when " + condition.get();
+                .filter(text -> !text.isEmpty())
+                .map(text -> SAYS_SO.matcher(text).matches() ? text : prefix + text)
+                .orElse(own);
     }
 
     private String any(Uml2Element event, Uml2Element trigger) {

@@ -4,20 +4,18 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.Optional;
 import org.evoloop.roomba.camera.Look;
+import org.evoloop.roomba.move.phase.Sight;
 import org.evoloop.roomba.session.Pose;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Makes one place of what single looks show. A sighting is believed when {@value #BELIEVED} looks in a row show the same
+ * Makes one place of what single looks show. A sighting is believed when {@value Sight#BELIEVED_LOOKS} looks in a row show the same
  * place; a place that is believed follows each look that agrees with it. Places are in the coordinates of the robot's
  * wheels, so that the robot can drive on between two looks.
  *
  * <p>Threading: not thread-safe.
  */
 final class GoalWatch {
-    /** So many looks in a row must agree. */
-    static final int BELIEVED = 3;
-
     /** Two sightings no farther apart are of the same thing: 2.8 % of 3.5 m is what one is wrong by at most, usually. */
     static final double SAME_MM = 250;
 
@@ -65,7 +63,7 @@ final class GoalWatch {
         inARow = isSame(last, place) ? inARow + 1 : 1;
         last = place;
         boolean follows = isSame(goal, place) && takenNanos - goalNanos < FORGOTTEN_FRAMES * frameLimitNanos;
-        if (inARow >= BELIEVED || follows) {
+        if (inARow >= Sight.BELIEVED_LOOKS || follows) {
             goal = place;
             goalNanos = takenNanos;
         }

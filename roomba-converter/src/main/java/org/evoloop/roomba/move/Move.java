@@ -8,6 +8,10 @@ import org.evoloop.loop.Execute;
 import org.evoloop.loop.MapeLoop;
 import org.evoloop.loop.Plan;
 import org.evoloop.roomba.link.LinkException;
+import org.evoloop.roomba.move.phase.Maneuver;
+import org.evoloop.roomba.move.phase.Memory;
+import org.evoloop.roomba.move.phase.Phase;
+import org.evoloop.roomba.move.phase.Situation;
 import org.evoloop.roomba.oi.ActuatorCommand.DriveDirect;
 import org.evoloop.roomba.session.RoombaSession;
 import org.evoloop.roomba.session.connection.RobotException;
@@ -50,7 +54,7 @@ public final class Move extends ControlLoopFunction<Percept, Situation, Maneuver
         MonitorSenses monitor = new MonitorSenses(loop, sensor, visit.clock(), visit.threads());
         loop.addMonitor(monitor);
         loop.addAnalyze(new AnalyzeSituation(options, visit.clock().nanoTime()));
-        loop.addPlan(new PlanManeuver(new Memory(sensor.target(), options)));
+        loop.addPlan(new PlanManeuver(new Memory(sensor.target(), options.frameLimit(), options.settle())));
         loop.addExecute(new ExecuteManeuver(visit));
         visit.onEnd(this::stopWheels);
         visit.onEnd(() -> session.removeListener(monitor));
@@ -102,7 +106,7 @@ public final class Move extends ControlLoopFunction<Percept, Situation, Maneuver
                 end = "not found within " + options.limit().toSeconds() + " s"
                         + (reason.isEmpty() ? "" : "; " + reason);
             }
-            return Situation.of(percept, goalWatch.update(percept), end);
+            return Situation.of(percept.nanos(), percept.telemetry(), goalWatch.update(percept), end);
         }
     }
 
@@ -117,7 +121,7 @@ public final class Move extends ControlLoopFunction<Percept, Situation, Maneuver
         @Override
         protected Maneuver plan(Situation now) {
             Phase present = phase;
-            Phase.Step step = Phase.inAny(present == null ? new Look.Around(memory) : present, now);
+            Phase.Step step = Phase.inAny(present == null ? Phase.first(memory) : present, now);
             phase = step.phase();
             if (present == null || present.getClass() != step.phase().getClass()) {
                 LOG.debug(

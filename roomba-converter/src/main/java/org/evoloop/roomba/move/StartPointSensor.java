@@ -5,6 +5,7 @@ import org.evoloop.roomba.camera.CameraHealth;
 import org.evoloop.roomba.camera.Look;
 import org.evoloop.roomba.camera.MarkerCamera;
 import org.evoloop.roomba.camera.Sighting;
+import org.evoloop.roomba.move.phase.Target;
 import org.evoloop.roomba.session.Telemetry;
 
 /**
@@ -27,15 +28,6 @@ public interface StartPointSensor extends AutoCloseable {
 
     /** How near the robot has to come to what it senses. */
     Target target();
-
-    /**
-     * Where the robot has arrived.
-     *
-     * @param distanceMm so far from what is sensed
-     * @param toleranceMm give or take so much
-     * @param facing whether it must also look at it
-     */
-    record Target(double distanceMm, double toleranceMm, boolean facing) {}
 
     /** Knows the point by dead reckoning: {@code xMm} ahead and {@code yMm} left of where the session began. */
     static StartPointSensor byWheels(double xMm, double yMm) {

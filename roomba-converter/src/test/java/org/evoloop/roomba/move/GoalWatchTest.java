@@ -2,13 +2,19 @@ package org.evoloop.roomba.move;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
-import static org.evoloop.roomba.move.Given.look;
-import static org.evoloop.roomba.move.Given.millis;
 
+import java.util.List;
+import java.util.stream.Stream;
+import org.evoloop.roomba.camera.CameraHealth;
 import org.evoloop.roomba.camera.Look;
 import org.evoloop.roomba.camera.Sighting;
+import org.evoloop.roomba.move.phase.Sight;
 import org.evoloop.roomba.oi.OiMode;
+import org.evoloop.roomba.oi.Packet;
+import org.evoloop.roomba.oi.PacketGroup;
+import org.evoloop.roomba.oi.SensorValues;
 import org.evoloop.roomba.session.Pose;
+import org.evoloop.roomba.session.Telemetry;
 import org.junit.jupiter.api.Test;
 
 class GoalWatchTest {
@@ -17,9 +23,25 @@ class GoalWatchTest {
     private final GoalWatch watch = new GoalWatch(millis(300));
     private long frame;
 
+    private static long millis(long count) {
+        return count * 1_000_000;
+    }
+
+    private static Look look(long frame, long takenMillis, Sighting... seen) {
+        return new Look(
+                frame, millis(takenMillis), CameraHealth.SEEING, Stream.of(seen).findFirst());
+    }
+
+    private Telemetry telemetry(Pose pose) {
+        return new Telemetry(
+                ++frame,
+                SensorValues.of(
+                        List.of(PacketGroup.values()), packet -> packet == Packet.OI_MODE ? OiMode.SAFE.code() : 0),
+                pose);
+    }
+
     private Sight at(long nowMillis, Pose pose, Look look) {
-        return watch.update(
-                new Percept(millis(nowMillis), Given.telemetry(++frame, OiMode.SAFE, pose, packet -> 0), look));
+        return watch.update(new Percept(millis(nowMillis), telemetry(pose), look));
     }
 
     private Sight at(long nowMillis, Look look) {

@@ -1,4 +1,4 @@
-package org.evoloop.roomba.move;
+package org.evoloop.roomba.move.phase;
 
 import java.util.Comparator;
 import java.util.List;

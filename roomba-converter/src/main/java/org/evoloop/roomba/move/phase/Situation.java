@@ -1,8 +1,9 @@
-package org.evoloop.roomba.move;
+package org.evoloop.roomba.move.phase;
 
 import org.evoloop.roomba.oi.Packet;
 import org.evoloop.roomba.oi.SensorValues;
 import org.evoloop.roomba.session.Pose;
+import org.evoloop.roomba.session.Telemetry;
 
 /**
  * Where the robot is and what stands in its way, as Move understands it.
@@ -18,14 +19,14 @@ import org.evoloop.roomba.session.Pose;
  * @param sight what is known of the starting point
  * @param end why Move must end now; empty while it may go on
  */
-record Situation(
+public record Situation(
         long nanos, Pose pose, boolean obeys, Obstacle obstacle, boolean edge, boolean near, Sight sight, String end) {
 
     /** Of the light bumper's sensors those to the left and right of the middle. */
     private static final int AHEAD_BITS = 0b1100;
 
     /** Where the robot feels an obstacle. */
-    enum Obstacle {
+    public enum Obstacle {
         NONE,
         LEFT,
         RIGHT,
@@ -47,13 +48,13 @@ record Situation(
         }
     }
 
-    /** What this percept means. */
-    static Situation of(Percept percept, Sight sight, String end) {
-        SensorValues values = percept.telemetry().values();
+    /** What this frame of the robot means at this moment, with what is known of the starting point. */
+    public static Situation of(long nanos, Telemetry telemetry, Sight sight, String end) {
+        SensorValues values = telemetry.values();
         return new Situation(
-                percept.nanos(),
-                percept.telemetry().pose(),
-                percept.telemetry().isUnderControl(),
+                nanos,
+                telemetry.pose(),
+                telemetry.isUnderControl(),
                 Obstacle.in(values),
                 values.anyCliff(),
                 (values.value(Packet.LIGHT_BUMPER) & AHEAD_BITS) != 0,

@@ -1,4 +1,4 @@
-package org.evoloop.roomba.move;
+package org.evoloop.roomba.move.phase;
 
 import java.util.Optional;
 import org.evoloop.roomba.session.Pose;
@@ -16,10 +16,13 @@ import org.evoloop.roomba.session.Pose;
  *     if it was never seen
  * @param goalNanos when that was seen last
  */
-record Sight(boolean stale, long frame, long takenNanos, boolean promising, Optional<Pose> goal, long goalNanos) {
+public record Sight(
+        boolean stale, long frame, long takenNanos, boolean promising, Optional<Pose> goal, long goalNanos) {
+    /** So many looks in a row must show the same place until it is believed. */
+    public static final int BELIEVED_LOOKS = 3;
 
     /** The goal, if it was seen at this moment or later. */
-    Optional<Pose> goalSince(long nanos) {
+    public Optional<Pose> goalSince(long nanos) {
         return goal.filter(seen -> goalNanos - nanos >= 0);
     }
 }

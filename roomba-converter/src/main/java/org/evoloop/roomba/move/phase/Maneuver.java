@@ -1,4 +1,4 @@
-package org.evoloop.roomba.move;
+package org.evoloop.roomba.move.phase;
 
 import org.evoloop.roomba.oi.ActuatorCommand.DriveDirect;
 
@@ -7,7 +7,7 @@ import org.evoloop.roomba.oi.ActuatorCommand.DriveDirect;
  *
  * <p>Threading: immutable.
  */
-sealed interface Maneuver {
+public sealed interface Maneuver {
     /** The robot's wheels stand 235 mm apart (specification, packet 20). */
     double HALF_WHEEL_BASE_MM = 117.5;
 

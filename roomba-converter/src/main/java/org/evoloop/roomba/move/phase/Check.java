@@ -1,4 +1,4 @@
-package org.evoloop.roomba.move;
+package org.evoloop.roomba.move.phase;
 
 import java.util.Optional;
 import org.evoloop.roomba.session.Pose;
@@ -26,7 +26,7 @@ record Check(Memory memory, Calm calm) implements Phase {
     public Step next(Situation now) {
         Calm calmer = calm.with(now.sight());
         Optional<Pose> seen = now.sight().goalSince(calm.fromNanos());
-        if (seen.isPresent() && calmer.looks() >= GoalWatch.BELIEVED) {
+        if (seen.isPresent() && calmer.looks() >= Sight.BELIEVED_LOOKS) {
             return judge(now, seen.get());
         }
         return Phase.standing(calmer.isInVain(now.sight()) ? Look.around(memory, now) : new Check(memory, calmer));

@@ -1,7 +1,7 @@
-package org.evoloop.roomba.move;
+package org.evoloop.roomba.move.phase;
 
 import java.util.Optional;
-import org.evoloop.roomba.move.Situation.Obstacle;
+import org.evoloop.roomba.move.phase.Situation.Obstacle;
 import org.evoloop.roomba.session.Pose;
 
 /** Goes round an obstacle: back off, turn away from it, go on a little, and look around from there. */

@@ -1,4 +1,4 @@
-package org.evoloop.roomba.move;
+package org.evoloop.roomba.move.phase;
 
 /** Turns on the spot; a round robot touches nothing new by that. */
 record Turn(Memory memory, double headingRad, double exactRad, Phase then) implements Phase {

@@ -1,14 +1,14 @@
-package org.evoloop.roomba.move;
+package org.evoloop.roomba.move.phase;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.evoloop.roomba.move.Given.MEMORY;
-import static org.evoloop.roomba.move.Given.NOTHING;
-import static org.evoloop.roomba.move.Given.at;
-import static org.evoloop.roomba.move.Given.seeing;
-import static org.evoloop.roomba.move.Given.touching;
+import static org.evoloop.roomba.move.phase.Given.MEMORY;
+import static org.evoloop.roomba.move.phase.Given.NOTHING;
+import static org.evoloop.roomba.move.phase.Given.at;
+import static org.evoloop.roomba.move.phase.Given.seeing;
+import static org.evoloop.roomba.move.phase.Given.touching;
 
 import java.util.Optional;
-import org.evoloop.roomba.move.Situation.Obstacle;
+import org.evoloop.roomba.move.phase.Situation.Obstacle;
 import org.evoloop.roomba.session.Pose;
 import org.junit.jupiter.api.Test;
 

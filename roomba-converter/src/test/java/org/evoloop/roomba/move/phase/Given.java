@@ -1,23 +1,14 @@
-package org.evoloop.roomba.move;
+package org.evoloop.roomba.move.phase;
 
-import java.util.List;
+import java.time.Duration;
 import java.util.Optional;
-import java.util.function.ToIntFunction;
-import org.evoloop.roomba.camera.CameraHealth;
-import org.evoloop.roomba.camera.Look;
-import org.evoloop.roomba.camera.Sighting;
-import org.evoloop.roomba.move.Situation.Obstacle;
-import org.evoloop.roomba.oi.OiMode;
-import org.evoloop.roomba.oi.Packet;
-import org.evoloop.roomba.oi.PacketGroup;
-import org.evoloop.roomba.oi.SensorValues;
+import org.evoloop.roomba.move.phase.Situation.Obstacle;
 import org.evoloop.roomba.session.Pose;
-import org.evoloop.roomba.session.Telemetry;
 
 /** Situations for tests by value: a robot under control at the origin that sees nothing, and what differs from that. */
 final class Given {
-    static final StartPointSensor.Target MARKER = new StartPointSensor.Target(400, 20, true);
-    static final Memory MEMORY = new Memory(MARKER, MoveOptions.defaults());
+    private static final Target MARKER = new Target(400, 20, true);
+    static final Memory MEMORY = new Memory(MARKER, Duration.ofMillis(300), Duration.ofMillis(250));
     static final Situation NOTHING = new Situation(
             0, Pose.ORIGIN, true, Obstacle.NONE, false, false, new Sight(false, 1, 0, false, Optional.empty(), 0), "");
 
@@ -78,23 +69,5 @@ final class Given {
                 situation.near(),
                 situation.sight(),
                 situation.end());
-    }
-
-    /** A frame of the robot's stream. */
-    static Telemetry telemetry(long frame, OiMode mode, Pose pose, ToIntFunction<Packet> rest) {
-        return new Telemetry(
-                frame,
-                SensorValues.of(
-                        List.of(PacketGroup.values()),
-                        packet -> packet == Packet.OI_MODE ? mode.code() : rest.applyAsInt(packet)),
-                pose);
-    }
-
-    static Look look(long frame, long takenMillis, Sighting... seen) {
-        return new Look(
-                frame,
-                millis(takenMillis),
-                CameraHealth.SEEING,
-                seen.length == 0 ? Optional.empty() : Optional.of(seen[0]));
     }
 }

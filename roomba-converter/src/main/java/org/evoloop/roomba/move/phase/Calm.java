@@ -1,4 +1,4 @@
-package org.evoloop.roomba.move;
+package org.evoloop.roomba.move.phase;
 
 /**
  * Counts the looks that were taken while the robot stands. A still picture is sharp, and shows things where they are.
@@ -11,15 +11,14 @@ package org.evoloop.roomba.move;
  */
 record Calm(long fromNanos, long frame, int looks) {
     /** So many looks, and a place is believed if each of them shows it. */
-    private static final int FEWEST = GoalWatch.BELIEVED;
+    private static final int FEWEST = Sight.BELIEVED_LOOKS;
 
     /** So many where some of them show something: enough for three in a row. */
     private static final int MOST = 9;
 
     /** The robot is told to stop now. */
     static Calm after(Memory memory, Situation now) {
-        return new Calm(
-                now.nanos() + memory.options().settle().toNanos(), now.sight().frame(), 0);
+        return new Calm(now.nanos() + memory.settle().toNanos(), now.sight().frame(), 0);
     }
 
     /** Counts the newest look. */

@@ -1,4 +1,4 @@
-package org.evoloop.roomba.move;
+package org.evoloop.roomba.move.phase;
 
 /**
  * What Move is about.
@@ -12,7 +12,7 @@ package org.evoloop.roomba.move;
  *
  * <p>Threading: immutable; the methods are pure functions.
  */
-sealed interface Phase permits Look, Look.Around, Turn, Leg, Approach, Check {
+public sealed interface Phase permits Look, Look.Around, Turn, Leg, Approach, Check {
 
     /** What to do now, and what to be about at the next moment. */
     record Step(Phase phase, Maneuver maneuver) {}
@@ -28,6 +28,11 @@ sealed interface Phase permits Look, Look.Around, Turn, Leg, Approach, Check {
 
     /** Whether an obstacle ahead must end it. */
     boolean leadsForward();
+
+    /** Where Move begins: it looks around. */
+    static Phase first(Memory memory) {
+        return new Look.Around(memory);
+    }
 
     /** The next step in any situation. */
     static Step inAny(Phase phase, Situation now) {

@@ -1,4 +1,4 @@
-package org.evoloop.roomba.move;
+package org.evoloop.roomba.move.phase;
 
 /**
  * Looks around on the spot, from standstill to standstill: where the goal was seen last, or else ahead, then right and left

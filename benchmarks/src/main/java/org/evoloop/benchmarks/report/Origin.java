@@ -1,0 +1,61 @@
+package org.evoloop.benchmarks.report;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.LocalDate;
+import java.time.ZoneOffset;
+import java.util.List;
+
+/**
+ * Where figures come from.
+ *
+ * <p>Threading: immutable.
+ *
+ * @param machine what they were measured on: JDK, processors and operating system
+ * @param commit what was measured; {@code -dirty} at its end if that was changed since
+ * @param day when, by UTC, as {@code 2026-11-21}
+ */
+public record Origin(String machine, String commit, String day) {
+    private static final String UNKNOWN = "unknown";
+
+    /** This machine, the commit of the project's folder, and today. */
+    public static Origin here() throws InterruptedException {
+        return new Origin(
+                thisMachine(), thisCommit(), LocalDate.now(ZoneOffset.UTC).toString());
+    }
+
+    private static String thisMachine() {
+        return "JDK " + Runtime.version() + ", " + processor()
+                + Runtime.getRuntime().availableProcessors() + " processors, " + System.getProperty("os.name") + " "
+                + System.getProperty("os.version") + " " + System.getProperty("os.arch");
+    }
+
+    /** What the processor calls itself, and a comma; nothing where it does not tell. */
+    private static String processor() {
+        try (var lines = Files.lines(Path.of("/proc/cpuinfo"))) {
+            return lines.filter(line -> line.startsWith("model name"))
+                    .findFirst()
+                    .map(line -> line.substring(line.indexOf(':') + 1).trim() + ", ")
+                    .orElse("");
+        } catch (IOException noneTold) {
+            return "";
+        }
+    }
+
+    /** A copy of the project without its history has none. */
+    private static String thisCommit() throws InterruptedException {
+        List<String> command = List.of(
+                "git", "-C", System.getProperty("evoloop.home", "."), "describe", "--always", "--dirty", "--exclude=*");
+        try {
+            Process git = new ProcessBuilder(command)
+                    .redirectError(ProcessBuilder.Redirect.DISCARD)
+                    .start();
+            String told = new String(git.getInputStream().readAllBytes(), StandardCharsets.UTF_8).trim();
+            return git.waitFor() == 0 ? told : UNKNOWN;
+        } catch (IOException noGit) {
+            return UNKNOWN;
+        }
+    }
+}

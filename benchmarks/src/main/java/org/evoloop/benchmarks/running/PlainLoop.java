@@ -1,0 +1,66 @@
+package org.evoloop.benchmarks.running;
+
+import java.util.List;
+import org.evoloop.loop.Analyze;
+import org.evoloop.loop.Execute;
+import org.evoloop.loop.Failure;
+import org.evoloop.loop.LoopConfig;
+import org.evoloop.loop.LoopListener;
+import org.evoloop.loop.MapeLoop;
+import org.evoloop.loop.Monitor;
+import org.evoloop.loop.Plan;
+
+/** The framework's loop whose analyze and plan hand on what they are given: what is left is the loop. */
+public final class PlainLoop {
+    private PlainLoop() {}
+
+    /**
+     * Such a loop, built.
+     *
+     * @param mayLose whether an occurrence that finds the queue full is no failure of the measurement
+     */
+    public static <T> MapeLoop<T, T, T> build(
+            LoopConfig config, boolean mayLose, List<? extends Monitor<T>> monitors, Execute<T> execute) {
+        MapeLoop<T, T, T> loop = new MapeLoop<>(config, new Listener<>(mayLose));
+        monitors.forEach(loop::addMonitor);
+        loop.addAnalyze(new SameAnalysis<>());
+        loop.addPlan(new SamePlan<>());
+        loop.addExecute(execute);
+        loop.build();
+        return loop;
+    }
+
+    private static final class SameAnalysis<T> extends Analyze<T, T> {
+        @Override
+        protected T analyze(T given) {
+            return given;
+        }
+    }
+
+    private static final class SamePlan<T> extends Plan<T, T> {
+        @Override
+        protected T plan(T given) {
+            return given;
+        }
+    }
+
+    private static final class Listener<T> implements LoopListener<T> {
+        private final boolean mayLose;
+
+        Listener(boolean mayLose) {
+            this.mayLose = mayLose;
+        }
+
+        @Override
+        public void failed(Failure<T> failure) {
+            throw new IllegalStateException(failure.toString());
+        }
+
+        @Override
+        public void dropped(T occurrence, boolean first) {
+            if (!mayLose) {
+                throw new IllegalStateException("an occurrence was lost");
+            }
+        }
+    }
+}
