@@ -18,6 +18,10 @@ final class DecisionCells {
     /** No situation's number: it has not been asked for. */
     static final int UNKNOWN = -1;
 
+    /** What a cell without a decision leads to. */
+    private static final int STAYS = -2;
+
+    private static final int NOWHERE = -1;
     private static final long EMPTY = -1;
 
     private final int width;
@@ -35,19 +39,24 @@ final class DecisionCells {
     /** The decision in a cell; null if none was put there. */
     @Nullable
     Decision get(int situation, int event) {
-        int place = hashed ? find(key(situation, event)) : situation * width + event;
-        return place < decisions.length ? decisions[place] : null;
+        int place = placeOf(key(situation, event));
+        return place == NOWHERE ? null : decisions[place];
     }
 
-    /** The number of the situation that the decision in a cell leads to, or {@link #UNKNOWN}. */
+    /** The number of the situation that the decision in a cell leads to, or {@link #UNKNOWN}; without one it is the same. */
     int after(int situation, int event) {
-        int place = hashed ? find(key(situation, event)) : situation * width + event;
-        return place < after.length ? after[place] : UNKNOWN;
+        int place = placeOf(key(situation, event));
+        int next = place == NOWHERE ? STAYS : after[place];
+        return next == STAYS ? situation : next;
     }
 
     void put(int situation, int event, Decision decision) {
-        int place = place(situation, event);
+        set(makePlace(key(situation, event)), decision, UNKNOWN);
+    }
+
+    private void set(int place, @Nullable Decision decision, int next) {
         decisions[place] = decision;
+        after[place] = next;
     }
 
     /** Notes for each decision the number of the situation it leads to. */
@@ -64,8 +73,15 @@ final class DecisionCells {
         return (long) situation * width + event;
     }
 
-    private int place(int situation, int event) {
-        long key = key(situation, event);
+    /** Where a cell is, or {@link #NOWHERE} if there is no room for it yet. */
+    private int placeOf(long key) {
+        if (hashed) {
+            return find(key);
+        }
+        return key < decisions.length ? (int) key : NOWHERE;
+    }
+
+    private int makePlace(long key) {
         if (!hashed && key < decisions.length) {
             return (int) key;
         }
@@ -74,7 +90,7 @@ final class DecisionCells {
             int before = decisions.length;
             decisions = Arrays.copyOf(decisions, (int) rows);
             after = Arrays.copyOf(after, (int) rows);
-            Arrays.fill(after, before, (int) rows, UNKNOWN);
+            Arrays.fill(after, before, (int) rows, STAYS);
             return (int) key;
         }
         if (!hashed) {
@@ -100,9 +116,7 @@ final class DecisionCells {
         for (int key = 0; key < rows.length; key++) {
             Decision decision = rows[key];
             if (decision != null) {
-                int place = place(key / width, key % width);
-                decisions[place] = decision;
-                after[place] = rowsAfter[key];
+                set(makePlace(key), decision, rowsAfter[key]);
             }
         }
     }
@@ -112,7 +126,7 @@ final class DecisionCells {
         Arrays.fill(keys, EMPTY);
         decisions = new Decision[size];
         after = new int[size];
-        Arrays.fill(after, UNKNOWN);
+        Arrays.fill(after, STAYS);
     }
 
     private void rehash(int size) {
@@ -124,8 +138,7 @@ final class DecisionCells {
             if (oldKeys[old] != EMPTY) {
                 int place = find(oldKeys[old]);
                 keys[place] = oldKeys[old];
-                decisions[place] = oldDecisions[old];
-                after[place] = oldAfter[old];
+                set(place, oldDecisions[old], oldAfter[old]);
             }
         }
     }
