@@ -1,5 +1,7 @@
 package org.evoloop.statechart;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -20,7 +22,9 @@ final class FlatMachine {
     private final Map<Snapshot, List<Explorer.Move>> moves;
     private final Map<Snapshot, Snapshot> representatives;
     private final FlatNames naming;
-    private final Map<Snapshot, String> names;
+    private final Map<Snapshot, State> states = new LinkedHashMap<>();
+    private final Map<Snapshot, Set<Owned>> goingOn = new HashMap<>();
+    private final Map<Event, Event> events = new HashMap<>();
     /** Time triggers and activities that several active states have at once. */
     private final Set<String> ambiguous = new HashSet<>();
 
@@ -28,11 +32,14 @@ final class FlatMachine {
         this.net = net;
         this.moves = moves;
         this.representatives = Histories.merge(moves);
-        List<Snapshot> states =
-                representatives.values().stream().distinct().sorted().toList();
-        this.naming = new FlatNames(net, states);
-        this.names = naming.all();
-        states.forEach(this::findAmbiguous);
+        List<Snapshot> ordered = moves.keySet().stream()
+                .map(this::representative)
+                .distinct()
+                .sorted()
+                .toList();
+        this.naming = new FlatNames(net, ordered);
+        naming.all().forEach((state, name) -> states.put(state, new State(name)));
+        ordered.forEach(this::findAmbiguous);
     }
 
     /** What goes on while a state as drawn is active. */
@@ -41,48 +48,44 @@ final class FlatMachine {
     /** The innermost vertices of each flat state. */
     Map<State, List<Vertex>> leaves() {
         Map<State, List<Vertex>> leaves = new LinkedHashMap<>();
-        names.forEach((state, name) -> {
+        states.forEach((state, flat) -> {
             List<Vertex> vertices = new ArrayList<>();
             for (int leaf : state.leaves()) {
                 vertices.add(net.node(leaf).vertex);
             }
-            leaves.put(new State(name), List.copyOf(vertices));
+            leaves.put(flat, List.copyOf(vertices));
         });
         return leaves;
     }
 
     StateMachine machine(Outcome start) {
         StateMachineBuilder builder = StateMachine.named(net.chart().name());
-        for (Map.Entry<Snapshot, String> entry : names.entrySet()) {
+        states.forEach((state, flat) -> {
             List<String> activities = new ArrayList<>();
-            for (Owned owned : goingOn(entry.getKey())) {
+            for (Owned owned : goingOn(state)) {
                 if (owned.activity()) {
                     activities.add(name(owned));
                 }
             }
-            builder.activities(entry.getValue(), activities);
-        }
-        builder.initial(name(start.target())).initialEffects(start.effects());
-        for (Map.Entry<Snapshot, String> entry : names.entrySet()) {
-            for (Explorer.Move move : moves.getOrDefault(entry.getKey(), List.of())) {
-                builder.transition(transition(entry.getKey(), entry.getValue(), move), "");
+            builder.activities(flat.name(), activities);
+        });
+        builder.initial(flat(start.target()).name()).initialEffects(start.effects());
+        states.forEach((state, flat) -> {
+            for (Explorer.Move move : moves.getOrDefault(state, List.of())) {
+                builder.transition(transition(state, flat, move), "");
             }
-        }
+        });
         net.chart().events().stream().filter(event -> !event.isBlank()).forEach(builder::event);
         return builder.build();
     }
 
-    private Transition transition(Snapshot source, String name, Explorer.Move move) {
+    private Transition transition(Snapshot source, State flat, Explorer.Move move) {
         Outcome outcome = move.outcome();
-        String target = name(outcome.target());
-        boolean internal = outcome.still() && target.equals(name);
+        State target = flat(outcome.target());
+        boolean internal = outcome.still() && target.equals(flat);
+        Event event = events.computeIfAbsent(new Event(event(move.cause()), move.guards()), known -> known);
         return new Transition(
-                new State(name),
-                new Event(event(move.cause()), move.guards()),
-                new State(target),
-                outcome.effects(),
-                internal,
-                internal ? Set.of() : keeps(source, outcome));
+                flat, event, target, outcome.effects(), internal, internal ? Set.of() : keeps(source, outcome));
     }
 
     private String event(Cause cause) {
@@ -96,9 +99,13 @@ final class FlatMachine {
     }
 
     private Set<String> keeps(Snapshot source, Outcome outcome) {
+        Set<Owned> before = goingOn(source);
+        if (before.isEmpty()) {
+            return Set.of();
+        }
         Set<Owned> after = goingOn(outcome.target());
         Set<String> keeps = new LinkedHashSet<>();
-        for (Owned owned : goingOn(source)) {
+        for (Owned owned : before) {
             if (!outcome.left().contains(owned.owner()) && after.contains(owned)) {
                 keeps.add(name(owned));
             }
@@ -106,8 +113,12 @@ final class FlatMachine {
         return keeps;
     }
 
-    private String name(Snapshot state) {
-        return names.getOrDefault(representatives.getOrDefault(state, state), "");
+    private Snapshot representative(Snapshot state) {
+        return representatives.getOrDefault(state, state);
+    }
+
+    private State flat(Snapshot state) {
+        return requireNonNull(states.get(representative(state)));
     }
 
     private String name(Owned owned) {
@@ -125,6 +136,10 @@ final class FlatMachine {
 
     /** The time triggers and activities of the active states, outer ones first. */
     private Set<Owned> goingOn(Snapshot state) {
+        return goingOn.computeIfAbsent(state, this::findGoingOn);
+    }
+
+    private Set<Owned> findGoingOn(Snapshot state) {
         Set<Owned> all = new LinkedHashSet<>();
         for (Node node : active(state)) {
             for (String trigger : node.triggers()) {

@@ -18,7 +18,7 @@ final class Histories {
         this.moves = moves;
     }
 
-    /** For each state the one that stands for it. */
+    /** For each state for which another one stands that one, and perhaps for others themselves. */
     static Map<Snapshot, Snapshot> merge(Map<Snapshot, List<Explorer.Move>> moves) {
         return new Histories(moves).merge();
     }
@@ -31,12 +31,11 @@ final class Histories {
     private record Signature(int block, List<Reaction> reactions) {}
 
     private Map<Snapshot, Snapshot> merge() {
-        Map<Snapshot, Snapshot> representatives = new HashMap<>();
         if (moves.keySet().stream().allMatch(state -> state.memory().length == 0)) {
-            moves.keySet().forEach(state -> representatives.put(state, state));
-            return representatives;
+            return Map.of();
         }
         boolean stable = refine();
+        Map<Snapshot, Snapshot> representatives = new HashMap<>();
         Map<Integer, Snapshot> first = new HashMap<>();
         moves.keySet().stream().sorted().forEach(state -> {
             Snapshot one = stable ? first.computeIfAbsent(blocks.getOrDefault(state, 0), block -> state) : state;
