@@ -15,6 +15,7 @@ import java.util.function.Predicate;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.Transition;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The transition hash table: the decision for every event in every configuration that can be reached, made once, so
@@ -160,18 +161,23 @@ public final class DecisionTable {
     /** Decides all that either model knows in {@code at}; whatever else comes there is ignored. */
     private void fill(Configuration at, int situation) {
         ignored.add(new Decision.NotAcceptable(at, at, List.of()));
-        pair.evolved().transitionsFrom(at.evolved()).forEach(known -> fill(at, situation, known.event()));
-        pair.original().transitionsFrom(at.original()).forEach(known -> fill(at, situation, known.event()));
+        for (Transition known : pair.evolved().transitionsFrom(at.evolved())) {
+            fill(at, situation, known.event(), known);
+        }
+        for (Transition known : pair.original().transitionsFrom(at.original())) {
+            fill(at, situation, known.event(), null);
+        }
     }
 
-    private void fill(Configuration at, int situation, Event event) {
+    /** @param transition of the new model; null if it has none */
+    private void fill(Configuration at, int situation, Event event, @Nullable Transition transition) {
         int number = number(event);
         if (asked.get(situation, number) == null) {
-            Decision whenAsked = conversion.decide(at, event, false);
-            asked.put(situation, number, whenAsked);
+            Transition same = conversion.originalTransition(at.original(), event);
+            asked.put(situation, number, conversion.decide(at, event, false, transition, same));
             // Where the device itself has no transition, it makes no difference whether it has acted already.
-            if (conversion.originalTransition(at.original(), event) != null) {
-                acted.put(situation, number, conversion.decide(at, event, true));
+            if (same != null) {
+                acted.put(situation, number, conversion.decide(at, event, true, transition, same));
             }
         }
     }

@@ -27,6 +27,7 @@ final class EventConversion {
     private final DeviceEvents device;
     private final PathPlanner planner;
     private final Set<Event> devicesOwn;
+    private final Set<State> newStates;
 
     EventConversion(ModelPair pair, DeviceEvents device) {
         this.pair = pair;
@@ -34,6 +35,8 @@ final class EventConversion {
         this.planner = new PathPlanner(pair.original(), device);
         this.devicesOwn = new HashSet<>(pair.original().triggers());
         devicesOwn.removeAll(device.sendable());
+        this.newStates = new HashSet<>(pair.evolved().states());
+        newStates.removeAll(pair.original().states());
     }
 
     /** Whether only the device itself can take {@code trigger}. */
@@ -43,22 +46,40 @@ final class EventConversion {
 
     /** What {@code event} means in {@code before}. */
     Decision decide(Configuration before, Event event, boolean deviceActed) {
+        return decide(
+                before,
+                event,
+                deviceActed,
+                pair.evolved().transition(before.evolved(), event).orElse(null),
+                originalTransition(before.original(), event));
+    }
+
+    /**
+     * The same with both transitions looked up already.
+     *
+     * @param transition of the new model on the event
+     * @param same see {@link #originalTransition}
+     */
+    Decision decide(
+            Configuration before,
+            Event event,
+            boolean deviceActed,
+            @Nullable Transition transition,
+            @Nullable Transition same) {
         boolean taken = deviceActed || isDevicesOwn(event.trigger());
-        Transition own = taken ? originalTransition(before.original(), event) : null;
+        Transition own = taken ? same : null;
         List<Step> steps = own == null ? List.of() : List.of(new Step(own, true, false));
         State original = own == null ? before.original() : own.target();
 
-        Optional<Transition> next = pair.evolved().transition(before.evolved(), event);
-        if (next.isEmpty()) {
+        if (transition == null) {
             return new Decision.NotAcceptable(before, before.withOriginal(original), steps);
         }
-        Transition transition = next.get();
         State target = transition.target();
-        if (pair.isNew(target)) {
+        if (newStates.contains(target)) {
             return new Decision.NewFunction(
                     before, new Configuration(original, target), steps, transition, effectsLeft(transition, steps));
         }
-        Optional<List<Step>> way = taken ? planner.shortestPath(original, target) : wayFor(original, event, target);
+        Optional<List<Step>> way = taken ? planner.shortestPath(original, target) : wayFor(original, same, target);
         if (way.isEmpty()) {
             return new Decision.Impossible(
                     before, before.withOriginal(original), steps, transition, noWay(original, event, target));
@@ -87,8 +108,7 @@ final class EventConversion {
     }
 
     /** The incoming event itself if it leads there, even from a state to itself; else the shortest way. */
-    private Optional<List<Step>> wayFor(State original, Event event, State target) {
-        Transition same = originalTransition(original, event);
+    private Optional<List<Step>> wayFor(State original, @Nullable Transition same, State target) {
         Step direct = same == null || !same.target().equals(target) ? null : planner.stepOver(same);
         return direct == null ? planner.shortestPath(original, target) : Optional.of(List.of(direct));
     }

@@ -103,7 +103,7 @@ public final class GuardedTriggers {
     }
 
     private List<Transition> candidatesWith(Transition transition) {
-        Map<Event, List<Transition>> byTrigger = guarded.get(transition.source());
+        Map<Event, List<Transition>> byTrigger = guarded.isEmpty() ? null : guarded.get(transition.source());
         return byTrigger == null
                 ? List.of()
                 : byTrigger.getOrDefault(transition.event().trigger(), List.of());

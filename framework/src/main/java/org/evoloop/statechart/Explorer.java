@@ -3,6 +3,7 @@ package org.evoloop.statechart;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.BitSet;
+import java.util.Collection;
 import java.util.Deque;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -188,8 +189,9 @@ final class Explorer {
         return cases;
     }
 
-    private Set<Cause> causes(Snapshot state) {
-        Set<Cause> causes = new LinkedHashSet<>();
+    private Collection<Cause> causes(Snapshot state) {
+        // A state by itself names no event twice.
+        Collection<Cause> causes = PlainSteps.isAlone(net, state) ? new ArrayList<>() : new LinkedHashSet<>();
         Set<Node> seen = new HashSet<>();
         for (int leaf : state.leaves()) {
             if (net.node(leaf).is(Vertex.Kind.TERMINATE)) {

@@ -22,8 +22,7 @@ final class FlatMachine {
     private final Map<Snapshot, List<Explorer.Move>> moves;
     private final Map<Snapshot, Snapshot> representatives;
     private final FlatNames naming;
-    private final Map<Snapshot, State> states = new LinkedHashMap<>();
-    private final Map<Snapshot, Set<Owned>> goingOn = new HashMap<>();
+    private final Map<Snapshot, Flat> flats = new LinkedHashMap<>();
     private final Map<Event, Event> events = new HashMap<>();
     /** Time triggers and activities that several active states have at once. */
     private final Set<String> ambiguous = new HashSet<>();
@@ -38,9 +37,11 @@ final class FlatMachine {
                 .sorted()
                 .toList();
         this.naming = new FlatNames(net, ordered);
-        naming.all().forEach((state, name) -> states.put(state, new State(name)));
-        ordered.forEach(this::findAmbiguous);
+        naming.all().forEach((snapshot, name) -> flats.put(snapshot, new Flat(new State(name), goingOn(snapshot))));
+        flats.values().forEach(this::findAmbiguous);
     }
+
+    private record Flat(State state, Set<Owned> goingOn) {}
 
     /** What goes on while a state as drawn is active. */
     private record Owned(Node owner, String name, boolean activity) {}
@@ -48,44 +49,49 @@ final class FlatMachine {
     /** The innermost vertices of each flat state. */
     Map<State, List<Vertex>> leaves() {
         Map<State, List<Vertex>> leaves = new LinkedHashMap<>();
-        states.forEach((state, flat) -> {
+        flats.forEach((snapshot, flat) -> {
             List<Vertex> vertices = new ArrayList<>();
-            for (int leaf : state.leaves()) {
+            for (int leaf : snapshot.leaves()) {
                 vertices.add(net.node(leaf).vertex);
             }
-            leaves.put(flat, List.copyOf(vertices));
+            leaves.put(flat.state(), List.copyOf(vertices));
         });
         return leaves;
     }
 
     StateMachine machine(Outcome start) {
         StateMachineBuilder builder = StateMachine.named(net.chart().name());
-        states.forEach((state, flat) -> {
+        for (Flat flat : flats.values()) {
             List<String> activities = new ArrayList<>();
-            for (Owned owned : goingOn(state)) {
+            for (Owned owned : flat.goingOn()) {
                 if (owned.activity()) {
                     activities.add(name(owned));
                 }
             }
-            builder.activities(flat.name(), activities);
-        });
-        builder.initial(flat(start.target()).name()).initialEffects(start.effects());
-        states.forEach((state, flat) -> {
-            for (Explorer.Move move : moves.getOrDefault(state, List.of())) {
-                builder.transition(transition(state, flat, move), "");
+            builder.activities(flat.state().name(), activities);
+        }
+        builder.initial(flat(start.target()).state().name()).initialEffects(start.effects());
+        flats.forEach((snapshot, flat) -> {
+            for (Explorer.Move move : moves.getOrDefault(snapshot, List.of())) {
+                builder.transition(transition(flat, move), "");
             }
         });
         net.chart().events().stream().filter(event -> !event.isBlank()).forEach(builder::event);
         return builder.build();
     }
 
-    private Transition transition(Snapshot source, State flat, Explorer.Move move) {
+    private Transition transition(Flat source, Explorer.Move move) {
         Outcome outcome = move.outcome();
-        State target = flat(outcome.target());
-        boolean internal = outcome.still() && target.equals(flat);
+        Flat target = flat(outcome.target());
+        boolean internal = outcome.still() && target.state().equals(source.state());
         Event event = events.computeIfAbsent(new Event(event(move.cause()), move.guards()), known -> known);
         return new Transition(
-                flat, event, target, outcome.effects(), internal, internal ? Set.of() : keeps(source, outcome));
+                source.state(),
+                event,
+                target.state(),
+                outcome.effects(),
+                internal,
+                internal ? Set.of() : keeps(source, outcome.left(), target));
     }
 
     private String event(Cause cause) {
@@ -98,15 +104,13 @@ final class FlatMachine {
                 : "completion(" + naming.of(owner) + ")";
     }
 
-    private Set<String> keeps(Snapshot source, Outcome outcome) {
-        Set<Owned> before = goingOn(source);
-        if (before.isEmpty()) {
+    private Set<String> keeps(Flat source, Set<Node> left, Flat target) {
+        if (source.goingOn().isEmpty()) {
             return Set.of();
         }
-        Set<Owned> after = goingOn(outcome.target());
         Set<String> keeps = new LinkedHashSet<>();
-        for (Owned owned : before) {
-            if (!outcome.left().contains(owned.owner()) && after.contains(owned)) {
+        for (Owned owned : source.goingOn()) {
+            if (!left.contains(owned.owner()) && target.goingOn().contains(owned)) {
                 keeps.add(name(owned));
             }
         }
@@ -117,18 +121,18 @@ final class FlatMachine {
         return representatives.getOrDefault(state, state);
     }
 
-    private State flat(Snapshot state) {
-        return requireNonNull(states.get(representative(state)));
+    private Flat flat(Snapshot state) {
+        return requireNonNull(flats.get(representative(state)));
     }
 
     private String name(Owned owned) {
         return ambiguous.contains(owned.name()) ? owned.name() + " in " + naming.of(owned.owner()) : owned.name();
     }
 
-    private void findAmbiguous(Snapshot state) {
-        Map<String, Owned> byName = new HashMap<>();
-        for (Owned owned : goingOn(state)) {
-            if (byName.put(owned.name(), owned) != null) {
+    private void findAmbiguous(Flat flat) {
+        Set<String> names = new HashSet<>();
+        for (Owned owned : flat.goingOn()) {
+            if (!names.add(owned.name())) {
                 ambiguous.add(owned.name());
             }
         }
@@ -136,10 +140,6 @@ final class FlatMachine {
 
     /** The time triggers and activities of the active states, outer ones first. */
     private Set<Owned> goingOn(Snapshot state) {
-        return goingOn.computeIfAbsent(state, this::findGoingOn);
-    }
-
-    private Set<Owned> findGoingOn(Snapshot state) {
         Set<Owned> all = new LinkedHashSet<>();
         for (Node node : active(state)) {
             for (String trigger : node.triggers()) {

@@ -31,11 +31,11 @@ final class Histories {
     private record Signature(int block, List<Reaction> reactions) {}
 
     private Map<Snapshot, Snapshot> merge() {
+        Map<Snapshot, Snapshot> representatives = new HashMap<>();
         if (moves.keySet().stream().allMatch(state -> state.memory().length == 0)) {
-            return Map.of();
+            return representatives;
         }
         boolean stable = refine();
-        Map<Snapshot, Snapshot> representatives = new HashMap<>();
         Map<Integer, Snapshot> first = new HashMap<>();
         moves.keySet().stream().sorted().forEach(state -> {
             Snapshot one = stable ? first.computeIfAbsent(blocks.getOrDefault(state, 0), block -> state) : state;

@@ -18,15 +18,20 @@ final class PlainSteps {
         this.resting = new Snapshot[net.nodes().size()];
     }
 
+    /** Whether a machine rests in a state with nothing around it or beside it, and that is all that matters. */
+    static boolean isAlone(Net net, Snapshot state) {
+        return state.isOneState() && net.tops().size() == 1 && net.node(state.leaves()[0]).zone.owner == null;
+    }
+
     /** What a cause does to a machine that rests; null if that takes a {@link Step} to find out. */
     @Nullable
     Outcome react(Snapshot before, Cause cause) {
-        if (!before.isOneState() || net.tops().size() > 1 || cause.kind() == Cause.Kind.COMPLETION) {
+        if (cause.kind() == Cause.Kind.COMPLETION || !isAlone(net, before)) {
             return null;
         }
         Node source = net.node(before.leaves()[0]);
         List<Link> links = source.on(cause.name());
-        if (links.size() != 1 || source.zone.owner != null) {
+        if (links.size() != 1) {
             return null;
         }
         Link link = links.get(0);

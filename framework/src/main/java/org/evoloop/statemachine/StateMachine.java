@@ -2,7 +2,6 @@ package org.evoloop.statemachine;
 
 import java.util.ArrayList;
 import java.util.Collections;
-import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -32,7 +31,7 @@ public final class StateMachine {
     /** What leaves a state. */
     private record Row(List<Transition> transitions, Map<Event, Transition> byEvent) {
         static Row of(Map<Event, Transition> byEvent) {
-            return new Row(List.copyOf(byEvent.values()), new HashMap<>(byEvent));
+            return new Row(List.copyOf(byEvent.values()), Map.copyOf(byEvent));
         }
     }
 
