@@ -17,7 +17,8 @@ import org.evoloop.benchmarks.report.Suite;
 
 /** From the press of a button to the command, and from the start of the program to its first event. */
 public final class DeviceSuite implements Suite {
-    private static final List<String> SHIPPED_OPTIONS = List.of("-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1");
+    private static final List<String> SHIPPED_OPTIONS =
+            List.of("-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1", "-Xms16m");
 
     @Override
     public String name() {

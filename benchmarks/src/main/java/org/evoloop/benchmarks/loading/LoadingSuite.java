@@ -14,7 +14,7 @@ import org.evoloop.xmi.ModelFiles;
 /** Reading and compiling in a process that has just begun and in one that is warm, and the size of the jar. */
 public final class LoadingSuite implements Suite {
     /** As {@code ./evoloop} starts programs. */
-    static final List<String> SHIPPED_OPTIONS = List.of("-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1");
+    static final List<String> SHIPPED_OPTIONS = List.of("-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1", "-Xms16m");
 
     @Override
     public String name() {
