@@ -21,7 +21,6 @@ final class DecisionCells {
     /** What a cell without a decision leads to. */
     private static final int STAYS = -2;
 
-    private static final int NOWHERE = -1;
     private static final long EMPTY = -1;
 
     private final int width;
@@ -36,22 +35,30 @@ final class DecisionCells {
         this.width = Math.max(1, width);
     }
 
+    /** Makes room for the decisions of a situation; before that it must not be asked for. */
+    void open(int situation) {
+        long cells = key(situation + 1, 0);
+        if (!hashed && cells > MOST_IN_ROWS) {
+            hash();
+        } else if (!hashed && cells > decisions.length) {
+            makeRows((int) Math.min(MOST_IN_ROWS, Math.max(cells, 2L * decisions.length)));
+        }
+    }
+
     /** The decision in a cell; null if none was put there. */
     @Nullable
     Decision get(int situation, int event) {
-        int place = placeOf(key(situation, event));
-        return place == NOWHERE ? null : decisions[place];
+        return decisions[placeOf(situation, event)];
     }
 
     /** The number of the situation that the decision in a cell leads to, or {@link #UNKNOWN}; without one it is the same. */
     int after(int situation, int event) {
-        int place = placeOf(key(situation, event));
-        int next = place == NOWHERE ? STAYS : after[place];
+        int next = after[placeOf(situation, event)];
         return next == STAYS ? situation : next;
     }
 
     void put(int situation, int event, Decision decision) {
-        set(makePlace(key(situation, event)), decision, UNKNOWN);
+        set(hashed ? makePlace(key(situation, event)) : placeOf(situation, event), decision, UNKNOWN);
     }
 
     private void set(int place, @Nullable Decision decision, int next) {
@@ -73,29 +80,12 @@ final class DecisionCells {
         return (long) situation * width + event;
     }
 
-    /** Where a cell is, or {@link #NOWHERE} if there is no room for it yet. */
-    private int placeOf(long key) {
-        if (hashed) {
-            return find(key);
-        }
-        return key < decisions.length ? (int) key : NOWHERE;
+    /** Where a cell is, or with hashing where it would be. Rows are only made as far as an int can count. */
+    private int placeOf(int situation, int event) {
+        return hashed ? find(key(situation, event)) : situation * width + event;
     }
 
     private int makePlace(long key) {
-        if (!hashed && key < decisions.length) {
-            return (int) key;
-        }
-        if (!hashed && key < MOST_IN_ROWS) {
-            long rows = Math.min(MOST_IN_ROWS, Math.max(key + width, 2L * decisions.length));
-            int before = decisions.length;
-            decisions = Arrays.copyOf(decisions, (int) rows);
-            after = Arrays.copyOf(after, (int) rows);
-            Arrays.fill(after, before, (int) rows, STAYS);
-            return (int) key;
-        }
-        if (!hashed) {
-            hash();
-        }
         int place = find(key);
         if (keys[place] == EMPTY) {
             if (2 * ++used > keys.length) {
@@ -105,6 +95,13 @@ final class DecisionCells {
             keys[place] = key;
         }
         return place;
+    }
+
+    private void makeRows(int cells) {
+        int before = decisions.length;
+        decisions = Arrays.copyOf(decisions, cells);
+        after = Arrays.copyOf(after, cells);
+        Arrays.fill(after, before, cells, STAYS);
     }
 
     /** From rows to hashing. */

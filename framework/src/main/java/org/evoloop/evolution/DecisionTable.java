@@ -160,6 +160,8 @@ public final class DecisionTable {
 
     /** Decides all that either model knows in {@code at}; whatever else comes there is ignored. */
     private void fill(Configuration at, int situation) {
+        asked.open(situation);
+        acted.open(situation);
         ignored.add(new Decision.NotAcceptable(at, at, List.of()));
         for (Transition known : pair.evolved().transitionsFrom(at.evolved())) {
             fill(at, situation, known.event(), known);
