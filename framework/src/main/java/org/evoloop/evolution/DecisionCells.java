@@ -18,6 +18,9 @@ final class DecisionCells {
     /** No situation's number: it has not been asked for. */
     static final int UNKNOWN = -1;
 
+    /** What a cell without a decision leads to. */
+    private static final int STAYS = -2;
+
     private static final long EMPTY = -1;
 
     private final int width;
@@ -32,22 +35,35 @@ final class DecisionCells {
         this.width = Math.max(1, width);
     }
 
+    /** Makes room for the decisions of a situation; before that it must not be asked for. */
+    void open(int situation) {
+        long cells = key(situation + 1, 0);
+        if (!hashed && cells > MOST_IN_ROWS) {
+            hash();
+        } else if (!hashed && cells > decisions.length) {
+            makeRows((int) Math.min(MOST_IN_ROWS, Math.max(cells, 2L * decisions.length)));
+        }
+    }
+
     /** The decision in a cell; null if none was put there. */
     @Nullable
     Decision get(int situation, int event) {
-        int place = hashed ? find(key(situation, event)) : situation * width + event;
-        return place < decisions.length ? decisions[place] : null;
+        return decisions[placeOf(situation, event)];
     }
 
-    /** The number of the situation that the decision in a cell leads to, or {@link #UNKNOWN}. */
+    /** The number of the situation that the decision in a cell leads to, or {@link #UNKNOWN}; without one it is the same. */
     int after(int situation, int event) {
-        int place = hashed ? find(key(situation, event)) : situation * width + event;
-        return place < after.length ? after[place] : UNKNOWN;
+        int next = after[placeOf(situation, event)];
+        return next == STAYS ? situation : next;
     }
 
     void put(int situation, int event, Decision decision) {
-        int place = place(situation, event);
+        set(hashed ? makePlace(key(situation, event)) : placeOf(situation, event), decision, UNKNOWN);
+    }
+
+    private void set(int place, @Nullable Decision decision, int next) {
         decisions[place] = decision;
+        after[place] = next;
     }
 
     /** Notes for each decision the number of the situation it leads to. */
@@ -64,22 +80,12 @@ final class DecisionCells {
         return (long) situation * width + event;
     }
 
-    private int place(int situation, int event) {
-        long key = key(situation, event);
-        if (!hashed && key < decisions.length) {
-            return (int) key;
-        }
-        if (!hashed && key < MOST_IN_ROWS) {
-            long rows = Math.min(MOST_IN_ROWS, Math.max(key + width, 2L * decisions.length));
-            int before = decisions.length;
-            decisions = Arrays.copyOf(decisions, (int) rows);
-            after = Arrays.copyOf(after, (int) rows);
-            Arrays.fill(after, before, (int) rows, UNKNOWN);
-            return (int) key;
-        }
-        if (!hashed) {
-            hash();
-        }
+    /** Where a cell is, or with hashing where it would be. Rows are only made as far as an int can count. */
+    private int placeOf(int situation, int event) {
+        return hashed ? find(key(situation, event)) : situation * width + event;
+    }
+
+    private int makePlace(long key) {
         int place = find(key);
         if (keys[place] == EMPTY) {
             if (2 * ++used > keys.length) {
@@ -91,6 +97,13 @@ final class DecisionCells {
         return place;
     }
 
+    private void makeRows(int cells) {
+        int before = decisions.length;
+        decisions = Arrays.copyOf(decisions, cells);
+        after = Arrays.copyOf(after, cells);
+        Arrays.fill(after, before, cells, STAYS);
+    }
+
     /** From rows to hashing. */
     private void hash() {
         @Nullable Decision[] rows = decisions;
@@ -100,9 +113,7 @@ final class DecisionCells {
         for (int key = 0; key < rows.length; key++) {
             Decision decision = rows[key];
             if (decision != null) {
-                int place = place(key / width, key % width);
-                decisions[place] = decision;
-                after[place] = rowsAfter[key];
+                set(makePlace(key), decision, rowsAfter[key]);
             }
         }
     }
@@ -112,7 +123,7 @@ final class DecisionCells {
         Arrays.fill(keys, EMPTY);
         decisions = new Decision[size];
         after = new int[size];
-        Arrays.fill(after, UNKNOWN);
+        Arrays.fill(after, STAYS);
     }
 
     private void rehash(int size) {
@@ -124,8 +135,7 @@ final class DecisionCells {
             if (oldKeys[old] != EMPTY) {
                 int place = find(oldKeys[old]);
                 keys[place] = oldKeys[old];
-                decisions[place] = oldDecisions[old];
-                after[place] = oldAfter[old];
+                set(place, oldDecisions[old], oldAfter[old]);
             }
         }
     }

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.HashMap;
 import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
@@ -14,6 +15,7 @@ import java.util.function.Predicate;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.Transition;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The transition hash table: the decision for every event in every configuration that can be reached, made once, so
@@ -33,8 +35,9 @@ public final class DecisionTable {
     private final EventConversion conversion;
     private final GuardedTriggers originalGuards;
     private final GuardedTriggers evolvedGuards;
-    private final Map<Configuration, Integer> situations = new HashMap<>();
-    private final List<Configuration> configurations = new ArrayList<>();
+    /** In the order in which they were reached, which is that of their numbers. */
+    private final Map<Configuration, Integer> situations = new LinkedHashMap<>();
+
     private final Map<Event, Integer> numbers = new HashMap<>();
     private final Map<String, Integer> numbersByName = new HashMap<>();
     private final DecisionCells asked;
@@ -69,7 +72,7 @@ public final class DecisionTable {
         DecisionTable table = new DecisionTable(pair, device);
         table.explore(new ArrayDeque<>(List.of(pair.initial())), false, table.problems);
         Queue<Configuration> interfered = new ArrayDeque<>();
-        for (Configuration at : table.configurations) {
+        for (Configuration at : table.configurations()) {
             follow(table.interference(at), table.hazards, interfered);
         }
         table.explore(interfered, true, table.hazards);
@@ -79,8 +82,9 @@ public final class DecisionTable {
 
     private void explore(Queue<Configuration> frontier, boolean withInterference, Set<Decision.Impossible> impossible) {
         for (Configuration at = frontier.poll(); at != null; at = frontier.poll()) {
-            if (situations.putIfAbsent(at, configurations.size()) == null) {
-                fill(at);
+            int situation = situations.size();
+            if (situations.putIfAbsent(at, situation) == null) {
+                fill(at, situation);
                 follow(expected(at), impossible, frontier);
                 if (withInterference) {
                     follow(interference(at), impossible, frontier);
@@ -105,14 +109,15 @@ public final class DecisionTable {
      */
     public List<Turn> expected(Configuration at) {
         List<Turn> turns = new ArrayList<>();
+        int situation = situation(at);
         for (Transition transition : pair.evolved().transitionsFrom(at.evolved())) {
             if (evolvedGuards.shadowOf(transition) == null) {
-                turns.add(turn(at, transition.event(), false));
+                turns.add(turn(at, situation, transition.event(), false));
             }
         }
         for (Transition transition : pair.original().transitionsFrom(at.original())) {
             if (conversion.isDevicesOwn(transition.event().trigger()) && isUnheard(at, transition)) {
-                turns.add(turn(at, transition.event(), false));
+                turns.add(turn(at, situation, transition.event(), false));
             }
         }
         return turns;
@@ -121,16 +126,17 @@ public final class DecisionTable {
     /** What can happen in {@code at} when the device does by itself what it could have been asked for. */
     public List<Turn> interference(Configuration at) {
         List<Turn> turns = new ArrayList<>();
+        int situation = situation(at);
         for (Transition transition : pair.evolved().transitionsFrom(at.evolved())) {
             if (isSpontaneous(transition)
                     && evolvedGuards.shadowOf(transition) == null
                     && conversion.originalTransition(at.original(), transition.event()) != null) {
-                turns.add(turn(at, transition.event(), true));
+                turns.add(turn(at, situation, transition.event(), true));
             }
         }
         for (Transition transition : pair.original().transitionsFrom(at.original())) {
             if (isSpontaneous(transition) && isUnheard(at, transition)) {
-                turns.add(turn(at, transition.event(), true));
+                turns.add(turn(at, situation, transition.event(), true));
             }
         }
         return turns;
@@ -148,27 +154,32 @@ public final class DecisionTable {
                         .hasTransition(at.evolved(), transition.event().trigger());
     }
 
-    private Turn turn(Configuration at, Event event, boolean deviceActed) {
-        return new Turn(event, deviceActed, decide(at, event, deviceActed));
+    private Turn turn(Configuration at, int situation, Event event, boolean deviceActed) {
+        return new Turn(event, deviceActed, decide(at, situation, event, deviceActed));
     }
 
     /** Decides all that either model knows in {@code at}; whatever else comes there is ignored. */
-    private void fill(Configuration at) {
-        int situation = configurations.size();
-        configurations.add(at);
+    private void fill(Configuration at, int situation) {
+        asked.open(situation);
+        acted.open(situation);
         ignored.add(new Decision.NotAcceptable(at, at, List.of()));
-        pair.evolved().transitionsFrom(at.evolved()).forEach(known -> fill(at, situation, known.event()));
-        pair.original().transitionsFrom(at.original()).forEach(known -> fill(at, situation, known.event()));
+        for (Transition known : pair.evolved().transitionsFrom(at.evolved())) {
+            fill(at, situation, known.event(), known);
+        }
+        for (Transition known : pair.original().transitionsFrom(at.original())) {
+            fill(at, situation, known.event(), null);
+        }
     }
 
-    private void fill(Configuration at, int situation, Event event) {
+    /** @param transition of the new model; null if it has none */
+    private void fill(Configuration at, int situation, Event event, @Nullable Transition transition) {
         int number = number(event);
         if (asked.get(situation, number) == null) {
-            Decision whenAsked = conversion.decide(at, event, false);
-            asked.put(situation, number, whenAsked);
+            Transition same = conversion.originalTransition(at.original(), event);
+            asked.put(situation, number, conversion.decide(at, event, false, transition, same));
             // Where the device itself has no transition, it makes no difference whether it has acted already.
-            if (conversion.originalTransition(at.original(), event) != null) {
-                acted.put(situation, number, conversion.decide(at, event, true));
+            if (same != null) {
+                acted.put(situation, number, conversion.decide(at, event, true, transition, same));
             }
         }
     }
@@ -214,7 +225,7 @@ public final class DecisionTable {
 
     /** The situation in which {@link #decide(int, int)} ends; {@code -1} if it is not one of {@link #configurations}. */
     public int after(int situation, int event) {
-        return event < 0 || asked.get(situation, event) == null ? situation : asked.after(situation, event);
+        return event < 0 ? situation : asked.after(situation, event);
     }
 
     /** The same by the event's name. */
@@ -230,7 +241,10 @@ public final class DecisionTable {
      * @return {@link Decision.NotAcceptable} without steps for an event that neither model knows there
      */
     public Decision decide(Configuration at, Event event, boolean deviceActed) {
-        int situation = situation(at);
+        return decide(at, situation(at), event, deviceActed);
+    }
+
+    private Decision decide(Configuration at, int situation, Event event, boolean deviceActed) {
         if (situation == DecisionCells.UNKNOWN) {
             return decideNow(at, event, deviceActed);
         }
@@ -280,7 +294,7 @@ public final class DecisionTable {
 
     /** Every configuration that can be reached, first reached first. */
     public Set<Configuration> configurations() {
-        return Collections.unmodifiableSet(new LinkedHashSet<>(configurations));
+        return Collections.unmodifiableSet(situations.keySet());
     }
 
     /**
@@ -295,7 +309,7 @@ public final class DecisionTable {
         }
         Set<String> missing = new HashSet<>(drawn);
         pair.original().transitions().forEach(transition -> transition.effects().forEach(missing::remove));
-        for (Configuration at : configurations) {
+        for (Configuration at : situations.keySet()) {
             expected(at).forEach(turn -> missing.addAll(turn.decision().effects()));
             interference(at).forEach(turn -> missing.addAll(turn.decision().effects()));
         }

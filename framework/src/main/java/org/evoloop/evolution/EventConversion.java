@@ -1,6 +1,7 @@
 package org.evoloop.evolution;
 
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -25,60 +26,76 @@ final class EventConversion {
     private final ModelPair pair;
     private final DeviceEvents device;
     private final PathPlanner planner;
-    private final Set<Event> originalTriggers;
+    private final Set<Event> devicesOwn;
+    private final Set<State> newStates;
 
     EventConversion(ModelPair pair, DeviceEvents device) {
         this.pair = pair;
         this.device = device;
         this.planner = new PathPlanner(pair.original(), device);
-        this.originalTriggers = pair.original().triggers();
+        this.devicesOwn = new HashSet<>(pair.original().triggers());
+        devicesOwn.removeAll(device.sendable());
+        this.newStates = new HashSet<>(pair.evolved().states());
+        newStates.removeAll(pair.original().states());
     }
 
     /** Whether only the device itself can take {@code trigger}. */
     boolean isDevicesOwn(Event trigger) {
-        return originalTriggers.contains(trigger) && !device.sendable().contains(trigger);
+        return devicesOwn.contains(trigger);
     }
 
     /** What {@code event} means in {@code before}. */
     Decision decide(Configuration before, Event event, boolean deviceActed) {
-        List<Step> steps = new ArrayList<>();
+        return decide(
+                before,
+                event,
+                deviceActed,
+                pair.evolved().transition(before.evolved(), event).orElse(null),
+                originalTransition(before.original(), event));
+    }
+
+    /**
+     * The same with both transitions looked up already.
+     *
+     * @param transition of the new model on the event
+     * @param same see {@link #originalTransition}
+     */
+    Decision decide(
+            Configuration before,
+            Event event,
+            boolean deviceActed,
+            @Nullable Transition transition,
+            @Nullable Transition same) {
         boolean taken = deviceActed || isDevicesOwn(event.trigger());
-        Transition own = taken ? originalTransition(before.original(), event) : null;
-        if (own != null) {
-            steps.add(new Step(own, true, false));
-        }
+        Transition own = taken ? same : null;
+        List<Step> steps = own == null ? List.of() : List.of(new Step(own, true, false));
         State original = own == null ? before.original() : own.target();
 
-        Optional<Transition> next = pair.evolved().transition(before.evolved(), event);
-        if (next.isEmpty()) {
-            return new Decision.NotAcceptable(before, before.withOriginal(original), List.copyOf(steps));
+        if (transition == null) {
+            return new Decision.NotAcceptable(before, before.withOriginal(original), steps);
         }
-        Transition transition = next.get();
         State target = transition.target();
-        if (pair.isNew(target)) {
+        if (newStates.contains(target)) {
             return new Decision.NewFunction(
-                    before,
-                    new Configuration(original, target),
-                    List.copyOf(steps),
-                    transition,
-                    effectsLeft(transition, steps));
+                    before, new Configuration(original, target), steps, transition, effectsLeft(transition, steps));
         }
-        Optional<List<Step>> way = taken ? planner.shortestPath(original, target) : wayFor(original, event, target);
+        Optional<List<Step>> way = taken ? planner.shortestPath(original, target) : wayFor(original, same, target);
         if (way.isEmpty()) {
             return new Decision.Impossible(
-                    before,
-                    before.withOriginal(original),
-                    List.copyOf(steps),
-                    transition,
-                    noWay(original, event, target));
+                    before, before.withOriginal(original), steps, transition, noWay(original, event, target));
         }
-        steps.addAll(way.get());
+        List<Step> all = joined(steps, way.get());
         return new Decision.ExistingFunction(
-                before,
-                new Configuration(target, target),
-                List.copyOf(steps),
-                transition,
-                effectsLeft(transition, steps));
+                before, new Configuration(target, target), all, transition, effectsLeft(transition, all));
+    }
+
+    private static List<Step> joined(List<Step> first, List<Step> then) {
+        if (first.isEmpty() || then.isEmpty()) {
+            return first.isEmpty() ? then : first;
+        }
+        List<Step> all = new ArrayList<>(first);
+        all.addAll(then);
+        return List.copyOf(all);
     }
 
     /** The original's transition on the same guarded event, else on the event without guards; null if it has neither. */
@@ -91,14 +108,16 @@ final class EventConversion {
     }
 
     /** The incoming event itself if it leads there, even from a state to itself; else the shortest way. */
-    private Optional<List<Step>> wayFor(State original, Event event, State target) {
-        Transition same = originalTransition(original, event);
+    private Optional<List<Step>> wayFor(State original, @Nullable Transition same, State target) {
         Step direct = same == null || !same.target().equals(target) ? null : planner.stepOver(same);
         return direct == null ? planner.shortestPath(original, target) : Optional.of(List.of(direct));
     }
 
     /** What the new model's transition asks for and the device does not do by itself on its way. */
     private static List<String> effectsLeft(Transition transition, List<Step> steps) {
+        if (transition.effects().isEmpty()) {
+            return List.of();
+        }
         List<String> left = new ArrayList<>(transition.effects());
         for (Step step : steps) {
             step.effects().forEach(left::remove);

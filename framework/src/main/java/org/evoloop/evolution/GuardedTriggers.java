@@ -67,8 +67,12 @@ public final class GuardedTriggers {
 
     /** The guards that decide whether {@code transition} counts: its own, and those of the ones tried before it. */
     Set<String> conditionsOf(Transition transition) {
+        List<Transition> candidates = candidatesWith(transition);
+        if (candidates.isEmpty()) {
+            return Set.of();
+        }
         Set<String> conditions = new LinkedHashSet<>();
-        for (Transition tried : candidatesWith(transition)) {
+        for (Transition tried : candidates) {
             conditions.addAll(tried.event().guards());
             if (tried.equals(transition)) {
                 break;
@@ -82,8 +86,12 @@ public final class GuardedTriggers {
      * that {@code transition} can be taken.
      */
     public @Nullable Transition shadowOf(Transition transition) {
+        List<Transition> candidates = candidatesWith(transition);
+        if (candidates.isEmpty()) {
+            return null;
+        }
         Set<String> own = new HashSet<>(transition.event().guards());
-        for (Transition tried : candidatesWith(transition)) {
+        for (Transition tried : candidates) {
             if (tried.equals(transition)) {
                 return null;
             }
@@ -95,7 +103,9 @@ public final class GuardedTriggers {
     }
 
     private List<Transition> candidatesWith(Transition transition) {
-        return guarded.getOrDefault(transition.source(), Map.of())
-                .getOrDefault(transition.event().trigger(), List.of());
+        Map<Event, List<Transition>> byTrigger = guarded.isEmpty() ? null : guarded.get(transition.source());
+        return byTrigger == null
+                ? List.of()
+                : byTrigger.getOrDefault(transition.event().trigger(), List.of());
     }
 }

@@ -2,6 +2,8 @@ package org.evoloop.statechart;
 
 import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.BitSet;
+import java.util.Collection;
 import java.util.Deque;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -22,16 +24,18 @@ final class Explorer {
     private static final String SMALLER = "draw fewer regions side by side, or histories, or guards on one event";
 
     private final Net net;
+    private final PlainSteps plainSteps;
     private final Set<Problem> problems = new LinkedHashSet<>();
     private final Map<Snapshot, List<Move>> moves = new HashMap<>();
     private final Deque<Snapshot> unexplored = new ArrayDeque<>();
-    private final Set<Node> visited = new HashSet<>();
-    private final Set<Link> used = new HashSet<>();
+    private final BitSet visited = new BitSet();
+    private final BitSet used = new BitSet();
     private int moveCount;
     private @Nullable Case start;
 
     Explorer(Net net) {
         this.net = net;
+        this.plainSteps = new PlainSteps(net);
     }
 
     /** What happens for some values of the guards; {@code outcome} is null if nothing does. */
@@ -65,9 +69,9 @@ final class Explorer {
         return moves;
     }
 
-    /** The transitions that are ever taken. */
-    Set<Link> used() {
-        return used;
+    /** Whether a transition is ever taken. */
+    boolean uses(Link link) {
+        return used.get(link.index);
     }
 
     private void begin() {
@@ -110,7 +114,7 @@ final class Explorer {
     /** States that are never entered are a part of the model all the same; a check tells their author. */
     private void visitUnreachable() {
         for (Node node : net.nodes()) {
-            if (node.isState() && node.zones.isEmpty() && !visited.contains(node)) {
+            if (node.isState() && node.zones.isEmpty() && !visited.get(node.index)) {
                 for (Case one : cases(step -> step.startIn(node))) {
                     if (one.outcome() != null) {
                         found(one.outcome());
@@ -122,6 +126,11 @@ final class Explorer {
     }
 
     private List<Move> moves(Snapshot state, Cause cause) {
+        Outcome plain = plainSteps.react(state, cause);
+        if (plain != null) {
+            found(plain);
+            return List.of(new Move(cause, List.of(), plain));
+        }
         List<Case> cases = cases(step -> step.react(state, cause));
         List<Move> found = new ArrayList<>();
         for (int i = 0; i < cases.size(); i++) {
@@ -151,8 +160,8 @@ final class Explorer {
     }
 
     private void found(Outcome outcome) {
-        used.addAll(outcome.used());
-        visited.addAll(outcome.entered());
+        outcome.used().forEach(link -> used.set(link.index));
+        outcome.entered().forEach(node -> visited.set(node.index));
         Snapshot state = outcome.target();
         if (moves.containsKey(state)) {
             return;
@@ -180,8 +189,9 @@ final class Explorer {
         return cases;
     }
 
-    private Set<Cause> causes(Snapshot state) {
-        Set<Cause> causes = new LinkedHashSet<>();
+    private Collection<Cause> causes(Snapshot state) {
+        // A state by itself names no event twice.
+        Collection<Cause> causes = PlainSteps.isAlone(net, state) ? new ArrayList<>() : new LinkedHashSet<>();
         Set<Node> seen = new HashSet<>();
         for (int leaf : state.leaves()) {
             if (net.node(leaf).is(Vertex.Kind.TERMINATE)) {

@@ -1,5 +1,7 @@
 package org.evoloop.statechart;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -20,7 +22,8 @@ final class FlatMachine {
     private final Map<Snapshot, List<Explorer.Move>> moves;
     private final Map<Snapshot, Snapshot> representatives;
     private final FlatNames naming;
-    private final Map<Snapshot, String> names;
+    private final Map<Snapshot, Flat> flats = new LinkedHashMap<>();
+    private final Map<Event, Event> events = new HashMap<>();
     /** Time triggers and activities that several active states have at once. */
     private final Set<String> ambiguous = new HashSet<>();
 
@@ -28,12 +31,17 @@ final class FlatMachine {
         this.net = net;
         this.moves = moves;
         this.representatives = Histories.merge(moves);
-        List<Snapshot> states =
-                representatives.values().stream().distinct().sorted().toList();
-        this.naming = new FlatNames(net, states);
-        this.names = naming.all();
-        states.forEach(this::findAmbiguous);
+        List<Snapshot> ordered = moves.keySet().stream()
+                .map(this::representative)
+                .distinct()
+                .sorted()
+                .toList();
+        this.naming = new FlatNames(net, ordered);
+        naming.all().forEach((snapshot, name) -> flats.put(snapshot, new Flat(new State(name), goingOn(snapshot))));
+        flats.values().forEach(this::findAmbiguous);
     }
+
+    private record Flat(State state, Set<Owned> goingOn) {}
 
     /** What goes on while a state as drawn is active. */
     private record Owned(Node owner, String name, boolean activity) {}
@@ -41,48 +49,49 @@ final class FlatMachine {
     /** The innermost vertices of each flat state. */
     Map<State, List<Vertex>> leaves() {
         Map<State, List<Vertex>> leaves = new LinkedHashMap<>();
-        names.forEach((state, name) -> {
+        flats.forEach((snapshot, flat) -> {
             List<Vertex> vertices = new ArrayList<>();
-            for (int leaf : state.leaves()) {
+            for (int leaf : snapshot.leaves()) {
                 vertices.add(net.node(leaf).vertex);
             }
-            leaves.put(new State(name), List.copyOf(vertices));
+            leaves.put(flat.state(), List.copyOf(vertices));
         });
         return leaves;
     }
 
     StateMachine machine(Outcome start) {
         StateMachineBuilder builder = StateMachine.named(net.chart().name());
-        for (Map.Entry<Snapshot, String> entry : names.entrySet()) {
+        for (Flat flat : flats.values()) {
             List<String> activities = new ArrayList<>();
-            for (Owned owned : goingOn(entry.getKey())) {
+            for (Owned owned : flat.goingOn()) {
                 if (owned.activity()) {
                     activities.add(name(owned));
                 }
             }
-            builder.activities(entry.getValue(), activities);
+            builder.activities(flat.state().name(), activities);
         }
-        builder.initial(name(start.target())).initialEffects(start.effects());
-        for (Map.Entry<Snapshot, String> entry : names.entrySet()) {
-            for (Explorer.Move move : moves.getOrDefault(entry.getKey(), List.of())) {
-                builder.transition(transition(entry.getKey(), entry.getValue(), move), "");
+        builder.initial(flat(start.target()).state().name()).initialEffects(start.effects());
+        flats.forEach((snapshot, flat) -> {
+            for (Explorer.Move move : moves.getOrDefault(snapshot, List.of())) {
+                builder.transition(transition(flat, move), "");
             }
-        }
+        });
         net.chart().events().stream().filter(event -> !event.isBlank()).forEach(builder::event);
         return builder.build();
     }
 
-    private Transition transition(Snapshot source, String name, Explorer.Move move) {
+    private Transition transition(Flat source, Explorer.Move move) {
         Outcome outcome = move.outcome();
-        String target = name(outcome.target());
-        boolean internal = outcome.still() && target.equals(name);
+        Flat target = flat(outcome.target());
+        boolean internal = outcome.still() && target.state().equals(source.state());
+        Event event = events.computeIfAbsent(new Event(event(move.cause()), move.guards()), known -> known);
         return new Transition(
-                new State(name),
-                new Event(event(move.cause()), move.guards()),
-                new State(target),
+                source.state(),
+                event,
+                target.state(),
                 outcome.effects(),
                 internal,
-                internal ? Set.of() : keeps(source, outcome));
+                internal ? Set.of() : keeps(source, outcome.left(), target));
     }
 
     private String event(Cause cause) {
@@ -95,29 +104,35 @@ final class FlatMachine {
                 : "completion(" + naming.of(owner) + ")";
     }
 
-    private Set<String> keeps(Snapshot source, Outcome outcome) {
-        Set<Owned> after = goingOn(outcome.target());
+    private Set<String> keeps(Flat source, Set<Node> left, Flat target) {
+        if (source.goingOn().isEmpty()) {
+            return Set.of();
+        }
         Set<String> keeps = new LinkedHashSet<>();
-        for (Owned owned : goingOn(source)) {
-            if (!outcome.left().contains(owned.owner()) && after.contains(owned)) {
+        for (Owned owned : source.goingOn()) {
+            if (!left.contains(owned.owner()) && target.goingOn().contains(owned)) {
                 keeps.add(name(owned));
             }
         }
         return keeps;
     }
 
-    private String name(Snapshot state) {
-        return names.getOrDefault(representatives.getOrDefault(state, state), "");
+    private Snapshot representative(Snapshot state) {
+        return representatives.getOrDefault(state, state);
+    }
+
+    private Flat flat(Snapshot state) {
+        return requireNonNull(flats.get(representative(state)));
     }
 
     private String name(Owned owned) {
         return ambiguous.contains(owned.name()) ? owned.name() + " in " + naming.of(owned.owner()) : owned.name();
     }
 
-    private void findAmbiguous(Snapshot state) {
-        Map<String, Owned> byName = new HashMap<>();
-        for (Owned owned : goingOn(state)) {
-            if (byName.put(owned.name(), owned) != null) {
+    private void findAmbiguous(Flat flat) {
+        Set<String> names = new HashSet<>();
+        for (Owned owned : flat.goingOn()) {
+            if (!names.add(owned.name())) {
                 ambiguous.add(owned.name());
             }
         }

@@ -54,13 +54,20 @@ final class FlatNames {
     Map<Snapshot, String> all() {
         Map<Snapshot, String> names = new LinkedHashMap<>();
         states.forEach(state -> names.put(state, leaves(state)));
+        if (areDifferent(names)) {
+            return names;
+        }
         tellApart(names, this::done);
         tellApart(names, this::remembered);
         int[] number = {1};
-        while (Set.copyOf(names.values()).size() < names.size()) {
+        while (!areDifferent(names)) {
             tellApart(names, state -> " " + number[0]++);
         }
         return names;
+    }
+
+    private static boolean areDifferent(Map<Snapshot, String> names) {
+        return new HashSet<>(names.values()).size() == names.size();
     }
 
     private static void tellApart(Map<Snapshot, String> names, Function<Snapshot, String> suffix) {

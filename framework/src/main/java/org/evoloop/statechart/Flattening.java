@@ -69,10 +69,10 @@ public final class Flattening {
         if (!problems.isEmpty() || start == null) {
             return failed(problems);
         }
-        FlatMachine flat = new FlatMachine(net, explorer.moves());
         try {
+            FlatMachine flat = new FlatMachine(net, explorer.moves());
             Map<State, List<Vertex>> leaves = flat.leaves();
-            return new Flattening(problems, flat.machine(start), leaves, unused(net, explorer.used()));
+            return new Flattening(problems, flat.machine(start), leaves, unused(net, explorer));
         } catch (ModelException refused) {
             return failed(
                     List.of(new Problem(chart.place(), String.valueOf(refused.getMessage()), "rename one of them")));
@@ -83,10 +83,10 @@ public final class Flattening {
         return new Flattening(problems, null, Map.of(), List.of());
     }
 
-    private static List<Arc> unused(Net net, Set<Link> used) {
+    private static List<Arc> unused(Net net, Explorer explorer) {
         Set<Arc> arcs = new LinkedHashSet<>();
         for (Node node : net.nodes()) {
-            node.outgoing.stream().filter(link -> !used.contains(link)).forEach(link -> arcs.add(link.arc));
+            node.outgoing.stream().filter(link -> !explorer.uses(link)).forEach(link -> arcs.add(link.arc));
         }
         return List.copyOf(arcs);
     }

@@ -18,7 +18,7 @@ final class Histories {
         this.moves = moves;
     }
 
-    /** For each state the one that stands for it. */
+    /** For each state for which another one stands that one, and perhaps for others themselves. */
     static Map<Snapshot, Snapshot> merge(Map<Snapshot, List<Explorer.Move>> moves) {
         return new Histories(moves).merge();
     }
@@ -33,7 +33,6 @@ final class Histories {
     private Map<Snapshot, Snapshot> merge() {
         Map<Snapshot, Snapshot> representatives = new HashMap<>();
         if (moves.keySet().stream().allMatch(state -> state.memory().length == 0)) {
-            moves.keySet().forEach(state -> representatives.put(state, state));
             return representatives;
         }
         boolean stable = refine();

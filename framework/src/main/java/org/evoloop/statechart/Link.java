@@ -4,11 +4,15 @@ package org.evoloop.statechart;
 final class Link {
     static final String ELSE = "else";
 
+    /** In the order in which they are drawn. */
+    final int index;
+
     final Arc arc;
     final Node source;
     final Node target;
 
-    Link(Arc arc, Node source, Node target) {
+    Link(int index, Arc arc, Node source, Node target) {
+        this.index = index;
         this.arc = arc;
         this.source = source;
         this.target = target;

@@ -14,7 +14,7 @@ import java.util.Set;
 record Net(Statechart chart, List<Zone> tops, List<Zone> zones, List<Node> nodes, Set<String> timeTriggers) {
     /** Whether an event is raised by itself. */
     boolean isTime(String trigger) {
-        return timeTriggers.contains(trigger);
+        return !timeTriggers.isEmpty() && timeTriggers.contains(trigger);
     }
 
     Node node(int index) {

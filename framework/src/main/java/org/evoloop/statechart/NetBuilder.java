@@ -28,6 +28,7 @@ final class NetBuilder {
     private final Map<String, Node> byKey = new HashMap<>();
     private final List<Arc> arcs = new ArrayList<>();
     private final List<Zone> zones = new ArrayList<>();
+    private int links;
 
     private NetBuilder(Statechart chart, List<Problem> problems) {
         this.chart = chart;
@@ -156,7 +157,7 @@ final class NetBuilder {
                     "draw it from state to state"));
             return;
         }
-        Link link = new Link(arc, source, target);
+        Link link = new Link(links++, arc, source, target);
         source.outgoing.add(link);
         target.incoming.add(link);
     }

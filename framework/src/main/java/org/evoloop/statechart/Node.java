@@ -41,9 +41,18 @@ final class Node {
         if (link.arc.triggers().isEmpty()) {
             completion.add(link);
         }
-        for (String trigger : Set.copyOf(link.arc.triggers())) {
-            byTrigger.computeIfAbsent(trigger, key -> new ArrayList<>(1)).add(link);
+        for (String trigger : link.arc.triggers()) {
+            List<Link> links = byTrigger.computeIfAbsent(trigger, key -> new ArrayList<>(1));
+            // It may name the trigger twice.
+            if (links.isEmpty() || links.get(links.size() - 1) != link) {
+                links.add(link);
+            }
         }
+    }
+
+    /** Whether several transitions that leave it have the same trigger, or several have none. */
+    boolean hasRivals() {
+        return completion.size() > 1 || byTrigger.values().stream().anyMatch(links -> links.size() > 1);
     }
 
     /** The events for which it has transitions. */

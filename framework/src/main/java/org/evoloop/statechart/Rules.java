@@ -1,6 +1,5 @@
 package org.evoloop.statechart;
 
-import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
@@ -75,6 +74,12 @@ final class Rules {
                     node + " defers the event '" + event + "', which a flat machine cannot",
                     "draw a transition for it, or let the sender wait");
         }
+        if (node.hasRivals()) {
+            rivals(node);
+        }
+    }
+
+    private void rivals(Node node) {
         Map<String, Link> always = new HashMap<>();
         for (Link link : node.outgoing) {
             if (link.rank() == 0 && !link.isGuarded()) {
@@ -189,7 +194,7 @@ final class Rules {
         if (link.target.is(Kind.EXIT_POINT) && link.target.border != null && !link.target.border.holds(link.source)) {
             refuse(place, link + " comes from outside", "end it at the state or at an entry point");
         }
-        for (String trigger : new ArrayList<>(link.arc.triggers())) {
+        for (String trigger : link.arc.triggers()) {
             try {
                 if (net.isTime(trigger) && timeTriggers.add(trigger)) {
                     new Event(trigger).timeTrigger();

@@ -4,6 +4,8 @@ import java.util.Arrays;
 
 /** Everything on which the reaction of a machine to events depends, between two events. */
 final class Snapshot implements Comparable<Snapshot> {
+    private static final int[] NONE = {};
+
     /** The innermost active vertex of each region, in document order; or the terminate pseudostate. */
     private final int[] leaves;
     /** For each region with a memory its index, the number of vertices, and the vertices. */
@@ -11,10 +13,23 @@ final class Snapshot implements Comparable<Snapshot> {
     /** The states whose do activities have ended. */
     private final int[] done;
 
+    private final int hash;
+
     Snapshot(int[] leaves, int[] memory, int[] done) {
         this.leaves = leaves;
         this.memory = memory;
         this.done = done;
+        this.hash = (Arrays.hashCode(leaves) * 31 + Arrays.hashCode(memory)) * 31 + Arrays.hashCode(done);
+    }
+
+    /** The machine rests in a state without anything in it, and that is all. */
+    static Snapshot of(Node state) {
+        return new Snapshot(new int[] {state.index}, NONE, NONE);
+    }
+
+    /** Whether nothing but the one state in which the machine rests matters. */
+    boolean isOneState() {
+        return leaves.length == 1 && memory.length == 0 && done.length == 0;
     }
 
     int[] leaves() {
@@ -41,7 +56,7 @@ final class Snapshot implements Comparable<Snapshot> {
 
     @Override
     public int hashCode() {
-        return (Arrays.hashCode(leaves) * 31 + Arrays.hashCode(memory)) * 31 + Arrays.hashCode(done);
+        return hash;
     }
 
     /** Document order; what remembers less comes first. */

@@ -24,9 +24,16 @@ public final class StateMachine {
     private final State initial;
     private final Set<State> states;
     private final Set<Event> events;
-    private final Map<State, Map<Event, Transition>> outgoing;
+    private final Map<State, Row> outgoing;
     private final List<String> initialEffects;
     private final Map<State, List<String>> activities;
+
+    /** What leaves a state. */
+    private record Row(List<Transition> transitions, Map<Event, Transition> byEvent) {
+        static Row of(Map<Event, Transition> byEvent) {
+            return new Row(List.copyOf(byEvent.values()), Map.copyOf(byEvent));
+        }
+    }
 
     StateMachine(
             String name,
@@ -40,17 +47,25 @@ public final class StateMachine {
         this.initial = initial;
         this.states = Collections.unmodifiableSet(new LinkedHashSet<>(states));
         this.events = Collections.unmodifiableSet(new LinkedHashSet<>(events));
-        Map<State, Map<Event, Transition>> copy = new LinkedHashMap<>();
-        outgoing.forEach(
-                (state, byEvent) -> copy.put(state, Collections.unmodifiableMap(new LinkedHashMap<>(byEvent))));
-        this.outgoing = Collections.unmodifiableMap(copy);
+        this.outgoing = new LinkedHashMap<>();
+        outgoing.forEach((state, byEvent) -> this.outgoing.put(state, Row.of(byEvent)));
         this.initialEffects = List.copyOf(initialEffects);
         this.activities = Map.copyOf(activities);
     }
 
+    private StateMachine(StateMachine same, String name) {
+        this.name = name;
+        this.initial = same.initial;
+        this.states = same.states;
+        this.events = same.events;
+        this.outgoing = same.outgoing;
+        this.initialEffects = same.initialEffects;
+        this.activities = same.activities;
+    }
+
     /** The same machine, which messages call {@code otherName}. */
     public StateMachine withName(String otherName) {
-        return new StateMachine(otherName, initial, states, events, outgoing, initialEffects, activities);
+        return new StateMachine(this, otherName);
     }
 
     /** Starts a machine of this name; the name is what messages call it. */
@@ -105,14 +120,14 @@ public final class StateMachine {
     /** T, ordered by source state. */
     public List<Transition> transitions() {
         List<Transition> all = new ArrayList<>();
-        outgoing.values().forEach(byEvent -> all.addAll(byEvent.values()));
+        outgoing.values().forEach(row -> all.addAll(row.transitions()));
         return Collections.unmodifiableList(all);
     }
 
     /** The transitions that leave {@code source}; empty for a state that is not of this machine. */
     public List<Transition> transitionsFrom(State source) {
-        Map<Event, Transition> byEvent = outgoing.get(source);
-        return byEvent == null ? List.of() : List.copyOf(byEvent.values());
+        Row row = outgoing.get(source);
+        return row == null ? List.of() : row.transitions();
     }
 
     /** Whether {@code state} is a member of S (the paper's {@code existState}). */
@@ -143,8 +158,8 @@ public final class StateMachine {
     }
 
     private @Nullable Transition find(State source, Event event) {
-        Map<Event, Transition> byEvent = outgoing.get(source);
-        return byEvent == null ? null : byEvent.get(event);
+        Row row = outgoing.get(source);
+        return row == null ? null : row.byEvent().get(event);
     }
 
     /** For messages: the name and the sizes of S, E and T. */

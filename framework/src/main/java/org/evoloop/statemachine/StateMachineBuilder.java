@@ -1,6 +1,7 @@
 package org.evoloop.statemachine;
 
 import java.util.ArrayList;
+import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -17,18 +18,14 @@ public final class StateMachineBuilder {
     private final String name;
     private final Set<State> states = new LinkedHashSet<>();
     private final Set<Event> events = new LinkedHashSet<>();
-    private final Map<State, Map<Event, Placed>> outgoing = new LinkedHashMap<>();
+    private final Map<State, Map<Event, Transition>> outgoing = new LinkedHashMap<>();
+    /** Only of transitions that stand somewhere. */
+    private final IdentityHashMap<Transition, String> places = new IdentityHashMap<>();
+
     private final List<String> problems = new ArrayList<>();
     private final List<String> initialEffects = new ArrayList<>();
     private final Map<State, List<String>> activities = new LinkedHashMap<>();
     private @Nullable State initial;
-
-    private record Placed(Transition transition, String place) {
-        @Override
-        public String toString() {
-            return place.isEmpty() ? transition.toString() : transition + " (" + place + ")";
-        }
-    }
 
     StateMachineBuilder(String name) {
         this.name = name;
@@ -94,19 +91,29 @@ public final class StateMachineBuilder {
      * @param place as above
      */
     public StateMachineBuilder transition(Transition transition, String place) {
-        Placed added = new Placed(transition, place);
-        String source = transition.source().name();
+        State source = transition.source();
         Event event = transition.event();
-        states.add(transition.source());
+        Map<Event, Transition> row = outgoing.get(source);
+        if (row == null) {
+            states.add(source);
+            row = new LinkedHashMap<>();
+            outgoing.put(source, row);
+        }
         states.add(transition.target());
-        addEvent(transition.event(), place);
-        Placed present = outgoing.computeIfAbsent(transition.source(), state -> new LinkedHashMap<>())
-                .putIfAbsent(transition.event(), added);
+        addEvent(event, place);
+        Transition present = row.putIfAbsent(event, transition);
         if (present != null) {
-            problems.add("two transitions leave state " + source + " on event " + event + ": " + present + " and "
-                    + added + "; remove one of them or give it another event");
+            problems.add("two transitions leave state " + source + " on event " + event + ": "
+                    + placed(present, places.getOrDefault(present, "")) + " and " + placed(transition, place)
+                    + "; remove one of them or give it another event");
+        } else if (!place.isEmpty()) {
+            places.put(transition, place);
         }
         return this;
+    }
+
+    private static String placed(Transition transition, String place) {
+        return place.isEmpty() ? transition.toString() : transition + " (" + place + ")";
     }
 
     private void addEvent(Event event, String place) {
@@ -138,12 +145,6 @@ public final class StateMachineBuilder {
         if (start == null || !problems.isEmpty()) {
             throw new ModelException("state machine '" + name + "': " + String.join("; ", problems));
         }
-        Map<State, Map<Event, Transition>> plain = new LinkedHashMap<>();
-        outgoing.forEach((state, byEvent) -> {
-            Map<Event, Transition> row = new LinkedHashMap<>();
-            byEvent.forEach((event, placed) -> row.put(event, placed.transition()));
-            plain.put(state, row);
-        });
-        return new StateMachine(name, start, states, events, plain, initialEffects, activities);
+        return new StateMachine(name, start, states, events, outgoing, initialEffects, activities);
     }
 }

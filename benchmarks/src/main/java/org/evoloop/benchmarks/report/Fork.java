@@ -13,7 +13,8 @@ import java.util.concurrent.TimeUnit;
  */
 public final class Fork {
     /** As {@code ./evoloop} starts programs. */
-    public static final List<String> SHIPPED_OPTIONS = List.of("-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1");
+    public static final List<String> SHIPPED_OPTIONS =
+            List.of("-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1", "-Xms16m");
 
     private static final long LIMIT_MINUTES = 20;
 

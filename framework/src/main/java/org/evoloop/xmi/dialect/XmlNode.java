@@ -159,7 +159,13 @@ public final class XmlNode {
 
     /** The elements of this name directly in it. */
     public List<XmlNode> children(String wanted) {
-        return children.stream().filter(child -> child.name.equals(wanted)).toList();
+        List<XmlNode> found = new ArrayList<>();
+        for (XmlNode child : children) {
+            if (child.name.equals(wanted)) {
+                found.add(child);
+            }
+        }
+        return found;
     }
 
     /** The first element of this name directly in it. */

@@ -1,5 +1,6 @@
 package org.evoloop.xmi.scxml;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -11,11 +12,13 @@ final class ScxmlActions {
 
     /** Everything in {@code onentry}, {@code onexit}, {@code transition} and the like, in order; a target is none of it. */
     static List<String> in(XmlNode block) {
-        return block.children().stream()
-                .filter(action ->
-                        !ScxmlVocabulary.isEditors(action) && !action.name().equals("target"))
-                .map(ScxmlActions::text)
-                .toList();
+        List<String> texts = new ArrayList<>();
+        for (XmlNode action : block.children()) {
+            if (!ScxmlVocabulary.isEditors(action) && !action.name().equals("target")) {
+                texts.add(text(action));
+            }
+        }
+        return texts;
     }
 
     /** What a data model holds at the beginning. */

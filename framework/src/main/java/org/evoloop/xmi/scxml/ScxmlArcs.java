@@ -78,7 +78,8 @@ final class ScxmlArcs {
                                 transition, tree.key(vertex), region(vertex), ScxmlActions.in(transition)));
             } else {
                 Set<Object> taken = new HashSet<>();
-                vertex.children("transition").forEach(transition -> read(transition, vertex, taken));
+                String label = "transition of " + ScxmlVocabulary.label(vertex);
+                vertex.children("transition").forEach(transition -> read(transition, vertex, label, taken));
             }
             readAll(vertex);
         }
@@ -109,16 +110,18 @@ final class ScxmlArcs {
 
     /** Ids of the targets; the drafts of SCXML had elements for them. */
     private static String ids(XmlNode transition) {
-        return Stream.concat(
-                        Stream.of(transition.attribute("target")),
-                        transition.children("target").stream().map(target -> target.attribute("next")))
-                .collect(Collectors.joining(" "))
-                .strip();
+        String target = transition.attribute("target");
+        return transition.children().isEmpty()
+                ? target.strip()
+                : Stream.concat(
+                                Stream.of(target),
+                                transition.children("target").stream().map(element -> element.attribute("next")))
+                        .collect(Collectors.joining(" "))
+                        .strip();
     }
 
     /** @param taken what earlier transitions of the state take in any case */
-    private void read(XmlNode transition, XmlNode state, Set<Object> taken) {
-        String label = "transition of " + ScxmlVocabulary.label(state);
+    private void read(XmlNode transition, XmlNode state, String label, Set<Object> taken) {
         for (String attribute : transition.attributeNames()) {
             if (attribute.indexOf(':') < 0 && !ATTRIBUTES.contains(attribute)) {
                 problems.add(
@@ -153,7 +156,8 @@ final class ScxmlArcs {
 
     /** What no earlier transition of the state takes in any case: of several that hold, SCXML takes the first. */
     private static <T> List<T> free(List<T> causes, String condition, Set<Object> taken) {
-        List<T> free = causes.stream().filter(cause -> !taken.contains(cause)).toList();
+        List<T> free = new ArrayList<>(causes);
+        free.removeIf(taken::contains);
         if (condition.isEmpty()) {
             taken.addAll(causes);
         }

@@ -200,8 +200,8 @@ final class ScxmlChartReader {
     }
 
     private static List<String> actions(XmlNode node, String block) {
-        return node.children(block).stream()
-                .flatMap(child -> ScxmlActions.in(child).stream())
-                .toList();
+        List<String> actions = new ArrayList<>();
+        node.children(block).forEach(child -> actions.addAll(ScxmlActions.in(child)));
+        return actions;
     }
 }

@@ -1,8 +1,11 @@
 package org.evoloop.xmi.scxml;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
+import java.util.NavigableSet;
 import java.util.Set;
 import java.util.TreeSet;
 import org.evoloop.xmi.dialect.Problems;
@@ -20,37 +23,56 @@ final class ScxmlEvents {
 
     private final ScxmlTree tree;
     private final Problems problems;
-    private final Set<String> named = new TreeSet<>();
+    private final NavigableSet<String> named = new TreeSet<>();
+    /** By the attribute as written, of which there are far fewer than transitions. */
+    private final Map<String, List<String>> descriptors = new HashMap<>();
+
+    private final Map<String, Matched> matched = new HashMap<>();
+
+    /**
+     * What the descriptors of an attribute match.
+     *
+     * @param done states whose being done they match
+     * @param triggers names of all other events
+     * @param anyDone whether they match the events of all states that can be done
+     */
+    private record Matched(List<XmlNode> done, List<String> triggers, boolean anyDone) {}
 
     ScxmlEvents(ScxmlTree tree, Problems problems) {
         this.tree = tree;
         this.problems = problems;
         tree.document().children().forEach(this::collect);
+        descriptors.values().forEach(this::name);
     }
 
     private void collect(XmlNode node) {
         switch (node.name()) {
             case "transition", "send", "raise" ->
-                descriptors(node).stream()
-                        .filter(name -> doneState(name) == null)
-                        .forEach(name -> named.add(name.isEmpty() ? ANY : name));
+                descriptors.computeIfAbsent(node.attribute("event"), ScxmlEvents::split);
             default -> {}
         }
         node.children().forEach(this::collect);
     }
 
     /** Each without what says no more than that it is a prefix. */
-    private static List<String> descriptors(XmlNode transition) {
-        List<String> descriptors = new ArrayList<>();
-        String event = transition.attribute("event").strip();
-        for (String descriptor : event.isEmpty() ? new String[0] : event.split("\\s+", -1)) {
+    private static List<String> split(String attribute) {
+        List<String> names = new ArrayList<>();
+        for (String descriptor : ScxmlTree.words(attribute)) {
             String name = descriptor;
             while (name.endsWith(".*") || name.endsWith(".")) {
                 name = name.substring(0, name.lastIndexOf('.'));
             }
-            descriptors.add(name.equals(ANY) ? "" : name);
+            names.add(name.equals(ANY) ? "" : name);
         }
-        return descriptors;
+        return names;
+    }
+
+    private void name(List<String> names) {
+        for (String name : names) {
+            if (doneState(name) == null) {
+                named.add(name.isEmpty() ? ANY : name);
+            }
+        }
     }
 
     private @Nullable XmlNode doneState(String descriptor) {
@@ -58,36 +80,47 @@ final class ScxmlEvents {
         return state != null && tree.canBeDone(state) ? state : null;
     }
 
-    /** States whose being done triggers the transition. */
-    List<XmlNode> doneStates(XmlNode transition) {
-        List<XmlNode> states = new ArrayList<>();
-        for (String descriptor : descriptors(transition)) {
+    private Matched matched(XmlNode transition) {
+        return matched.computeIfAbsent(transition.attribute("event"), this::match);
+    }
+
+    private Matched match(String attribute) {
+        List<XmlNode> done = new ArrayList<>();
+        Set<String> triggers = new LinkedHashSet<>();
+        boolean anyDone = false;
+        for (String descriptor : descriptors.getOrDefault(attribute, List.of())) {
             XmlNode state = doneState(descriptor);
             if (state != null) {
-                states.add(state);
+                done.add(state);
+            } else if (descriptor.isEmpty()) {
+                triggers.addAll(named);
+                anyDone = true;
+            } else {
+                if (named.contains(descriptor)) {
+                    triggers.add(descriptor);
+                }
+                // Whatever begins with the descriptor and a dot; in the order of characters a slash comes next.
+                triggers.addAll(named.subSet(descriptor + '.', descriptor + '/'));
+                anyDone |= DONE.startsWith(descriptor + '.');
             }
         }
-        return states;
+        return new Matched(List.copyOf(done), List.copyOf(triggers), anyDone);
+    }
+
+    /** States whose being done triggers the transition. */
+    List<XmlNode> doneStates(XmlNode transition) {
+        return matched(transition).done();
     }
 
     /** Names of all other events that trigger it. */
     List<String> triggers(XmlNode transition, XmlNode state, String label) {
-        Set<String> triggers = new LinkedHashSet<>();
-        for (String descriptor : descriptors(transition)) {
-            if (doneState(descriptor) != null) {
-                continue;
-            }
-            if (DONE.startsWith(descriptor.isEmpty() ? "" : descriptor + ".") && tree.mayHearOfDone(state)) {
-                problems.add(
-                        transition.line(),
-                        label + " matches the events of all states that can be done, which is not supported; "
-                                + "name the events");
-            }
-            named.stream()
-                    .filter(event ->
-                            descriptor.isEmpty() || event.equals(descriptor) || event.startsWith(descriptor + "."))
-                    .forEach(triggers::add);
+        Matched found = matched(transition);
+        if (found.anyDone() && tree.mayHearOfDone(state)) {
+            problems.add(
+                    transition.line(),
+                    label + " matches the events of all states that can be done, which is not supported; "
+                            + "name the events");
         }
-        return List.copyOf(triggers);
+        return found.triggers();
     }
 }

@@ -1,10 +1,13 @@
 package org.evoloop.xmi.scxml;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.StringTokenizer;
 import org.evoloop.statechart.Place;
 import org.evoloop.xmi.dialect.Problems;
 import org.evoloop.xmi.dialect.XmlNode;
@@ -17,22 +20,35 @@ final class ScxmlTree {
     private final ScxmlDocument document;
     private final Problems problems;
     private final Map<String, XmlNode> byId = new HashMap<>();
-    private final Map<XmlNode, String> keys = new HashMap<>();
-    /** Of a vertex that stands in the root: null. */
-    private final Map<XmlNode, @Nullable XmlNode> parents = new HashMap<>();
+    private final Map<XmlNode, Placed> vertices = new HashMap<>();
+    private final List<XmlNode> outermost;
 
     private int madeUp;
+
+    /** @param parent of a vertex that stands in the root: null */
+    private record Placed(String key, @Nullable XmlNode parent, List<XmlNode> inner) {}
 
     ScxmlTree(ScxmlDocument document, Problems problems) {
         this.document = document;
         this.problems = problems;
-        vertices(null).forEach(vertex -> add(vertex, null));
+        this.outermost = verticesAmong(document.children());
+        outermost.forEach(vertex -> add(vertex, null));
+    }
+
+    private static List<XmlNode> verticesAmong(List<XmlNode> nodes) {
+        List<XmlNode> found = new ArrayList<>();
+        for (XmlNode node : nodes) {
+            if (VERTICES.contains(node.name())) {
+                found.add(node);
+            }
+        }
+        return found;
     }
 
     private void add(XmlNode vertex, @Nullable XmlNode parent) {
         String id = vertex.attribute("id").strip();
-        keys.put(vertex, id.isEmpty() ? madeUpKey() : id);
-        parents.put(vertex, parent);
+        List<XmlNode> inner = verticesAmong(vertex.children());
+        vertices.put(vertex, new Placed(id.isEmpty() ? madeUpKey() : id, parent, inner));
         if (id.isEmpty() && (vertex.name().equals("state") || vertex.name().equals("parallel"))) {
             problems.add(vertex.line(), vertex.name() + " without a name; give it an id");
         }
@@ -43,7 +59,7 @@ final class ScxmlTree {
                     vertex.name() + " " + Problems.quote(id) + " has the id of the " + namesake.name() + " in line "
                             + namesake.line() + "; give each an id of its own");
         }
-        vertices(vertex).forEach(inner -> add(inner, vertex));
+        inner.forEach(child -> add(child, vertex));
     }
 
     /** A key that no id can be. */
@@ -56,7 +72,7 @@ final class ScxmlTree {
     }
 
     String key(XmlNode vertex) {
-        return String.valueOf(keys.get(vertex));
+        return placed(vertex).key();
     }
 
     @Nullable
@@ -67,7 +83,11 @@ final class ScxmlTree {
     /** The state in which this vertex stands; null for the root. */
     @Nullable
     XmlNode parent(XmlNode vertex) {
-        return parents.get(vertex);
+        return placed(vertex).parent();
+    }
+
+    private Placed placed(XmlNode vertex) {
+        return requireNonNull(vertices.get(vertex));
     }
 
     /** All elements in a state, or in the root for null. */
@@ -77,9 +97,7 @@ final class ScxmlTree {
 
     /** Vertices directly in a state, or in the root for null. */
     List<XmlNode> vertices(@Nullable XmlNode container) {
-        return children(container).stream()
-                .filter(child -> VERTICES.contains(child.name()))
-                .toList();
+        return container == null ? outermost : placed(container).inner();
     }
 
     static boolean isParallel(@Nullable XmlNode vertex) {
@@ -99,7 +117,7 @@ final class ScxmlTree {
 
     /** Whether a state can be done while this one is active, be it the same. */
     boolean mayHearOfDone(XmlNode state) {
-        return keys.keySet().stream()
+        return vertices.keySet().stream()
                 .anyMatch(other -> canBeDone(other)
                         && (other == state
                                 || isInside(other, state)
@@ -111,7 +129,7 @@ final class ScxmlTree {
     boolean isInside(@Nullable XmlNode vertex, @Nullable XmlNode container) {
         XmlNode outer = vertex;
         while (outer != null) {
-            outer = parents.get(outer);
+            outer = parent(outer);
             if (outer == container) {
                 return true;
             }
@@ -121,14 +139,14 @@ final class ScxmlTree {
 
     /** The innermost element in which all of these stand; null for the root. */
     @Nullable
-    XmlNode commonContainer(List<XmlNode> vertices) {
-        XmlNode container = parents.get(vertices.get(0));
+    XmlNode commonContainer(List<XmlNode> some) {
+        XmlNode container = parent(some.get(0));
         while (container != null) {
             XmlNode candidate = container;
-            if (vertices.stream().allMatch(vertex -> isInside(vertex, candidate))) {
+            if (some.stream().allMatch(vertex -> isInside(vertex, candidate))) {
                 break;
             }
-            container = parents.get(container);
+            container = parent(container);
         }
         return container;
     }
@@ -136,15 +154,25 @@ final class ScxmlTree {
     /** The vertices with these ids; an unknown one is a problem. */
     List<XmlNode> targets(String ids, int line, String what) {
         List<XmlNode> found = new ArrayList<>();
-        for (String id : ids.strip().split("\\s+", -1)) {
-            XmlNode target = id.isEmpty() ? null : byId.get(id);
+        for (String id : words(ids)) {
+            XmlNode target = byId.get(id);
             if (target != null) {
                 found.add(target);
-            } else if (!id.isEmpty()) {
+            } else {
                 problems.add(line, what + " leads to " + Problems.quote(id) + ", which is no state; correct the id");
             }
         }
         return found;
+    }
+
+    /** The words of an attribute that holds several, with white space between them. */
+    static List<String> words(String attribute) {
+        StringTokenizer tokens = new StringTokenizer(attribute.strip());
+        List<String> words = new ArrayList<>(1);
+        while (tokens.hasMoreTokens()) {
+            words.add(tokens.nextToken());
+        }
+        return words;
     }
 
     static Place place(XmlNode node) {
