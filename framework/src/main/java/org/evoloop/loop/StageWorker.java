@@ -34,6 +34,9 @@ final class StageWorker<I> extends Worker {
     private volatile boolean asleep;
     private final AtomicBoolean working = new AtomicBoolean();
 
+    /** Whether its turn came soon the last time, so that it is worth staying awake. The thread's own. */
+    private boolean patient = true;
+
     StageWorker(Component component, LoopConfig config, Work<I> work, Failed failed) {
         super(component, config);
         this.work = work;
@@ -59,17 +62,23 @@ final class StageWorker<I> extends Worker {
 
     @Override
     void work() throws InterruptedException {
-        for (int round = 0; !full.get(); round++) {
-            if (isRetired()) {
-                return;
-            }
+        int rounds = patient ? waiting.looks() + waiting.yields() : 0;
+        for (int round = 0; round < rounds && !full.get(); round++) {
             if (round < waiting.looks()) {
                 Thread.onSpinWait();
-            } else if (round < waiting.looks() + waiting.yields()) {
-                giveWay();
             } else {
+                giveWay();
+            }
+        }
+        if (!full.get()) {
+            long begun = System.nanoTime();
+            while (!full.get()) {
+                if (isRetired()) {
+                    return;
+                }
                 sleep();
             }
+            patient = System.nanoTime() - begun < WaitStrategy.SOON_NANOS;
         }
         // An interrupt that is still pending was meant for work that was given up, unless the thread itself shall end.
         if (Thread.interrupted() && isRetired()) {

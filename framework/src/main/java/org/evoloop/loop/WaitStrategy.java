@@ -3,7 +3,9 @@ package org.evoloop.loop;
 /**
  * How a thread of the loop waits for its turn: it looks again and again a few times, then it gives way to other threads a
  * few times, then it sleeps until it is woken. Looking and giving way cost processor time while little happens at once;
- * waking a thread that sleeps costs the one that wakes it, and comes late.
+ * waking a thread that sleeps costs the one that wakes it, and comes late. One that has just slept for long sleeps at once
+ * the next time: where little happens, being awake does not help, and who gives way to others that have much to do (someone
+ * who looks at pictures, say) gets the processor back late.
  *
  * <p>Threading: immutable.
  *
@@ -11,6 +13,9 @@ package org.evoloop.loop;
  * @param yields how often it gives way before it sleeps, 0 to 10,000
  */
 public record WaitStrategy(int looks, int yields) {
+    /** Whoever was woken within this time stays awake the next time. */
+    static final long SOON_NANOS = 200_000;
+
     /** Sleeps at once: the least processor time. */
     public static final WaitStrategy PARK = new WaitStrategy(0, 0);
 

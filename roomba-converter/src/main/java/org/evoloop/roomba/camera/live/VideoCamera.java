@@ -82,7 +82,12 @@ public final class VideoCamera implements MarkerCamera {
     }
 
     private static Thread daemon(String name, Runnable task) {
-        Thread thread = new Thread(task, name);
+        Thread thread = new Thread(
+                () -> {
+                    Background.begin();
+                    task.run();
+                },
+                name);
         thread.setDaemon(true);
         return thread;
     }

@@ -24,7 +24,7 @@ final class ArucoFinder implements MarkerFinder {
     private static final Size BLUR = new Size(3, 3);
 
     /** Of a cell; farther away there are other cells' corners, and the edge of the white around the marker. */
-    private static final double SEARCHED_PART_OF_CELL = Double.parseDouble(System.getProperty("part", "0.5"));
+    private static final double SEARCHED_PART_OF_CELL = 0.5;
 
     private static final int WIDEST_SEARCH_PX = 5;
     private static final Size NO_HOLE = new Size(-1, -1);

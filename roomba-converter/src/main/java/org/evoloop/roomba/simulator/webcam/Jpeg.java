@@ -23,7 +23,7 @@ import org.evoloop.roomba.simulator.eye.Picture;
  *
  * <p>Threading: used by one thread.
  */
-final class Jpeg implements AutoCloseable {
+public final class Jpeg implements AutoCloseable {
     /** As good as cheap cameras are set to. */
     private static final float QUALITY = 0.9f;
 
@@ -35,12 +35,13 @@ final class Jpeg implements AutoCloseable {
     private final ComponentColorModel colors = new ComponentColorModel(
             ColorSpace.getInstance(ColorSpace.CS_sRGB), false, false, Transparency.OPAQUE, DataBuffer.TYPE_BYTE);
 
-    Jpeg() {
+    public Jpeg() {
         settings.setCompressionMode(ImageWriteParam.MODE_EXPLICIT);
         settings.setCompressionQuality(QUALITY);
     }
 
-    byte[] encode(Picture picture) {
+    /** The picture as a file. */
+    public byte[] encode(Picture picture) {
         int width = picture.widthPx();
         WritableRaster pixels = Raster.createInterleavedRaster(
                 new DataBufferByte(picture.bgr(), picture.bgr().length),

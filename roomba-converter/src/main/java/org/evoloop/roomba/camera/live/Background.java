@@ -1,0 +1,97 @@
+package org.evoloop.roomba.camera.live;
+
+import com.sun.jna.Memory;
+import com.sun.jna.Native;
+import com.sun.jna.NativeLong;
+import com.sun.jna.Platform;
+import com.sun.jna.Pointer;
+import java.util.Map;
+import java.util.Optional;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Has the calling thread work in the background: whoever wakes up with something short to do goes first. Looking at a picture
+ * takes some milliseconds, and an event must not wait for that.
+ *
+ * <p>The thread asks for its share of a processor in long slices, which come later, instead of short ones, which come sooner,
+ * and is content with a third of the share of others that want the processor as well; with less than that, pictures would
+ * stay out where something else is busy. It needs no privilege. Linux knows slices of a thread's own since 6.12; before, they
+ * change nothing. Where none of it is allowed, all stays as it is.
+ *
+ * <p>Source: the manual page sched_setattr(2); the C library of Debian 12 does not have that call yet.
+ */
+final class Background {
+    private static final Logger LOG = LoggerFactory.getLogger(Background.class);
+
+    /** The longest that Linux grants. */
+    static final long SLICE_NANOS = 100_000_000;
+
+    /** A third of the usual weight. */
+    static final int NICE = 5;
+
+    private static final long SET_ATTRIBUTES =
+            Map.of("x86-64", 314L, "aarch64", 274L, "arm", 380L).getOrDefault(Platform.ARCH, 0L);
+
+    private static final long GET_ATTRIBUTES = SET_ATTRIBUTES + 1;
+
+    private static final int THIS_THREAD = 0;
+
+    /** {@code struct sched_attr}: its size, the policy, flags, nice, priority, and the slice as the runtime. */
+    private static final int ATTRIBUTES_BYTES = 48;
+
+    private static final int NICE_OFFSET = 16;
+    private static final int RUNTIME_OFFSET = 24;
+
+    private Background() {}
+
+    private static final class LibC {
+        static {
+            Native.register("c");
+        }
+
+        private LibC() {}
+
+        static native NativeLong syscall(NativeLong number, int thread, Pointer attributes, int sizeOrFlags, int flags);
+    }
+
+    /** How a thread shares a processor. */
+    record Share(int nice, long sliceNanos) {}
+
+    /** Has the calling thread work in the background from now on; what cannot be had is not worth a failure. */
+    static void begin() {
+        try {
+            current().ifPresent(before -> become(new Share(Math.max(NICE, before.nice()), SLICE_NANOS)));
+        } catch (UnsatisfiedLinkError none) {
+            LOG.debug("the camera's threads share the processors like any other: {}", none.getMessage());
+        }
+    }
+
+    private static void become(Share share) {
+        try (Memory attributes = new Memory(ATTRIBUTES_BYTES)) {
+            read(attributes);
+            attributes.setInt(NICE_OFFSET, share.nice());
+            attributes.setLong(RUNTIME_OFFSET, share.sliceNanos());
+            LibC.syscall(new NativeLong(SET_ATTRIBUTES), THIS_THREAD, attributes, 0, 0);
+        }
+    }
+
+    /** How the calling thread shares a processor, by the kernel; empty if it does not tell. */
+    static Optional<Share> current() {
+        if (!Platform.isLinux() || SET_ATTRIBUTES == 0) {
+            return Optional.empty();
+        }
+        try (Memory attributes = new Memory(ATTRIBUTES_BYTES)) {
+            return read(attributes)
+                    ? Optional.of(new Share(attributes.getInt(NICE_OFFSET), attributes.getLong(RUNTIME_OFFSET)))
+                    : Optional.empty();
+        }
+    }
+
+    private static boolean read(Memory attributes) {
+        attributes.clear();
+        return LibC.syscall(new NativeLong(GET_ATTRIBUTES), THIS_THREAD, attributes, ATTRIBUTES_BYTES, 0)
+                        .longValue()
+                == 0;
+    }
+}
