@@ -25,7 +25,7 @@ final class Sequencer<O> {
     private final Condition room = lock.newCondition();
 
     private final Backlog<O> backlog;
-    private LoopState state = LoopState.NEW;
+    private volatile LoopState state = LoopState.NEW;
     private volatile boolean everOpen;
     private boolean paused;
     private boolean breakingOff;
@@ -90,6 +90,10 @@ final class Sequencer<O> {
 
     /** Queues an occurrence; false if the loop is closed, or the queue full and the occurrence one that may be lost. */
     boolean offer(O offered) {
+        if (state == LoopState.RUNNING && backlog.isFull() && !neverDropped.test(offered)) {
+            listener.dropped(offered, backlog.drop());
+            return false;
+        }
         boolean first;
         acquire();
         try {
