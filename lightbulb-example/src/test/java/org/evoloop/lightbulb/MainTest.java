@@ -68,6 +68,8 @@ class MainTest {
             keyboard.flush();
             assertThat(readTo(screen, " new_current_state: on"))
                     .containsExactly(
+                            // The lamp itself is first: its event is told when it has been dealt with.
+                            "(*) daylight",
                             "----   button_event : switch   -----",
                             "",
                             "Monitor",
@@ -79,7 +81,6 @@ class MainTest {
                             "Plan",
                             "Execute",
                             " MAPE-K loop will send this event : switch",
-                            "(*) daylight",
                             " switch command",
                             " original_current_state: on",
                             " new_current_state: on");
