@@ -28,16 +28,17 @@ public final class DeviceSuite implements Suite {
         Figures press = Fork.of(PressToCommand.class, Fork.SHIPPED_OPTIONS, quick ? "20" : "200")
                 .figures();
         Fork version = Fork.java("-version");
-        double java = Double.POSITIVE_INFINITY;
         double[] starts = new double[quick ? 3 : 9];
+        double[] versions = new double[starts.length];
         double megabytes = 0;
         for (int start = 0; start < starts.length; start++) {
-            java = Math.min(java, version.wallSeconds());
+            versions[start] = version.wallSeconds();
             Started started = start();
             starts[start] = started.seconds();
             megabytes = Math.max(megabytes, started.megabytes());
         }
         Arrays.sort(starts);
+        Arrays.sort(versions);
         return List.of(
                 new Row("button to command, added by us, median", "us", press.get("press p50"), Row.Goal.atMost(100)),
                 new Row("button to command, 99th percentile", "us", press.get("press p99"), Row.Goal.atMost(1000)),
@@ -45,7 +46,7 @@ public final class DeviceSuite implements Suite {
                         "start of the Roomba converter to the first event",
                         "s",
                         starts[starts.length / 2],
-                        Row.Goal.atMostTimes(10, "java -version", java)),
+                        Row.Goal.atMostTimes(10, "java -version", versions[versions.length / 2])),
                 new Row("its resident memory", "MB", megabytes, Row.Goal.atMost(90)));
     }
 
