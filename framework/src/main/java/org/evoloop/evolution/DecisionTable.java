@@ -126,6 +126,9 @@ public final class DecisionTable {
     /** What can happen in {@code at} when the device does by itself what it could have been asked for. */
     public List<Turn> interference(Configuration at) {
         List<Turn> turns = new ArrayList<>();
+        if (device.spontaneous().isEmpty()) {
+            return turns;
+        }
         int situation = situation(at);
         for (Transition transition : pair.evolved().transitionsFrom(at.evolved())) {
             if (isSpontaneous(transition)

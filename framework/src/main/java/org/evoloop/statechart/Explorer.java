@@ -1,10 +1,9 @@
 package org.evoloop.statechart;
 
-import java.util.ArrayDeque;
+import static java.util.Objects.requireNonNull;
+
 import java.util.ArrayList;
 import java.util.BitSet;
-import java.util.Collection;
-import java.util.Deque;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashSet;
@@ -24,25 +23,26 @@ final class Explorer {
     private static final String SMALLER = "draw fewer regions side by side, or histories, or guards on one event";
 
     private final Net net;
-    private final PlainSteps plainSteps;
     private final Set<Problem> problems = new LinkedHashSet<>();
-    private final Map<Snapshot, List<Move>> moves = new HashMap<>();
-    private final Deque<Snapshot> unexplored = new ArrayDeque<>();
+    private final List<Reached> reached = new ArrayList<>();
+    /** Those in which one vertex is all that matters, by its number: most, so that they need no hashing. */
+    private final @Nullable Reached[] alone;
+
+    private final Map<Snapshot, Reached> others = new HashMap<>();
+    private final Map<String, Cause> events = new HashMap<>();
     private final BitSet visited = new BitSet();
     private final BitSet used = new BitSet();
+    private int explored;
     private int moveCount;
     private @Nullable Case start;
 
     Explorer(Net net) {
         this.net = net;
-        this.plainSteps = new PlainSteps(net);
+        this.alone = new Reached[net.nodes().size()];
     }
 
     /** What happens for some values of the guards; {@code outcome} is null if nothing does. */
     private record Case(List<String> guards, @Nullable Outcome outcome) {}
-
-    /** What an event does when its guards hold and those of earlier moves do not. */
-    record Move(Cause cause, List<String> guards, Outcome outcome) {}
 
     void explore() {
         try {
@@ -64,9 +64,14 @@ final class Explorer {
         return start == null ? null : start.outcome();
     }
 
-    /** What each event does in each state in which the machine can rest. */
-    Map<Snapshot, List<Move>> moves() {
-        return moves;
+    /** Every state in which the machine can rest, by number. */
+    List<Reached> reached() {
+        return reached;
+    }
+
+    /** The state in which the machine rests like this. */
+    Reached reached(Snapshot state) {
+        return requireNonNull(find(state));
     }
 
     /** Whether a transition is ever taken. */
@@ -92,22 +97,15 @@ final class Explorer {
     }
 
     private void exploreAll() {
-        while (!unexplored.isEmpty()) {
-            Snapshot state = unexplored.remove();
-            List<Move> found = new ArrayList<>();
-            for (Cause cause : causes(state)) {
-                try {
-                    found.addAll(moves(state, cause));
-                } catch (Refused refused) {
-                    problems.add(refused.problem());
-                }
-            }
-            moveCount += found.size();
+        while (explored < reached.size()) {
+            Reached state = reached.get(explored++);
+            List<Move> moves = moves(state);
+            moveCount += moves.size();
             if (moveCount > MAX_MOVES) {
                 throw new Refused(
                         net.chart().place(), "the flat machine has more than " + MAX_MOVES + " transitions", SMALLER);
             }
-            moves.put(state, found);
+            state.moves = moves;
         }
     }
 
@@ -125,32 +123,72 @@ final class Explorer {
         }
     }
 
-    private List<Move> moves(Snapshot state, Cause cause) {
-        Outcome plain = plainSteps.react(state, cause);
-        if (plain != null) {
-            found(plain);
-            return List.of(new Move(cause, List.of(), plain));
+    private List<Move> moves(Reached state) {
+        Node node = PlainSteps.alone(net, state.snapshot);
+        List<Move> moves = new ArrayList<>();
+        if (node == null || node.hasRivals()) {
+            for (Cause cause : causes(state.snapshot)) {
+                step(state, cause, moves);
+            }
+            return moves;
         }
-        List<Case> cases = cases(step -> step.react(state, cause));
+        // Each trigger stands on one transition, so neither needs to be looked up by the other.
+        Set<Node> left = Set.of(node);
+        for (Link link : node.outgoing) {
+            boolean plain = PlainSteps.isPlain(link);
+            for (String trigger : link.arc.triggers()) {
+                if (plain) {
+                    moves.add(plain(link, cause(trigger, node), left));
+                } else {
+                    step(state, cause(trigger, node), moves);
+                }
+            }
+        }
+        if (awaitsActivity(node)) {
+            step(state, new Cause(Cause.Kind.COMPLETION, "", node), moves);
+        }
+        return moves;
+    }
+
+    private Move plain(Link link, Cause cause, Set<Node> left) {
+        used.set(link.index);
+        visited.set(link.target.index);
+        Reached known = alone[link.target.index];
+        Reached target = known == null ? reach(Snapshot.of(link.target)) : known;
+        return new Move(cause, List.of(), target, PlainSteps.effects(link), false, left);
+    }
+
+    /** Adds what a cause does. */
+    private void step(Reached state, Cause cause, List<Move> moves) {
+        try {
+            moves.addAll(steps(state, cause));
+        } catch (Refused refused) {
+            problems.add(refused.problem());
+        }
+    }
+
+    private List<Move> steps(Reached state, Cause cause) {
+        List<Case> cases = cases(step -> step.react(state.snapshot, cause));
         List<Move> found = new ArrayList<>();
         for (int i = 0; i < cases.size(); i++) {
             Case one = cases.get(i);
-            if (one.outcome() != null) {
-                found(one.outcome());
-                found.add(new Move(cause, one.guards(), one.outcome()));
+            Outcome outcome = one.outcome();
+            if (outcome != null) {
+                found.add(new Move(
+                        cause, one.guards(), found(outcome), outcome.effects(), outcome.still(), outcome.left()));
             } else if (hides(one, cases.subList(i + 1, cases.size()))) {
-                found.add(new Move(cause, one.guards(), nothing(state)));
+                found.add(nothing(cause, one.guards(), state));
             }
         }
         if (found.isEmpty() && cause.kind() == Cause.Kind.TIME) {
             // Its timer runs all the same, and may be wanted in a state that comes later.
-            found.add(new Move(cause, List.of(), nothing(state)));
+            found.add(nothing(cause, List.of(), state));
         }
         return found;
     }
 
-    private static Outcome nothing(Snapshot state) {
-        return new Outcome(state, List.of(), Set.of(), Set.of(), Set.of());
+    private static Move nothing(Cause cause, List<String> guards, Reached state) {
+        return new Move(cause, guards, state, List.of(), true, Set.of());
     }
 
     /** Whether a later move would wrongly be taken for this case, in which nothing happens. */
@@ -159,18 +197,29 @@ final class Explorer {
                 .anyMatch(one -> one.outcome() != null && nothing.guards().containsAll(one.guards()));
     }
 
-    private void found(Outcome outcome) {
+    private Reached found(Outcome outcome) {
         outcome.used().forEach(link -> used.set(link.index));
         outcome.entered().forEach(node -> visited.set(node.index));
-        Snapshot state = outcome.target();
-        if (moves.containsKey(state)) {
-            return;
-        }
-        if (moves.size() >= MAX_STATES) {
+        Reached known = find(outcome.target());
+        return known == null ? reach(outcome.target()) : known;
+    }
+
+    private @Nullable Reached find(Snapshot state) {
+        return state.isOneState() ? alone[state.leaves()[0]] : others.get(state);
+    }
+
+    private Reached reach(Snapshot state) {
+        if (reached.size() >= MAX_STATES) {
             throw new Refused(net.chart().place(), "the flat machine has more than " + MAX_STATES + " states", SMALLER);
         }
-        moves.put(state, List.of());
-        unexplored.add(state);
+        Reached added = new Reached(reached.size(), state);
+        reached.add(added);
+        if (state.isOneState()) {
+            alone[state.leaves()[0]] = added;
+        } else {
+            others.put(state, added);
+        }
+        return added;
     }
 
     private List<Case> cases(Function<Step, @Nullable Outcome> run) {
@@ -189,9 +238,8 @@ final class Explorer {
         return cases;
     }
 
-    private Collection<Cause> causes(Snapshot state) {
-        // A state by itself names no event twice.
-        Collection<Cause> causes = PlainSteps.isAlone(net, state) ? new ArrayList<>() : new LinkedHashSet<>();
+    private Set<Cause> causes(Snapshot state) {
+        Set<Cause> causes = new LinkedHashSet<>();
         Set<Node> seen = new HashSet<>();
         for (int leaf : state.leaves()) {
             if (net.node(leaf).is(Vertex.Kind.TERMINATE)) {
@@ -199,17 +247,25 @@ final class Explorer {
             }
             for (Node node = net.node(leaf); node != null && seen.add(node); node = node.zone.owner) {
                 for (String trigger : node.triggers()) {
-                    causes.add(
-                            net.isTime(trigger)
-                                    ? new Cause(Cause.Kind.TIME, trigger, node)
-                                    : new Cause(Cause.Kind.EVENT, trigger, null));
+                    causes.add(cause(trigger, node));
                 }
-                if (node.wantsCompletion() && !node.activities().isEmpty() && !isDone(state, node)) {
+                if (awaitsActivity(node) && !isDone(state, node)) {
                     causes.add(new Cause(Cause.Kind.COMPLETION, "", node));
                 }
             }
         }
         return causes;
+    }
+
+    private Cause cause(String trigger, Node owner) {
+        return net.isTime(trigger)
+                ? new Cause(Cause.Kind.TIME, trigger, owner)
+                : events.computeIfAbsent(trigger, name -> new Cause(Cause.Kind.EVENT, name, null));
+    }
+
+    /** Whether the end of a do activity makes a state complete, and transitions wait for that. */
+    private static boolean awaitsActivity(Node node) {
+        return node.wantsCompletion() && !node.activities().isEmpty();
     }
 
     private static boolean isDone(Snapshot state, Node node) {

@@ -1,8 +1,7 @@
 package org.evoloop.statechart;
 
-import static java.util.Objects.requireNonNull;
-
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
@@ -19,29 +18,41 @@ import org.evoloop.statemachine.Transition;
 /** Names what an {@link Explorer} found. */
 final class FlatMachine {
     private final Net net;
-    private final Map<Snapshot, List<Explorer.Move>> moves;
-    private final Map<Snapshot, Snapshot> representatives;
     private final FlatNames naming;
-    private final Map<Snapshot, Flat> flats = new LinkedHashMap<>();
-    private final Map<Event, Event> events = new HashMap<>();
+    /** In document order. */
+    private final List<Flat> flats = new ArrayList<>();
+    /** What the states that were found have become, by their numbers. */
+    private final Flat[] byNumber;
+
+    private final Map<String, Event> unguarded = new HashMap<>();
+    private final Map<Event, Event> guarded = new HashMap<>();
     /** Time triggers and activities that several active states have at once. */
     private final Set<String> ambiguous = new HashSet<>();
 
-    FlatMachine(Net net, Map<Snapshot, List<Explorer.Move>> moves) {
+    /** @param reached every state in which the machine can rest, by number */
+    FlatMachine(Net net, List<Reached> reached) {
         this.net = net;
-        this.moves = moves;
-        this.representatives = Histories.merge(moves);
-        List<Snapshot> ordered = moves.keySet().stream()
-                .map(this::representative)
+        this.byNumber = new Flat[reached.size()];
+        List<Reached> representatives = Histories.merge(reached);
+        List<Reached> ordered = representatives.stream()
                 .distinct()
-                .sorted()
+                .sorted(Comparator.comparing(state -> state.snapshot))
                 .toList();
-        this.naming = new FlatNames(net, ordered);
-        naming.all().forEach((snapshot, name) -> flats.put(snapshot, new Flat(new State(name), goingOn(snapshot))));
-        flats.values().forEach(this::findAmbiguous);
+        this.naming =
+                new FlatNames(net, ordered.stream().map(state -> state.snapshot).toList());
+        List<String> names = naming.all();
+        for (Reached state : ordered) {
+            Flat flat = new Flat(state, new State(names.get(flats.size())), goingOn(state.snapshot));
+            flats.add(flat);
+            byNumber[state.index] = flat;
+            findAmbiguous(flat);
+        }
+        for (Reached state : reached) {
+            byNumber[state.index] = byNumber[representatives.get(state.index).index];
+        }
     }
 
-    private record Flat(State state, Set<Owned> goingOn) {}
+    private record Flat(Reached reached, State state, Set<Owned> goingOn) {}
 
     /** What goes on while a state as drawn is active. */
     private record Owned(Node owner, String name, boolean activity) {}
@@ -49,19 +60,20 @@ final class FlatMachine {
     /** The innermost vertices of each flat state. */
     Map<State, List<Vertex>> leaves() {
         Map<State, List<Vertex>> leaves = new LinkedHashMap<>();
-        flats.forEach((snapshot, flat) -> {
+        for (Flat flat : flats) {
             List<Vertex> vertices = new ArrayList<>();
-            for (int leaf : snapshot.leaves()) {
+            for (int leaf : flat.reached().snapshot.leaves()) {
                 vertices.add(net.node(leaf).vertex);
             }
             leaves.put(flat.state(), List.copyOf(vertices));
-        });
+        }
         return leaves;
     }
 
-    StateMachine machine(Outcome start) {
+    /** @param effects of starting, in order */
+    StateMachine machine(Reached start, List<String> effects) {
         StateMachineBuilder builder = StateMachine.named(net.chart().name());
-        for (Flat flat : flats.values()) {
+        for (Flat flat : flats) {
             List<String> activities = new ArrayList<>();
             for (Owned owned : flat.goingOn()) {
                 if (owned.activity()) {
@@ -70,31 +82,36 @@ final class FlatMachine {
             }
             builder.activities(flat.state().name(), activities);
         }
-        builder.initial(flat(start.target()).state().name()).initialEffects(start.effects());
-        flats.forEach((snapshot, flat) -> {
-            for (Explorer.Move move : moves.getOrDefault(snapshot, List.of())) {
+        builder.initial(flat(start).state().name()).initialEffects(effects);
+        for (Flat flat : flats) {
+            for (Move move : flat.reached().moves) {
                 builder.transition(transition(flat, move), "");
             }
-        });
+        }
         net.chart().events().stream().filter(event -> !event.isBlank()).forEach(builder::event);
         return builder.build();
     }
 
-    private Transition transition(Flat source, Explorer.Move move) {
-        Outcome outcome = move.outcome();
-        Flat target = flat(outcome.target());
-        boolean internal = outcome.still() && target.state().equals(source.state());
-        Event event = events.computeIfAbsent(new Event(event(move.cause()), move.guards()), known -> known);
+    private Transition transition(Flat source, Move move) {
+        Flat target = flat(move.target());
+        boolean internal = move.still() && target.state().equals(source.state());
         return new Transition(
                 source.state(),
-                event,
+                event(name(move.cause()), move.guards()),
                 target.state(),
-                outcome.effects(),
+                move.effects(),
                 internal,
-                internal ? Set.of() : keeps(source, outcome.left(), target));
+                internal ? Set.of() : keeps(source, move.left(), target));
     }
 
-    private String event(Cause cause) {
+    /** The same object for equal events, of which there are far fewer than transitions. */
+    private Event event(String name, List<String> guards) {
+        return guards.isEmpty()
+                ? unguarded.computeIfAbsent(name, Event::new)
+                : guarded.computeIfAbsent(new Event(name, guards), event -> event);
+    }
+
+    private String name(Cause cause) {
         Node owner = cause.owner();
         if (owner == null) {
             return cause.name();
@@ -117,12 +134,8 @@ final class FlatMachine {
         return keeps;
     }
 
-    private Snapshot representative(Snapshot state) {
-        return representatives.getOrDefault(state, state);
-    }
-
-    private Flat flat(Snapshot state) {
-        return requireNonNull(flats.get(representative(state)));
+    private Flat flat(Reached state) {
+        return byNumber[state.index];
     }
 
     private String name(Owned owned) {
@@ -130,6 +143,9 @@ final class FlatMachine {
     }
 
     private void findAmbiguous(Flat flat) {
+        if (flat.goingOn().size() < 2) {
+            return;
+        }
         Set<String> names = new HashSet<>();
         for (Owned owned : flat.goingOn()) {
             if (!names.add(owned.name())) {
@@ -140,6 +156,9 @@ final class FlatMachine {
 
     /** The time triggers and activities of the active states, outer ones first. */
     private Set<Owned> goingOn(Snapshot state) {
+        if (net.isCalm()) {
+            return Set.of();
+        }
         Set<Owned> all = new LinkedHashSet<>();
         for (Node node : active(state)) {
             for (String trigger : node.triggers()) {

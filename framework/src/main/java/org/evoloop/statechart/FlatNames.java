@@ -1,15 +1,16 @@
 package org.evoloop.statechart;
 
 import java.util.ArrayList;
-import java.util.Collection;
+import java.util.BitSet;
 import java.util.HashMap;
 import java.util.HashSet;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.function.Function;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Names of flat states: that of the innermost state if no other has it, else its path {@code Outer.Inner}; of regions
@@ -18,42 +19,41 @@ import java.util.stream.Collectors;
  */
 final class FlatNames {
     private final Net net;
+    private final List<Snapshot> states;
     private final Set<String> ambiguousLeaves;
-    private final Set<String> ambiguousStates;
-    private final Collection<Snapshot> states;
+    /** Null until somebody asks: seldom. */
+    private @Nullable Set<String> ambiguousStates;
 
     /** @param states all flat states, in order */
-    FlatNames(Net net, Collection<Snapshot> states) {
+    FlatNames(Net net, List<Snapshot> states) {
         this.net = net;
         this.states = states;
-        Set<Node> leaves = new HashSet<>();
+        BitSet leaves = new BitSet();
         for (Snapshot state : states) {
             for (int leaf : state.leaves()) {
-                leaves.add(net.node(leaf));
+                leaves.set(leaf);
             }
         }
-        this.ambiguousLeaves = ambiguous(leaves);
-        this.ambiguousStates =
-                ambiguous(net.nodes().stream().filter(Node::isState).toList());
+        this.ambiguousLeaves = ambiguous(leaves.stream().mapToObj(net::node));
     }
 
-    private static Set<String> ambiguous(Collection<Node> nodes) {
+    private static Set<String> ambiguous(Stream<Node> nodes) {
         Set<String> names = new HashSet<>();
-        return nodes.stream()
-                .map(Node::simpleName)
-                .filter(name -> !names.add(name))
-                .collect(Collectors.toSet());
+        return nodes.map(Node::simpleName).filter(name -> !names.add(name)).collect(Collectors.toSet());
     }
 
     /** Of a state as drawn. */
     String of(Node node) {
+        if (ambiguousStates == null) {
+            ambiguousStates = ambiguous(net.nodes().stream().filter(Node::isState));
+        }
         return ambiguousStates.contains(node.simpleName()) ? node.path() : node.simpleName();
     }
 
     /** Of all flat states, in their order; no two are equal. */
-    Map<Snapshot, String> all() {
-        Map<Snapshot, String> names = new LinkedHashMap<>();
-        states.forEach(state -> names.put(state, leaves(state)));
+    List<String> all() {
+        List<String> names = new ArrayList<>(states.size());
+        states.forEach(state -> names.add(leaves(state)));
         if (areDifferent(names)) {
             return names;
         }
@@ -66,19 +66,23 @@ final class FlatNames {
         return names;
     }
 
-    private static boolean areDifferent(Map<Snapshot, String> names) {
-        return new HashSet<>(names.values()).size() == names.size();
+    private static boolean areDifferent(List<String> names) {
+        return new HashSet<>(names).size() == names.size();
     }
 
-    private static void tellApart(Map<Snapshot, String> names, Function<Snapshot, String> suffix) {
+    private void tellApart(List<String> names, Function<Snapshot, String> suffix) {
         Map<String, Integer> count = new HashMap<>();
-        names.values().forEach(name -> count.merge(name, 1, Integer::sum));
-        names.replaceAll((state, name) -> count.getOrDefault(name, 0) > 1 ? name + suffix.apply(state) : name);
+        names.forEach(name -> count.merge(name, 1, Integer::sum));
+        for (int i = 0; i < names.size(); i++) {
+            if (count.getOrDefault(names.get(i), 0) > 1) {
+                names.set(i, names.get(i) + suffix.apply(states.get(i)));
+            }
+        }
     }
 
     private String leaves(Snapshot state) {
-        List<String> names = names(state.leaves());
-        return names.size() == 1 ? names.get(0) : "(" + String.join(", ", names) + ")";
+        int[] vertices = state.leaves();
+        return vertices.length == 1 ? leaf(net.node(vertices[0])) : "(" + String.join(", ", names(vertices)) + ")";
     }
 
     private String done(Snapshot state) {

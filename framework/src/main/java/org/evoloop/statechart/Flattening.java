@@ -1,7 +1,6 @@
 package org.evoloop.statechart;
 
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
@@ -41,14 +40,14 @@ import org.jspecify.annotations.Nullable;
 public final class Flattening {
     private final List<Problem> problems;
     private final @Nullable StateMachine machine;
-    private final Map<State, List<Vertex>> leaves;
+    private final @Nullable FlatMachine flat;
     private final List<Arc> unused;
 
     private Flattening(
-            List<Problem> problems, @Nullable StateMachine machine, Map<State, List<Vertex>> leaves, List<Arc> unused) {
+            List<Problem> problems, @Nullable StateMachine machine, @Nullable FlatMachine flat, List<Arc> unused) {
         this.problems = List.copyOf(problems);
         this.machine = machine;
-        this.leaves = leaves;
+        this.flat = flat;
         this.unused = unused;
     }
 
@@ -70,9 +69,9 @@ public final class Flattening {
             return failed(problems);
         }
         try {
-            FlatMachine flat = new FlatMachine(net, explorer.moves());
-            Map<State, List<Vertex>> leaves = flat.leaves();
-            return new Flattening(problems, flat.machine(start), leaves, unused(net, explorer));
+            FlatMachine flat = new FlatMachine(net, explorer.reached());
+            StateMachine machine = flat.machine(explorer.reached(start.target()), start.effects());
+            return new Flattening(problems, machine, flat, unused(net, explorer));
         } catch (ModelException refused) {
             return failed(
                     List.of(new Problem(chart.place(), String.valueOf(refused.getMessage()), "rename one of them")));
@@ -80,13 +79,17 @@ public final class Flattening {
     }
 
     private static Flattening failed(List<Problem> problems) {
-        return new Flattening(problems, null, Map.of(), List.of());
+        return new Flattening(problems, null, null, List.of());
     }
 
     private static List<Arc> unused(Net net, Explorer explorer) {
         Set<Arc> arcs = new LinkedHashSet<>();
         for (Node node : net.nodes()) {
-            node.outgoing.stream().filter(link -> !explorer.uses(link)).forEach(link -> arcs.add(link.arc));
+            for (Link link : node.outgoing) {
+                if (!explorer.uses(link)) {
+                    arcs.add(link.arc);
+                }
+            }
         }
         return List.copyOf(arcs);
     }
@@ -124,7 +127,7 @@ public final class Flattening {
 
     /** The flat machine's states, each with the innermost states as drawn that are active in it, region by region. */
     public Map<State, List<Vertex>> leaves() {
-        return new LinkedHashMap<>(leaves);
+        return flat == null ? Map.of() : flat.leaves();
     }
 
     /** Transitions as drawn that are never taken, whatever happens: dead ones. */

@@ -1,6 +1,8 @@
 package org.evoloop.statechart;
 
 import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -11,16 +13,23 @@ final class Histories {
     /** Enough for every machine that a person draws; a machine that needs more keeps all its states. */
     private static final int MAX_ROUNDS = 100;
 
-    private final Map<Snapshot, List<Explorer.Move>> moves;
-    private Map<Snapshot, Integer> blocks = new HashMap<>();
+    private final List<Reached> states;
+    /** By the states' numbers. */
+    private int[] blocks;
 
-    private Histories(Map<Snapshot, List<Explorer.Move>> moves) {
-        this.moves = moves;
+    private Histories(List<Reached> states) {
+        this.states = states;
+        this.blocks = new int[states.size()];
     }
 
-    /** For each state for which another one stands that one, and perhaps for others themselves. */
-    static Map<Snapshot, Snapshot> merge(Map<Snapshot, List<Explorer.Move>> moves) {
-        return new Histories(moves).merge();
+    /** For each state, by number, the one that stands for it: another one or itself. */
+    static List<Reached> merge(List<Reached> states) {
+        for (Reached state : states) {
+            if (state.snapshot.memory().length > 0) {
+                return new Histories(states).merge();
+            }
+        }
+        return states;
     }
 
     private record Appearance(List<Integer> leaves, List<Integer> done) {}
@@ -30,34 +39,33 @@ final class Histories {
 
     private record Signature(int block, List<Reaction> reactions) {}
 
-    private Map<Snapshot, Snapshot> merge() {
-        Map<Snapshot, Snapshot> representatives = new HashMap<>();
-        if (moves.keySet().stream().allMatch(state -> state.memory().length == 0)) {
-            return representatives;
+    private List<Reached> merge() {
+        if (!refine()) {
+            return states;
         }
-        boolean stable = refine();
-        Map<Integer, Snapshot> first = new HashMap<>();
-        moves.keySet().stream().sorted().forEach(state -> {
-            Snapshot one = stable ? first.computeIfAbsent(blocks.getOrDefault(state, 0), block -> state) : state;
-            representatives.put(state, one);
-        });
+        Map<Integer, Reached> first = new HashMap<>();
+        states.stream()
+                .sorted(Comparator.comparing(state -> state.snapshot))
+                .forEach(state -> first.putIfAbsent(blocks[state.index], state));
+        List<Reached> representatives = new ArrayList<>(states);
+        representatives.replaceAll(state -> first.getOrDefault(blocks[state.index], state));
         return representatives;
     }
 
     /** Splits sets of states that look alike until the states of each react alike. */
     private boolean refine() {
         Map<Appearance, Integer> looks = new HashMap<>();
-        for (Snapshot state : moves.keySet()) {
-            Appearance look = new Appearance(list(state.leaves()), list(state.done()));
-            blocks.put(state, looks.computeIfAbsent(look, key -> looks.size()));
+        for (Reached state : states) {
+            Appearance look = new Appearance(list(state.snapshot.leaves()), list(state.snapshot.done()));
+            blocks[state.index] = looks.computeIfAbsent(look, key -> looks.size());
         }
         int count = looks.size();
         for (int round = 0; round < MAX_ROUNDS; round++) {
             Map<Signature, Integer> signatures = new HashMap<>();
-            Map<Snapshot, Integer> next = new HashMap<>();
-            for (Map.Entry<Snapshot, List<Explorer.Move>> entry : moves.entrySet()) {
-                Signature signature = new Signature(block(entry.getKey()), reactions(entry.getValue()));
-                next.put(entry.getKey(), signatures.computeIfAbsent(signature, key -> signatures.size()));
+            int[] next = new int[blocks.length];
+            for (Reached state : states) {
+                Signature signature = new Signature(blocks[state.index], reactions(state.moves));
+                next[state.index] = signatures.computeIfAbsent(signature, key -> signatures.size());
             }
             blocks = next;
             if (signatures.size() == count) {
@@ -68,26 +76,21 @@ final class Histories {
         return false;
     }
 
-    private List<Reaction> reactions(List<Explorer.Move> row) {
+    private List<Reaction> reactions(List<Move> moves) {
         List<Reaction> reactions = new ArrayList<>();
-        for (Explorer.Move move : row) {
-            Outcome outcome = move.outcome();
+        for (Move move : moves) {
             reactions.add(new Reaction(
                     move.cause(),
                     move.guards(),
-                    outcome.effects(),
-                    outcome.still(),
-                    outcome.left(),
-                    block(outcome.target())));
+                    move.effects(),
+                    move.still(),
+                    move.left(),
+                    blocks[move.target().index]));
         }
         return reactions;
     }
 
-    private int block(Snapshot state) {
-        return blocks.getOrDefault(state, -1);
-    }
-
     private static List<Integer> list(int[] numbers) {
-        return java.util.Arrays.stream(numbers).boxed().toList();
+        return Arrays.stream(numbers).boxed().toList();
     }
 }

@@ -32,6 +32,9 @@ final class Link {
 
     /** Of transitions that one event enables the guarded ones come first, the one for the rest comes last. */
     int rank() {
+        if (arc.guard().isEmpty() && !target.isPseudostate()) {
+            return 1;
+        }
         if (isElse()) {
             return 2;
         }

@@ -10,8 +10,15 @@ import java.util.Set;
  * @param zones in document order
  * @param nodes in document order
  * @param timeTriggers the events that are raised by themselves
+ * @param isCalm whether nothing goes on while the machine rests: no timers and no do activities
  */
-record Net(Statechart chart, List<Zone> tops, List<Zone> zones, List<Node> nodes, Set<String> timeTriggers) {
+record Net(
+        Statechart chart,
+        List<Zone> tops,
+        List<Zone> zones,
+        List<Node> nodes,
+        Set<String> timeTriggers,
+        boolean isCalm) {
     /** Whether an event is raised by itself. */
     boolean isTime(String trigger) {
         return !timeTriggers.isEmpty() && timeTriggers.contains(trigger);

@@ -2,7 +2,6 @@ package org.evoloop.statechart;
 
 import java.util.ArrayDeque;
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.Deque;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -59,19 +58,13 @@ final class NetBuilder {
             }
         }
         arcs.forEach(this::connect);
-        Comparator<Link> byRank = Comparator.comparingInt(Link::rank);
-        for (Node node : nodes) {
-            node.outgoing.sort(byRank);
-            node.outgoing.forEach(node::index);
-        }
-        return new Net(chart, tops, zones, nodes, timeTriggers());
-    }
-
-    private Set<String> timeTriggers() {
-        Set<String> names = new HashSet<>();
-        arcs.forEach(arc -> names.addAll(arc.triggers()));
-        names.removeIf(name -> !isTime(name));
-        return names;
+        Map<String, Node> named = new HashMap<>();
+        nodes.forEach(node -> node.arrange(named));
+        Set<String> timeTriggers = new HashSet<>(named.keySet());
+        timeTriggers.removeIf(name -> !isTime(name));
+        boolean calm = timeTriggers.isEmpty()
+                && nodes.stream().allMatch(node -> node.activities().isEmpty());
+        return new Net(chart, tops, zones, nodes, timeTriggers, calm);
     }
 
     private static boolean isTime(String trigger) {
@@ -159,6 +152,8 @@ final class NetBuilder {
         }
         Link link = new Link(links++, arc, source, target);
         source.outgoing.add(link);
-        target.incoming.add(link);
+        if (target.isPseudostate()) {
+            target.incoming.add(link);
+        }
     }
 }

@@ -1,7 +1,9 @@
 package org.evoloop.statechart;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -22,47 +24,78 @@ final class Node {
     /** The state on whose border an entry or exit point stands. */
     final @Nullable Node border;
 
+    /** Null for anything but a state. */
+    private final @Nullable ChartState state;
+    /** Null for anything but a pseudostate. */
+    private final @Nullable Kind kind;
+
     final List<Zone> zones = new ArrayList<>();
+    /** In the order in which they are tried. */
     final List<Link> outgoing = new ArrayList<>();
+    /** Of a pseudostate; nobody asks what leads to a state. */
     final List<Link> incoming = new ArrayList<>();
 
-    private final Map<String, List<Link>> byTrigger = new LinkedHashMap<>();
     private final List<Link> completion = new ArrayList<>();
+    /** Null until somebody asks: seldom. */
+    private @Nullable Map<String, List<Link>> byTrigger;
+
+    private boolean rivals;
 
     Node(Vertex vertex, int index, Zone zone, @Nullable Node border) {
         this.vertex = vertex;
         this.index = index;
         this.zone = zone;
         this.border = border;
+        this.state = vertex instanceof ChartState drawn ? drawn : null;
+        this.kind = vertex instanceof Pseudostate pseudostate ? pseudostate.kind() : null;
     }
 
-    /** Files a transition that leaves it under its triggers. */
-    void index(Link link) {
-        if (link.arc.triggers().isEmpty()) {
-            completion.add(link);
-        }
-        for (String trigger : link.arc.triggers()) {
-            List<Link> links = byTrigger.computeIfAbsent(trigger, key -> new ArrayList<>(1));
-            // It may name the trigger twice.
-            if (links.isEmpty() || links.get(links.size() - 1) != link) {
-                links.add(link);
+    /**
+     * Puts what leaves it in order.
+     *
+     * @param named of each trigger the vertex that named it last
+     */
+    void arrange(Map<String, Node> named) {
+        outgoing.sort(Comparator.comparingInt(Link::rank));
+        for (Link link : outgoing) {
+            if (link.arc.triggers().isEmpty()) {
+                rivals |= !completion.isEmpty();
+                completion.add(link);
+            }
+            for (String trigger : link.arc.triggers()) {
+                rivals |= named.put(trigger, this) == this;
             }
         }
     }
 
-    /** Whether several transitions that leave it have the same trigger, or several have none. */
+    /** Whether its transitions name a trigger twice, or several have none. */
     boolean hasRivals() {
-        return completion.size() > 1 || byTrigger.values().stream().anyMatch(links -> links.size() > 1);
+        return rivals;
+    }
+
+    private Map<String, List<Link>> byTrigger() {
+        if (byTrigger == null) {
+            byTrigger = new LinkedHashMap<>();
+            for (Link link : outgoing) {
+                // One may name a trigger twice.
+                for (String trigger : new LinkedHashSet<>(link.arc.triggers())) {
+                    byTrigger
+                            .computeIfAbsent(trigger, key -> new ArrayList<>(1))
+                            .add(link);
+                }
+            }
+        }
+        return byTrigger;
     }
 
     /** The events for which it has transitions. */
     Set<String> triggers() {
-        return byTrigger.keySet();
+        return byTrigger().keySet();
     }
 
     /** Its transitions on an event, in the order in which they are tried. */
     List<Link> on(String trigger) {
-        return byTrigger.getOrDefault(trigger, List.of());
+        return byTrigger().getOrDefault(trigger, List.of());
     }
 
     /** Its transitions that wait for it to be complete, in the order in which they are tried. */
@@ -71,15 +104,19 @@ final class Node {
     }
 
     boolean isState() {
-        return vertex instanceof ChartState;
+        return state != null;
     }
 
     boolean isFinal() {
         return vertex instanceof FinalState;
     }
 
-    boolean is(Kind kind) {
-        return vertex instanceof Pseudostate pseudostate && pseudostate.kind() == kind;
+    boolean isPseudostate() {
+        return kind != null;
+    }
+
+    boolean is(Kind wanted) {
+        return kind == wanted;
     }
 
     boolean isHistory() {
@@ -88,19 +125,19 @@ final class Node {
 
     /** Whether a machine may rest in it or begin to rest in it. */
     boolean isTarget() {
-        return !(vertex instanceof Pseudostate) || isHistory() || is(Kind.TERMINATE);
+        return !isPseudostate() || isHistory() || is(Kind.TERMINATE);
     }
 
     List<String> entry() {
-        return vertex instanceof ChartState state ? state.entry() : List.of();
+        return state == null ? List.of() : state.entry();
     }
 
     List<String> exit() {
-        return vertex instanceof ChartState state ? state.exit() : List.of();
+        return state == null ? List.of() : state.exit();
     }
 
     List<String> activities() {
-        return vertex instanceof ChartState state ? state.doActivities() : List.of();
+        return state == null ? List.of() : state.doActivities();
     }
 
     /** Whether transitions wait for it to be complete. */
@@ -135,9 +172,10 @@ final class Node {
 
     /** How its author calls such a vertex. */
     String word() {
-        if (vertex instanceof Pseudostate pseudostate) {
-            String kind = pseudostate.kind().name().toLowerCase(Locale.ROOT).replace('_', ' ');
-            return is(Kind.INITIAL) ? "initial pseudostate" : kind;
+        if (kind != null) {
+            return is(Kind.INITIAL)
+                    ? "initial pseudostate"
+                    : kind.name().toLowerCase(Locale.ROOT).replace('_', ' ');
         }
         return isState() ? "state" : "final state";
     }

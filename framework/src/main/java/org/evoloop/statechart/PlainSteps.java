@@ -2,7 +2,6 @@ package org.evoloop.statechart;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -10,53 +9,30 @@ import org.jspecify.annotations.Nullable;
  * and nothing else is active. A {@link Step} comes to the same; most transitions of most charts are of this kind.
  */
 final class PlainSteps {
-    private final Net net;
-    private final @Nullable Snapshot[] resting;
+    private PlainSteps() {}
 
-    PlainSteps(Net net) {
-        this.net = net;
-        this.resting = new Snapshot[net.nodes().size()];
-    }
-
-    /** Whether a machine rests in a state with nothing around it or beside it, and that is all that matters. */
-    static boolean isAlone(Net net, Snapshot state) {
-        return state.isOneState() && net.tops().size() == 1 && net.node(state.leaves()[0]).zone.owner == null;
-    }
-
-    /** What a cause does to a machine that rests; null if that takes a {@link Step} to find out. */
-    @Nullable
-    Outcome react(Snapshot before, Cause cause) {
-        if (cause.kind() == Cause.Kind.COMPLETION || !isAlone(net, before)) {
+    /** The vertex in which a machine rests with nothing around it or beside it, if that is all that matters; else null. */
+    static @Nullable Node alone(Net net, Snapshot state) {
+        if (!state.isOneState() || net.tops().size() > 1) {
             return null;
         }
-        Node source = net.node(before.leaves()[0]);
-        List<Link> links = source.on(cause.name());
-        if (links.size() != 1) {
-            return null;
-        }
-        Link link = links.get(0);
+        Node node = net.node(state.leaves()[0]);
+        return node.zone.owner == null ? node : null;
+    }
+
+    /** Whether nothing happens but that the one state is left and the other entered. */
+    static boolean isPlain(Link link) {
         Node target = link.target;
-        boolean plain = target.isState()
-                && target.zone == source.zone
+        return target.isState()
+                && target.zone == link.source.zone
                 && target.zones.isEmpty()
                 && !target.wantsCompletion()
                 && link.arc.kind() == Arc.Kind.EXTERNAL
                 && link.arc.guard().isEmpty();
-        return plain
-                ? new Outcome(restingIn(target), effects(link), Set.of(source), Set.of(target), Set.of(link))
-                : null;
     }
 
-    private Snapshot restingIn(Node state) {
-        Snapshot known = resting[state.index];
-        if (known == null) {
-            known = Snapshot.of(state);
-            resting[state.index] = known;
-        }
-        return known;
-    }
-
-    private static List<String> effects(Link link) {
+    /** The behaviors that run then, in order. */
+    static List<String> effects(Link link) {
         List<String> exit = link.source.exit();
         List<String> own = link.arc.effects();
         List<String> entry = link.target.entry();

@@ -1,6 +1,5 @@
 package org.evoloop.statemachine;
 
-import java.util.Collection;
 import java.util.Collections;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -25,15 +24,11 @@ public record Transition(
     /** @throws ModelException if it is internal and leads elsewhere */
     public Transition {
         effects = List.copyOf(effects);
-        keeps = ordered(keeps);
+        keeps = keeps.isEmpty() ? Set.of() : Collections.unmodifiableSet(new LinkedHashSet<>(keeps));
         if (internal && !source.equals(target)) {
             throw new ModelException("the internal transition on " + event + " leads from " + source + " to " + target
                     + "; end it where it begins");
         }
-    }
-
-    private static Set<String> ordered(Collection<String> names) {
-        return names.isEmpty() ? Set.of() : Collections.unmodifiableSet(new LinkedHashSet<>(names));
     }
 
     /** A transition of a machine without hierarchy, whose states have nothing in common. */

@@ -86,7 +86,8 @@ public final class XmlNode {
     public static XmlNode read(XmiStream stream, Predicate<XmiStream> unwanted) {
         XmlNode node = new XmlNode(stream);
         int depth = stream.depth();
-        StringBuilder text = new StringBuilder();
+        // Most elements hold none.
+        StringBuilder text = null;
         while (true) {
             switch (stream.next()) {
                 case XMLStreamConstants.START_ELEMENT -> {
@@ -99,12 +100,13 @@ public final class XmlNode {
                 case XMLStreamConstants.CHARACTERS, XMLStreamConstants.CDATA, XMLStreamConstants.SPACE -> {
                     if (!stream.isWhiteSpace()) {
                         stream.keep(stream.getTextLength());
+                        text = text == null ? new StringBuilder() : text;
                         text.append(stream.getText());
                     }
                 }
                 case XMLStreamConstants.END_ELEMENT -> {
                     if (stream.depth() < depth) {
-                        node.text = text.toString().strip();
+                        node.text = text == null ? "" : text.toString().strip();
                         return node;
                     }
                 }

@@ -12,6 +12,9 @@ final class ScxmlActions {
 
     /** Everything in {@code onentry}, {@code onexit}, {@code transition} and the like, in order; a target is none of it. */
     static List<String> in(XmlNode block) {
+        if (block.children().isEmpty()) {
+            return List.of();
+        }
         List<String> texts = new ArrayList<>();
         for (XmlNode action : block.children()) {
             if (!ScxmlVocabulary.isEditors(action) && !action.name().equals("target")) {

@@ -1,6 +1,7 @@
 package org.evoloop.xmi.scxml;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
@@ -136,7 +137,9 @@ final class ScxmlArcs {
         String condition = transition.attribute("cond").strip();
         if (!transition.attribute("event").isBlank()) {
             List<XmlNode> done = free(events.doneStates(transition), condition, taken);
-            done.forEach(inner -> done(transition, state, inner, targets, label));
+            for (XmlNode inner : done) {
+                done(transition, state, inner, targets, label);
+            }
             List<String> triggers = free(events.triggers(transition, state, label), condition, taken);
             if (!triggers.isEmpty()) {
                 arc(transition, state, state, targets, triggers, condition, label);
@@ -156,8 +159,12 @@ final class ScxmlArcs {
 
     /** What no earlier transition of the state takes in any case: of several that hold, SCXML takes the first. */
     private static <T> List<T> free(List<T> causes, String condition, Set<Object> taken) {
-        List<T> free = new ArrayList<>(causes);
-        free.removeIf(taken::contains);
+        if (causes.isEmpty()) {
+            return causes;
+        }
+        List<T> free = Collections.disjoint(taken, causes)
+                ? causes
+                : causes.stream().filter(cause -> !taken.contains(cause)).toList();
         if (condition.isEmpty()) {
             taken.addAll(causes);
         }
@@ -244,6 +251,9 @@ final class ScxmlArcs {
 
     /** SCXML leaves a parallel state even for a transition within one child of it; UML does not. */
     private void requireSameExits(XmlNode transition, XmlNode source, List<XmlNode> targets, String label) {
+        if (tree.parent(source) == null) {
+            return;
+        }
         List<XmlNode> ends = new ArrayList<>(targets);
         ends.add(source);
         XmlNode common = tree.commonContainer(ends);

@@ -1,0 +1,14 @@
+package org.evoloop.statechart;
+
+import java.util.List;
+import java.util.Set;
+
+/**
+ * What an event does when its guards hold and those of earlier moves do not.
+ *
+ * @param target where the machine rests then
+ * @param effects the behaviors that run, in order
+ * @param still whether nothing is left or entered
+ * @param left the states that are left, even if they are entered again
+ */
+record Move(Cause cause, List<String> guards, Reached target, List<String> effects, boolean still, Set<Node> left) {}
