@@ -9,10 +9,10 @@ import org.jspecify.annotations.Nullable;
  * <p>The port is locked against other programs. What was received before {@link #open} is dropped. {@link #close}
  * waits until the line has been silent for 100 ms, so that the last command arrives.
  *
- * <p>Threading: receives on a daemon thread named {@code evoloop-serial-<port>} that waits inside the operating system,
- * and writes on another named {@code evoloop-serial-<port>-writer}. Both end with the link. A peer that takes no bytes
- * holds {@link #send} for {@link SerialSettings#sendLimitMillis()} at most; then the link is lost, and bytes that have
- * not reached the peer's end are dropped so that they do not come to the robot late.
+ * <p>Threading: receives on a daemon thread named {@code evoloop-serial-<port>} that waits inside the operating system;
+ * another, {@code evoloop-serial-<port>-guard}, watches over writes, which run on the caller's. Both end with the link. A
+ * peer that takes no bytes holds {@link #send} for {@link SerialSettings#sendLimitMillis()} at most; then the link is lost,
+ * and bytes that have not reached the peer's end are dropped so that they do not come to the robot late.
  */
 public final class SerialLink implements Link {
     private final SerialSettings settings;

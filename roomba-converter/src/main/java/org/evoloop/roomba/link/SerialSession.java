@@ -4,6 +4,7 @@ import static java.util.concurrent.TimeUnit.MILLISECONDS;
 import static java.util.concurrent.TimeUnit.NANOSECONDS;
 
 import com.fazecast.jSerialComm.SerialPort;
+import java.time.Duration;
 import java.util.Arrays;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicBoolean;
@@ -14,8 +15,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * One opened serial port from start to end. The reader thread alone gives the port back, after the writer thread has
- * ended: jSerialComm must not be inside a port that closes, or it touches memory and file descriptors of others.
+ * One opened serial port from start to end. The reader thread alone gives the port back, after the last write
+ * has ended: jSerialComm must not be inside a port that closes, or it touches memory and file descriptors of others.
  *
  * <p>Whatever ends the session, the first cause wins, the reader is woken and does the rest.
  */
@@ -25,8 +26,7 @@ final class SerialSession {
     private static final int BUFFER_BYTES = 4_096;
 
     private static final long LONGEST_SILENCE_WAIT_NANOS = MILLISECONDS.toNanos(2_000);
-    private static final long FLUSH_INTERVAL_NANOS = MILLISECONDS.toNanos(10);
-    private static final long WRITER_END_LIMIT_NANOS = MILLISECONDS.toNanos(1_000);
+    private static final Duration WRITER_END_LIMIT = Duration.ofSeconds(1);
     private static final long READER_END_LIMIT_NANOS = MILLISECONDS.toNanos(2_000);
 
     private final SerialPort port;
@@ -45,7 +45,7 @@ final class SerialSession {
         this.settings = settings;
         this.receiver = receiver;
         String name = "evoloop-serial-" + settings.shortName();
-        this.writer = new SerialWriter(port, settings, name + "-writer");
+        this.writer = new SerialWriter(port, settings, () -> end(SerialFaults.notReading(settings)), name + "-guard");
         this.reader = daemon(name, this::receive);
     }
 
@@ -56,6 +56,7 @@ final class SerialSession {
     }
 
     void start() {
+        writer.start();
         reader.start();
     }
 
@@ -79,7 +80,7 @@ final class SerialSession {
         if (first != null) {
             return first;
         }
-        // A new read mode wakes a reader that waits inside the old one; the port stays open under it.
+        // A new mode wakes who waits to read or to write inside the old one; the port stays open under them.
         port.setComPortTimeouts(SerialPort.TIMEOUT_NONBLOCKING, 0, 0);
         return cause;
     }
@@ -113,14 +114,9 @@ final class SerialSession {
     }
 
     private void release() {
-        long deadline = System.nanoTime() + WRITER_END_LIMIT_NANOS;
-        while (!writer.end(FLUSH_INTERVAL_NANOS)) {
-            if (System.nanoTime() - deadline > 0) {
-                LOG.error("{}: the writer thread is stuck, so the port stays open until the program ends", settings);
-                return;
-            }
-            // The peer does not read: with its buffer emptied the write under way comes to its end.
-            port.flushIOBuffers();
+        if (!writer.end(WRITER_END_LIMIT)) {
+            LOG.error("{}: a write is stuck, so the port stays open until the program ends", settings);
+            return;
         }
         synchronized (wakeLineLock) {
             settings.wakeSignal().drive(port, false);

@@ -1,24 +1,21 @@
 package org.evoloop.roomba.link;
 
+import static java.util.concurrent.TimeUnit.MILLISECONDS;
 import static java.util.concurrent.TimeUnit.NANOSECONDS;
 
 import com.fazecast.jSerialComm.SerialPort;
+import java.time.Duration;
 import java.util.Arrays;
-import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.ExecutionException;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
-import java.util.concurrent.RejectedExecutionException;
-import java.util.concurrent.TimeoutException;
-import java.util.function.Supplier;
+import java.util.concurrent.locks.ReentrantLock;
 
 /**
- * Writes on a thread of its own, because a write to a port whose peer does not read never returns on Linux.
+ * Writes on the caller's thread, since waking another one takes longer than all that a command needs before. A
+ * {@link WriteGuard} ends a write whose time is over.
  *
  * <p>Threading: thread-safe; writes leave in the order of the calls.
  */
 final class SerialWriter {
-    /** Small enough that a flush of the port lets a stuck write end. */
+    /** So much of what a peer has not read for long may still come to it late. */
     private static final int CHUNK_BYTES = 1_024;
 
     /** What the line is thought to hold at most; a driver's and an adapter's buffers are of this order. */
@@ -32,10 +29,11 @@ final class SerialWriter {
 
     private final SerialPort port;
     private final SerialSettings settings;
-    private final ExecutorService thread;
+    private final WriteGuard guard;
+    private final ReentrantLock turn = new ReentrantLock(true);
     private volatile boolean ending;
 
-    /** When the last byte will be on the line, by {@link System#nanoTime()}. The writing thread's own. */
+    /** When the last byte will be on the line, by {@link System#nanoTime()}; whose turn it is may look. */
     private long lineIdleNanoTime = System.nanoTime();
 
     private volatile long closableNanoTime = System.nanoTime();
@@ -46,51 +44,53 @@ final class SerialWriter {
         LATE
     }
 
-    SerialWriter(SerialPort port, SerialSettings settings, String threadName) {
+    SerialWriter(SerialPort port, SerialSettings settings, Runnable endSession, String guardName) {
         this.port = port;
         this.settings = settings;
-        this.thread = Executors.newSingleThreadExecutor(task -> SerialSession.daemon(threadName, task));
+        this.guard = new WriteGuard(port, limitNanos(0), endSession, guardName);
+    }
+
+    void start() {
+        guard.start();
+    }
+
+    private long limitNanos(int bytes) {
+        return MILLISECONDS.toNanos(settings.sendLimitMillis()) + settings.lineNanos(bytes);
     }
 
     Outcome write(byte[] bytes) {
-        return inTurn(() -> writeAll(bytes), settings.lineNanos(bytes.length));
+        long limitNanos = limitNanos(bytes.length);
+        long deadline = System.nanoTime() + limitNanos;
+        if (!takeTurn(limitNanos)) {
+            return Outcome.LATE;
+        }
+        try {
+            guard.begin(deadline);
+            Outcome outcome = writeAll(bytes);
+            return guard.isLate() ? Outcome.LATE : outcome;
+        } finally {
+            guard.done();
+            turn.unlock();
+        }
+    }
+
+    private boolean takeTurn(long limitNanos) {
+        return BoundedWait.uninterruptibly(limitNanos, nanos -> turn.tryLock(nanos, NANOSECONDS));
     }
 
     /** Lets later writes fail once the earlier ones are through, or have had their time. */
-    Outcome finish() {
-        return inTurn(
-                () -> {
-                    ending = true;
-                    return Outcome.WRITTEN;
-                },
-                0);
-    }
-
-    private Outcome inTurn(Supplier<Outcome> task, long lineNanos) {
-        CompletableFuture<Outcome> outcome = new CompletableFuture<>();
-        try {
-            thread.execute(() -> outcome.complete(task.get()));
-        } catch (RejectedExecutionException ended) {
-            return Outcome.REFUSED;
-        }
-        long limitNanos = settings.sendLimitMillis() * 1_000_000L + lineNanos;
-        BoundedWait.uninterruptibly(limitNanos, nanos -> completes(outcome, nanos));
-        return outcome.getNow(Outcome.LATE);
-    }
-
-    private static boolean completes(CompletableFuture<?> future, long nanos) throws InterruptedException {
-        try {
-            future.get(nanos, NANOSECONDS);
-            return true;
-        } catch (TimeoutException | ExecutionException notNow) {
-            return false;
+    void finish() {
+        boolean mine = takeTurn(limitNanos(0));
+        ending = true;
+        if (mine) {
+            turn.unlock();
         }
     }
 
     private Outcome writeAll(byte[] bytes) {
         for (int start = 0; start < bytes.length; start += CHUNK_BYTES) {
             byte[] chunk = Arrays.copyOfRange(bytes, start, Math.min(start + CHUNK_BYTES, bytes.length));
-            if (ending || port.writeBytes(chunk, chunk.length) != chunk.length) {
+            if (ending || guard.isLate() || port.writeBytes(chunk, chunk.length) != chunk.length) {
                 return Outcome.REFUSED;
             }
             long now = System.nanoTime();
@@ -106,10 +106,14 @@ final class SerialWriter {
         return closableNanoTime;
     }
 
-    /** Lets waiting and later writes fail, and waits for the thread's end; false if it did not come in time. */
-    boolean end(long limitNanos) {
+    /** Lets waiting and later writes fail, and ends the one under way; false if that did not return in time. */
+    boolean end(Duration limit) {
         ending = true;
-        thread.shutdown();
-        return BoundedWait.uninterruptibly(limitNanos, nanos -> thread.awaitTermination(nanos, NANOSECONDS));
+        guard.hurry();
+        boolean idle = takeTurn(limit.toNanos());
+        if (idle) {
+            turn.unlock();
+        }
+        return guard.end(limit) && idle;
     }
 }

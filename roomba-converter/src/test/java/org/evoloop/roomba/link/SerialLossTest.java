@@ -146,6 +146,31 @@ class SerialLossTest {
         }
     }
 
+    @Test
+    void theThreadThatReceivesIsNotHeldLongerByAPeerThatNeverReads() throws Exception {
+        CompletableFuture<Fault> sending = new CompletableFuture<>();
+        try (Pty pty = Pty.open(Path.of(path))) {
+            SerialLink link =
+                    new SerialLink(new SerialSettings(path).withBaud(4_000_000).withSendLimitMillis(200));
+            Listener listener = new Listener() {
+                @Override
+                public synchronized void received(byte[] buffer, int length) {
+                    try {
+                        link.send(TOO_MUCH);
+                    } catch (LinkException failure) {
+                        sending.complete(failure.fault());
+                    }
+                }
+            };
+            link.open(listener);
+            pty.write(new byte[1], 1);
+            assertThat(sending.get(Listener.PATIENCE_SECONDS, TimeUnit.SECONDS)).isEqualTo(Fault.NOT_READING);
+            assertThat(listener.awaitLost().fault()).isEqualTo(Fault.NOT_READING);
+            SerialLeaks.awaitNoThreads();
+            link.close();
+        }
+    }
+
     private static int leftOver(Pty pty) {
         int total = 0;
         byte[] buffer = new byte[1_024];
