@@ -13,8 +13,12 @@ import java.util.concurrent.TimeUnit;
  */
 public final class Fork {
     /** As {@code ./evoloop} starts programs. */
-    public static final List<String> SHIPPED_OPTIONS =
-            List.of("-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1", "-Xms16m");
+    public static final List<String> SHIPPED_OPTIONS = List.of(
+            "-XX:+UseSerialGC",
+            "-XX:TieredStopAtLevel=1",
+            "-Xms16m",
+            "-XX:CompileCommand=quiet",
+            "-XX:CompileCommand=CompileThresholdScaling,org/evoloop/*.*,0.02");
 
     private static final long LIMIT_MINUTES = 20;
 
