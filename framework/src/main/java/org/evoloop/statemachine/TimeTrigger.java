@@ -22,7 +22,7 @@ final class TimeTrigger {
             Pattern.compile("(?:tm|after)\\s*\\((.*?)\\)" + OWNER, Pattern.CASE_INSENSITIVE);
     private static final Pattern PHRASE = Pattern.compile("after\\s+([0-9.].*?)" + OWNER, Pattern.CASE_INSENSITIVE);
     private static final Pattern DURATION = Pattern.compile(
-            "([0-9]+(?:\\.[0-9]+)?)\\s*" + "(?:(ms|msec|milliseconds?)|(s|sec|seconds?)|(min|minutes?)|(h|hours?))");
+            "([0-9]+(?:\\.[0-9]+)?)\\s*(?:(ms|msec|milliseconds?)|(s|sec|seconds?)|(min|minutes?)|(h|hours?))");
 
     /** The unit of each group of {@link #DURATION} but the first. */
     private static final List<ChronoUnit> UNITS =
