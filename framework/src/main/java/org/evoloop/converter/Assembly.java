@@ -30,23 +30,33 @@ final class Assembly {
         }
     }
 
-    void remove(String name) {
-        components.remove(name);
+    /** A copy with {@code added} at its end. */
+    Assembly with(Component added) {
+        Assembly changed = copy();
+        changed.add(added);
+        return changed;
     }
 
     /** A copy in which {@code next} stands in for the component {@code name}. */
     Assembly with(String name, Component next) {
         Assembly changed = new Assembly();
-        components.forEach((key, component) -> changed.add(key.equals(name) ? next : component));
+        for (Component component : all()) {
+            changed.add(component.name().equals(name) ? next : component);
+        }
         return changed;
     }
 
     /** A copy without the component {@code name}. */
     Assembly without(String name) {
-        Assembly changed = new Assembly();
-        changed.components.putAll(components);
-        changed.remove(name);
+        Assembly changed = copy();
+        changed.components.remove(name);
         return changed;
+    }
+
+    private Assembly copy() {
+        Assembly copy = new Assembly();
+        copy.components.putAll(components);
+        return copy;
     }
 
     Collection<Component> all() {
@@ -54,14 +64,22 @@ final class Assembly {
     }
 
     List<EventExecute> executes() {
-        return components.values().stream()
-                .filter(EventExecute.class::isInstance)
-                .map(EventExecute.class::cast)
-                .toList();
+        List<EventExecute> executes = new ArrayList<>();
+        for (Component component : all()) {
+            if (component instanceof EventExecute execute) {
+                executes.add(execute);
+            }
+        }
+        return executes;
     }
 
     boolean has(Component.Role role) {
-        return components.values().stream().anyMatch(component -> component.role() == role);
+        for (Component component : all()) {
+            if (component.role() == role) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /**
@@ -78,10 +96,12 @@ final class Assembly {
             requireOriginal(pair, execute.name() + " can send", execute.events(), problems);
         }
         Set<Event> spontaneous = new HashSet<>();
-        for (Component component : components.values()) {
+        for (Component component : all()) {
             if (component instanceof EventMonitor monitor) {
                 Set<Event> events = new HashSet<>();
-                monitor.spontaneousEvents().forEach(name -> events.add(new Event(name)));
+                for (String name : monitor.spontaneousEvents()) {
+                    events.add(new Event(name));
+                }
                 spontaneous.addAll(events);
                 requireOriginal(pair, monitor.name() + " names as the device's own", events, problems);
             }

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.function.BooleanSupplier;
+import java.util.function.Predicate;
 import org.evoloop.evolution.DecisionTable;
 import org.evoloop.evolution.DeviceEvents;
 import org.evoloop.evolution.ModelPair;
@@ -21,7 +22,7 @@ import org.evoloop.statemachine.Transition;
  *
  * <p>Threading: filled before the converter is built, read from any thread after.
  */
-final class Bindings {
+final class Bindings implements Predicate<String> {
     private final ModelPair pair;
     private final Map<String, BooleanSupplier> guards = new HashMap<>();
     private final Map<String, Effect> effects = new HashMap<>();
@@ -53,7 +54,8 @@ final class Bindings {
     }
 
     /** Whether the guard of this text holds now; false if nothing is bound to it. */
-    boolean holds(String text) {
+    @Override
+    public boolean test(String text) {
         BooleanSupplier condition = guards.get(text);
         return condition != null && condition.getAsBoolean();
     }
@@ -106,14 +108,22 @@ final class Bindings {
     }
 
     private static boolean draws(StateMachine machine, String effect) {
-        return machine.transitions().stream().map(Transition::effects).anyMatch(drawn -> drawn.contains(effect));
+        for (Transition transition : machine.transitions()) {
+            if (transition.effects().contains(effect)) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /** Effects that decisions of {@code table} need and nothing is bound to, a line each. */
     List<String> unboundEffects(DecisionTable table) {
-        return table.effects().stream()
-                .filter(text -> !effects.containsKey(text))
-                .map(text -> "effect " + text + " of the new model is not bound: call effect in registerNewFunctions")
-                .toList();
+        List<String> unbound = new ArrayList<>();
+        for (String text : table.effects()) {
+            if (!effects.containsKey(text)) {
+                unbound.add("effect " + text + " of the new model is not bound: call effect in registerNewFunctions");
+            }
+        }
+        return unbound;
     }
 }

@@ -78,7 +78,7 @@ public final class Conversion {
         runEffects(execute);
         Visit entered = end();
         try {
-            execute.settled(core.configuration());
+            execute.settled(core.knowledge.configuration());
         } finally {
             core.visits.startFunction(entered);
         }
@@ -92,7 +92,7 @@ public final class Conversion {
                 requireOngoing();
             }
             try {
-                core.knowledge().bindings().run(effect);
+                core.knowledge.bindings().run(effect);
             } catch (InterruptedException stop) {
                 throw stop;
             } catch (Exception cause) {

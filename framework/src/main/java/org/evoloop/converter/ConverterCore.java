@@ -32,9 +32,9 @@ final class ConverterCore implements LoopListener<Occurrence> {
     private static final Logger LOG = LoggerFactory.getLogger(SystemEventConverter.class);
 
     private final LoopConfig config;
-    private final StateKnowledge knowledge;
     private final Transcript transcript = new Transcript();
     private final FailureLog failures = new FailureLog();
+    final StateKnowledge knowledge;
     final History history;
     final LatencyWindow latency = new LatencyWindow();
     final MapeLoop<Occurrence, Decision, Conversion> loop;
@@ -69,39 +69,35 @@ final class ConverterCore implements LoopListener<Occurrence> {
         executes = List.copyOf(present);
     }
 
-    DecisionTable table() {
-        return knowledge.table();
-    }
-
-    StateKnowledge knowledge() {
-        return knowledge;
-    }
-
-    Configuration configuration() {
-        return knowledge.configuration();
-    }
-
-    /** Lets every execute component see to what the device needs in the current state; the loop is closed. */
-    void settle() {
-        executes.forEach(execute -> tell(execute, "settled", () -> execute.settled(knowledge.configuration())));
+    /** Opens the loop, after every execute component has seen to what the device needs in the current state. */
+    void start() {
+        for (EventExecute execute : executes) {
+            try {
+                execute.settled(knowledge.configuration());
+            } catch (Exception cause) {
+                failed(execute, "settled", cause);
+            }
+        }
+        loop.start(visits::enterAgain);
     }
 
     /** Ends the current visit and lets go of the device; the loop is closed. */
     void release() {
         visits.leave();
-        executes.forEach(execute -> tell(execute, "released", execute::released));
+        for (EventExecute execute : executes) {
+            try {
+                execute.released();
+            } catch (Exception cause) {
+                failed(execute, "released", cause);
+            }
+        }
     }
 
-    private interface Notice {
-        void tell() throws Exception;
-    }
-
-    private void tell(EventExecute execute, String phase, Notice notice) {
-        try {
-            notice.tell();
-        } catch (InterruptedException stop) {
+    /** Outside of the loop, on the thread of whoever opens or closes it. */
+    private void failed(EventExecute execute, String phase, Exception cause) {
+        if (cause instanceof InterruptedException) {
             Thread.currentThread().interrupt();
-        } catch (Exception cause) {
+        } else {
             failures.log(new Failure<>(execute.name(), phase, 0, null, cause));
         }
     }

@@ -75,7 +75,9 @@ public abstract class EventExecute extends Execute<Conversion> {
         Set<Event> known = events;
         if (known == null) {
             Set<Event> named = new HashSet<>();
-            sendableEvents().forEach(name -> named.add(new Event(name)));
+            for (String name : sendableEvents()) {
+                named.add(new Event(name));
+            }
             known = Collections.unmodifiableSet(named);
             events = known;
         }

@@ -41,6 +41,8 @@ final class FailureLog {
         if (counts.size() >= DISTINCT && !counts.containsKey(what)) {
             counts.remove(counts.keySet().iterator().next());
         }
-        return counts.merge(what, 1L, Long::sum);
+        long count = counts.getOrDefault(what, 0L) + 1;
+        counts.put(what, count);
+        return count;
     }
 }

@@ -1,11 +1,7 @@
 package org.evoloop.converter;
 
 import java.util.ArrayList;
-import java.util.EnumMap;
 import java.util.List;
-import java.util.Map;
-import java.util.Objects;
-import java.util.concurrent.atomic.AtomicLong;
 import org.evoloop.converter.HistoryEntry.Outcome;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
@@ -23,14 +19,11 @@ final class History {
 
     private final Clock clock;
     private final HistoryLine[] lines = new HistoryLine[SIZE];
-    private final Map<Outcome, AtomicLong> counts = new EnumMap<>(Outcome.class);
+    private final long[] counts = new long[Outcome.values().length];
     private long recorded;
 
     History(Clock clock) {
         this.clock = clock;
-        for (Outcome outcome : Outcome.values()) {
-            counts.put(outcome, new AtomicLong());
-        }
     }
 
     /**
@@ -52,7 +45,7 @@ final class History {
             lines[place] = line;
         }
         line.set(recorded, clock.wallTime(), occurrence, before, after, outcome, decision, detail);
-        count(outcome).incrementAndGet();
+        counts[placeOf(outcome)]++;
     }
 
     synchronized List<HistoryEntry> entries() {
@@ -68,13 +61,15 @@ final class History {
 
     synchronized ConverterStatus.EventCounts counts() {
         return new ConverterStatus.EventCounts(
-                count(Outcome.HANDLED).get(),
-                count(Outcome.IGNORED).get(),
-                count(Outcome.STALE).get(),
-                count(Outcome.FAILED).get());
+                count(Outcome.HANDLED), count(Outcome.IGNORED), count(Outcome.STALE), count(Outcome.FAILED));
     }
 
-    private AtomicLong count(Outcome outcome) {
-        return Objects.requireNonNull(counts.get(outcome));
+    private long count(Outcome outcome) {
+        return counts[placeOf(outcome)];
+    }
+
+    @SuppressWarnings("EnumOrdinal") // a map would box a number in every event
+    private static int placeOf(Outcome outcome) {
+        return outcome.ordinal();
     }
 }

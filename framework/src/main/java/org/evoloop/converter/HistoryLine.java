@@ -8,6 +8,7 @@ import org.evoloop.converter.HistoryEntry.Outcome;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;
+import org.evoloop.evolution.Step;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -70,7 +71,9 @@ final class HistoryLine {
             return "new function of " + decision.after().evolved();
         }
         List<String> steps = new ArrayList<>();
-        decision.steps().forEach(step -> steps.add(step.trigger() + (step.byDevice() ? " (by the device)" : "")));
+        for (Step step : decision.steps()) {
+            steps.add(step.trigger() + (step.byDevice() ? " (by the device)" : ""));
+        }
         return String.join(", ", steps);
     }
 }

@@ -9,7 +9,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.BooleanSupplier;
-import java.util.function.Predicate;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.DecisionTable;
 import org.evoloop.evolution.DeviceEvents;
@@ -38,7 +37,6 @@ public class StateKnowledge extends Knowledge {
 
     private final Map<Ends, NewFunction> actions = new HashMap<>();
     private final Bindings bindings;
-    private final Predicate<String> holds;
     private volatile Configuration current;
     private volatile @Nullable DecisionTable table;
 
@@ -48,18 +46,10 @@ public class StateKnowledge extends Knowledge {
         this.pair = pair;
         this.current = pair.initial();
         this.bindings = new Bindings(pair);
-        this.holds = bindings::holds;
     }
 
     /** A transition by what its author calls it: its event with or without its guards. */
     private record Ends(State source, String event, State target) {
-        boolean match(Transition transition) {
-            return source.equals(transition.source())
-                    && target.equals(transition.target())
-                    && (event.equals(transition.event().name())
-                            || event.equals(transition.event().toString()));
-        }
-
         /** For messages: {@code Off --Clean--> On}. */
         @Override
         public String toString() {
@@ -80,7 +70,13 @@ public class StateKnowledge extends Knowledge {
      * {@code tm(2s)}, need no call.
      */
     protected final void timer(String state, String event, Duration delay) {
-        timers.computeIfAbsent(new State(state), key -> new LinkedHashMap<>()).put(new Event(event), delay);
+        State during = new State(state);
+        Map<Event, Duration> ofState = timers.get(during);
+        if (ofState == null) {
+            ofState = new LinkedHashMap<>();
+            timers.put(during, ofState);
+        }
+        ofState.put(new Event(event), delay);
         allTimers.clear();
     }
 
@@ -137,38 +133,44 @@ public class StateKnowledge extends Knowledge {
 
     /** The transition of the new model that {@code event} triggers in {@code source}, with its function. */
     public final Optional<BoundTransition> getTransition(State source, Event event) {
-        return pair.evolved()
-                .transition(source, event)
-                .map(transition -> new BoundTransition(source, event, transition.target(), action(transition)));
+        Transition transition = pair.evolved().transition(source, event).orElse(null);
+        return transition == null
+                ? Optional.empty()
+                : Optional.of(new BoundTransition(source, event, transition.target(), action(transition)));
     }
 
     /** What runs when {@code transition} of the new model is taken. */
     final NewFunction action(Transition transition) {
-        NewFunction action = null;
-        if (!actions.isEmpty()) {
-            State source = transition.source();
-            State target = transition.target();
-            action = actions.get(new Ends(source, transition.event().toString(), target));
-            if (action == null) {
-                action = actions.get(new Ends(source, transition.event().name(), target));
-            }
-        }
+        NewFunction action = ownAction(transition);
         return action != null ? action : functions.getOrDefault(transition.target(), NewFunction.none());
+    }
+
+    private @Nullable NewFunction ownAction(Transition transition) {
+        if (actions.isEmpty()) {
+            return null;
+        }
+        Event event = transition.event();
+        NewFunction action = actions.get(new Ends(transition.source(), event.toString(), transition.target()));
+        return action != null ? action : actions.get(new Ends(transition.source(), event.name(), transition.target()));
     }
 
     /** Every event that is raised by itself in {@code state}, and after how long. */
     final Map<Event, Duration> timersOf(State state) {
         Map<Event, Duration> known = allTimers.get(state);
-        return known != null ? known : allTimers.computeIfAbsent(state, this::collectTimers);
+        if (known == null) {
+            known = collectTimers(state);
+            allTimers.put(state, known);
+        }
+        return known;
     }
 
     private Map<Event, Duration> collectTimers(State state) {
         Map<Event, Duration> all = new LinkedHashMap<>(timers.getOrDefault(state, Map.of()));
         for (Transition transition : pair.evolved().transitionsFrom(state)) {
-            transition
-                    .event()
-                    .timeTrigger()
-                    .ifPresent(delay -> all.put(transition.event().trigger(), delay));
+            Duration delay = transition.event().timeTrigger().orElse(null);
+            if (delay != null) {
+                all.put(transition.event().trigger(), delay);
+            }
         }
         return all;
     }
@@ -208,12 +210,12 @@ public class StateKnowledge extends Knowledge {
 
     /** {@code trigger} with the guards under which it comes now. */
     final Event resolve(Configuration at, Event trigger) {
-        return table().resolve(at, trigger, holds);
+        return table().resolve(at, trigger, bindings);
     }
 
     /** Whether the guards of the original model let {@code step} be taken now. */
     final boolean isOpen(Step step) {
-        return table().isOpen(step, holds);
+        return table().isOpen(step, bindings);
     }
 
     final Bindings bindings() {
@@ -234,18 +236,19 @@ public class StateKnowledge extends Knowledge {
                 problems.add("a function is registered for " + state + ", but the device itself has that state");
             }
         }
-        timers.forEach((state, byEvent) -> byEvent.forEach((event, delay) -> {
-            if (!pair.evolved().hasTrigger(state, event)) {
-                problems.add(
-                        "a timer raises " + event + " in " + state + ", where the new model has no transition for it");
+        for (Map.Entry<State, Map<Event, Duration>> ofState : timers.entrySet()) {
+            for (Map.Entry<Event, Duration> timer : ofState.getValue().entrySet()) {
+                String what = "raises " + timer.getKey() + " in " + ofState.getKey();
+                if (!pair.evolved().hasTrigger(ofState.getKey(), timer.getKey())) {
+                    problems.add("a timer " + what + ", where the new model has no transition for it");
+                }
+                if (timer.getValue().isNegative()) {
+                    problems.add("the timer that " + what + " has the negative delay " + timer.getValue());
+                }
             }
-            if (delay.isNegative()) {
-                problems.add("the timer that raises " + event + " in " + state + " has the negative delay " + delay);
-            }
-        }));
-        List<Transition> transitions = pair.evolved().transitions();
+        }
         for (Ends ends : actions.keySet()) {
-            if (transitions.stream().noneMatch(ends::match)) {
+            if (!isDrawn(ends)) {
                 problems.add("an action is registered for " + ends + ", which the new model does not have");
             } else if (!pair.isNew(ends.target())) {
                 problems.add("an action is registered for " + ends + ", but its target is a state of the device");
@@ -261,14 +264,30 @@ public class StateKnowledge extends Knowledge {
         return problems;
     }
 
+    private boolean isDrawn(Ends ends) {
+        for (Transition transition : pair.evolved().transitionsFrom(ends.source())) {
+            Event event = transition.event();
+            if (ends.target().equals(transition.target())
+                    && (ends.event().equals(event.name()) || ends.event().equals(event.toString()))) {
+                return true;
+            }
+        }
+        return false;
+    }
+
     private boolean isCovered(State state) {
-        List<Transition> entries = pair.evolved().transitions().stream()
-                .filter(transition -> transition.target().equals(state) && !transition.internal())
-                .toList();
-        return functions.containsKey(state)
-                || !timersOf(state).isEmpty()
-                || (!entries.isEmpty()
-                        && entries.stream()
-                                .allMatch(entry -> actions.keySet().stream().anyMatch(ends -> ends.match(entry))));
+        if (functions.containsKey(state) || !timersOf(state).isEmpty()) {
+            return true;
+        }
+        boolean entered = false;
+        for (Transition transition : pair.evolved().transitions()) {
+            if (transition.target().equals(state) && !transition.internal()) {
+                entered = true;
+                if (ownAction(transition) == null) {
+                    return false;
+                }
+            }
+        }
+        return entered;
     }
 }

@@ -91,17 +91,13 @@ public final class SystemEventConverter implements AutoCloseable {
 
     private void add(Component component) {
         ConverterCore built = core;
-        assembly.add(component);
+        Assembly changed = assembly.with(component);
         if (built != null) {
-            try {
-                DecisionTable table = assembly.decisions(built.knowledge());
-                join(built, component);
-                built.use(table, assembly.executes());
-            } catch (RuntimeException refused) {
-                assembly.remove(component.name());
-                throw refused;
-            }
+            DecisionTable table = changed.decisions(built.knowledge);
+            join(built, component);
+            built.use(table, changed.executes());
         }
+        assembly = changed;
     }
 
     /**
@@ -144,18 +140,23 @@ public final class SystemEventConverter implements AutoCloseable {
         if (!problems.isEmpty()) {
             throw new ModelException(String.join("\n", problems));
         }
-        assembly.all().forEach(component -> join(built, component));
+        for (Component component : assembly.all()) {
+            join(built, component);
+        }
         built.loop.build();
         core = built;
     }
 
     private void join(ConverterCore built, Component component) {
         attach(built, component);
-        switch (component.role()) {
-            case MONITOR -> built.loop.addMonitor((EventMonitor) component);
-            case ANALYZE -> built.loop.addAnalyze((DecisionAnalyze) component);
-            case PLAN -> built.loop.addPlan((DecisionPlan) component);
-            case EXECUTE -> built.loop.addExecute((EventExecute) component);
+        if (component instanceof EventMonitor monitor) {
+            built.loop.addMonitor(monitor);
+        } else if (component instanceof DecisionAnalyze analyze) {
+            built.loop.addAnalyze(analyze);
+        } else if (component instanceof DecisionPlan plan) {
+            built.loop.addPlan(plan);
+        } else if (component instanceof EventExecute execute) {
+            built.loop.addExecute(execute);
         }
     }
 
@@ -175,8 +176,7 @@ public final class SystemEventConverter implements AutoCloseable {
     public synchronized void start() {
         ConverterCore built = built();
         if (built.loop.state() != LoopState.RUNNING) {
-            built.settle();
-            built.loop.start(built.visits::enterAgain);
+            built.start();
         }
     }
 
@@ -216,7 +216,7 @@ public final class SystemEventConverter implements AutoCloseable {
         ConverterCore built = built();
         Assembly changed = assembly.without(name);
         DecisionTable table =
-                changed.has(Component.Role.EXECUTE) ? changed.decisions(built.knowledge()) : built.table();
+                changed.has(Component.Role.EXECUTE) ? changed.decisions(built.knowledge) : built.knowledge.table();
         built.loop.remove(name);
         assembly = changed;
         built.use(table, changed.executes());
@@ -233,7 +233,7 @@ public final class SystemEventConverter implements AutoCloseable {
         built.loop.requireExchangeable(name, next);
         Assembly changed = assembly.with(name, next);
         attach(built, next);
-        DecisionTable table = changed.decisions(built.knowledge());
+        DecisionTable table = changed.decisions(built.knowledge);
         built.loop.exchange(name, next);
         assembly = changed;
         built.use(table, changed.executes());
@@ -276,7 +276,7 @@ public final class SystemEventConverter implements AutoCloseable {
 
     /** What the converter knows. @throws IllegalStateException if it is not built yet */
     public StateKnowledge knowledge() {
-        return built().knowledge();
+        return built().knowledge;
     }
 
     /** A picture of this moment. @throws IllegalStateException if the converter is not built yet */
@@ -286,7 +286,7 @@ public final class SystemEventConverter implements AutoCloseable {
         return new ConverterStatus(
                 config.name(),
                 built.loop.state(),
-                built.configuration(),
+                built.knowledge.configuration(),
                 built.loop.queueStatus(),
                 built.history.counts(),
                 built.latency.summary(),

@@ -23,7 +23,10 @@ final class Transcript {
 
     private static final Logger LOG = LoggerFactory.getLogger(LOGGER);
 
-    private final List<Runnable> ofEvent = new ArrayList<>();
+    /** The lines of the event in the loop, and beside each what stands in its braces. */
+    private final List<String> formats = new ArrayList<>();
+
+    private final List<Object> arguments = new ArrayList<>();
     private final List<String> later = new ArrayList<>();
     private boolean inEvent;
     private boolean begun;
@@ -36,25 +39,20 @@ final class Transcript {
         sayEvent();
         inEvent = true;
         gap = begun;
-        if (isRead()) {
-            ofEvent.add(() -> {
-                line("----   " + (occurrence.source().isButton() ? "button_event" : "internal_event") + " : "
-                        + occurrence.event() + "   -----");
-                line("");
-                line("Monitor");
-                line(" inputs " + occurrence.event() + " event.");
-            });
-        }
+        keep(
+                occurrence.source().isButton()
+                        ? "----   button_event : {}   -----"
+                        : "----   internal_event : {}   -----",
+                occurrence.event());
+        keep("", "");
+        keep("Monitor", "");
+        keep(" inputs {} event.", occurrence.event());
     }
 
     synchronized void analyzed(Decision decision) {
-        if (isRead()) {
-            ofEvent.add(() -> {
-                line("Analyze");
-                states(decision.before());
-                line(" mode: " + mode(decision));
-            });
-        }
+        keep("Analyze", "");
+        keepStates(decision.before());
+        keep(" mode: {}", mode(decision));
     }
 
     /** A detour counts as new: no single function of the device does what it does. */
@@ -71,53 +69,57 @@ final class Transcript {
     }
 
     synchronized void planned(boolean anyEvents) {
-        if (isRead()) {
-            ofEvent.add(() -> {
-                line("Plan");
-                if (!anyEvents) {
-                    line(" MAPE-K loop does not send events. ");
-                }
-                line("Execute");
-            });
+        keep("Plan", "");
+        if (!anyEvents) {
+            keep(" MAPE-K loop does not send events. ", "");
         }
+        keep("Execute", "");
     }
 
     synchronized void step(Event event) {
-        if (isRead()) {
-            ofEvent.add(() -> line(" MAPE-K loop will send this event : " + event));
-        }
+        keep(" MAPE-K loop will send this event : {}", event);
     }
 
     synchronized void command(Event event) {
-        if (isRead()) {
-            ofEvent.add(() -> line(" " + event + " command"));
-        }
+        keep(" {} command", event);
     }
 
     synchronized void starts(State state) {
-        if (isRead()) {
-            ofEvent.add(() -> line(" Operate existing functions for " + state + " in the another thread"));
+        keep(" Operate existing functions for {} in the another thread", state);
+    }
+
+    private void keepStates(Configuration configuration) {
+        keep(" original_current_state: {}", configuration.original());
+        keep(" new_current_state: {}", configuration.evolved());
+    }
+
+    /** Without a reader it costs nothing. */
+    private void keep(String format, Object argument) {
+        if (LOG.isInfoEnabled()) {
+            formats.add(format);
+            arguments.add(argument);
         }
     }
 
-    /** Asked before anything is kept: without a reader it costs nothing. */
-    private static boolean isRead() {
-        return LOG.isInfoEnabled();
-    }
-
     private void sayEvent() {
-        ofEvent.forEach(Runnable::run);
-        ofEvent.clear();
+        for (int index = 0; index < formats.size(); index++) {
+            line(formats.get(index), arguments.get(index));
+        }
+        formats.clear();
+        arguments.clear();
     }
 
     /** The event's last lines; what was said meanwhile follows. */
     synchronized void executed(Configuration now) {
+        keepStates(now);
         sayEvent();
-        if (isRead()) {
-            states(now);
-        }
         gap = true;
-        closeEvent();
+        inEvent = false;
+        // By index: an iterator would be garbage in every event.
+        for (int index = 0; index < later.size(); index++) {
+            line("{}", later.get(index));
+        }
+        later.clear();
     }
 
     /** The event came to no good end. */
@@ -127,33 +129,20 @@ final class Transcript {
         }
     }
 
-    private void closeEvent() {
-        inEvent = false;
-        if (!later.isEmpty()) {
-            later.forEach(this::line);
-            later.clear();
-        }
-    }
-
     /** Something that does not belong to the event in the loop. */
     synchronized void notice(String line) {
         if (inEvent) {
             later.add(line);
         } else {
-            line(line);
+            line("{}", line);
         }
     }
 
-    private void states(Configuration configuration) {
-        line(" original_current_state: " + configuration.original());
-        line(" new_current_state: " + configuration.evolved());
-    }
-
-    private void line(String line) {
+    private void line(String format, Object argument) {
         if (gap) {
             LOG.info("");
         }
-        LOG.info(line);
+        LOG.info(format, argument);
         gap = false;
         begun = true;
     }

@@ -1,5 +1,6 @@
 package org.evoloop.evolution;
 
+import java.util.ArrayList;
 import java.util.List;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.Transition;
@@ -40,11 +41,13 @@ public sealed interface Decision {
 
     /** States of the device through which the plan leads, without those in which it begins and ends. */
     default List<State> passed() {
-        return steps().stream()
-                .filter(step -> !step.byDevice())
-                .skip(1)
-                .map(Step::source)
-                .toList();
+        List<State> sources = new ArrayList<>();
+        for (Step step : steps()) {
+            if (!step.byDevice()) {
+                sources.add(step.source());
+            }
+        }
+        return sources.isEmpty() ? List.of() : List.copyOf(sources.subList(1, sources.size()));
     }
 
     /**

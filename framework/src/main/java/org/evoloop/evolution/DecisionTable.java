@@ -306,15 +306,22 @@ public final class DecisionTable {
      */
     public Set<String> effects() {
         Set<String> drawn = new LinkedHashSet<>();
-        pair.evolved().transitions().forEach(transition -> drawn.addAll(transition.effects()));
+        for (Transition transition : pair.evolved().transitions()) {
+            drawn.addAll(transition.effects());
+        }
         if (drawn.isEmpty()) {
             return drawn;
         }
         Set<String> missing = new HashSet<>(drawn);
-        pair.original().transitions().forEach(transition -> transition.effects().forEach(missing::remove));
+        for (Transition transition : pair.original().transitions()) {
+            transition.effects().forEach(missing::remove);
+        }
         for (Configuration at : situations.keySet()) {
-            expected(at).forEach(turn -> missing.addAll(turn.decision().effects()));
-            interference(at).forEach(turn -> missing.addAll(turn.decision().effects()));
+            List<Turn> turns = expected(at);
+            turns.addAll(interference(at));
+            for (Turn turn : turns) {
+                missing.addAll(turn.decision().effects());
+            }
         }
         drawn.retainAll(missing);
         return drawn;

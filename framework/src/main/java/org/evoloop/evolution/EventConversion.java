@@ -102,9 +102,10 @@ final class EventConversion {
     @Nullable
     Transition originalTransition(State source, Event event) {
         StateMachine original = pair.original();
-        return original.transition(source, event)
-                .or(() -> original.transition(source, event.trigger()))
-                .orElse(null);
+        Transition guarded = original.transition(source, event).orElse(null);
+        return guarded != null
+                ? guarded
+                : original.transition(source, event.trigger()).orElse(null);
     }
 
     /** The incoming event itself if it leads there, even from a state to itself; else the shortest way. */
@@ -120,7 +121,9 @@ final class EventConversion {
         }
         List<String> left = new ArrayList<>(transition.effects());
         for (Step step : steps) {
-            step.effects().forEach(left::remove);
+            for (String effect : step.effects()) {
+                left.remove(effect);
+            }
         }
         return List.copyOf(left);
     }
@@ -131,18 +134,19 @@ final class EventConversion {
         if (!device.doNotPass().isEmpty()) {
             reason.append("; not to be passed: ").append(names(device.doNotPass()));
         }
-        Set<String> unbound = new TreeSet<>(pair.original().guards());
+        Set<String> unbound = new HashSet<>(pair.original().guards());
         unbound.removeAll(device.boundGuards());
         if (!unbound.isEmpty()) {
-            reason.append("; guards that cannot be asked: ").append(String.join(", ", unbound));
+            reason.append("; guards that cannot be asked: ").append(names(unbound));
         }
         return reason.append(')').toString();
     }
 
     private static String names(Set<?> members) {
-        return members.isEmpty()
-                ? "none"
-                : String.join(
-                        ", ", members.stream().map(Object::toString).sorted().toList());
+        Set<String> names = new TreeSet<>();
+        for (Object member : members) {
+            names.add(member.toString());
+        }
+        return names.isEmpty() ? "none" : String.join(", ", names);
     }
 }

@@ -25,20 +25,22 @@ public final class GuardedTriggers {
     private final Map<State, Map<Event, List<Transition>>> guarded = new HashMap<>();
 
     public GuardedTriggers(StateMachine machine) {
-        if (machine.events().stream().allMatch(event -> event.guards().isEmpty())) {
+        if (machine.guards().isEmpty()) {
             return;
         }
         for (State state : machine.states()) {
             Map<Event, List<Transition>> byTrigger = new HashMap<>();
             for (Transition transition : machine.transitionsFrom(state)) {
-                byTrigger
-                        .computeIfAbsent(transition.event().trigger(), trigger -> new ArrayList<>())
-                        .add(transition);
+                if (!transition.event().guards().isEmpty()) {
+                    byTrigger.put(transition.event().trigger(), new ArrayList<>());
+                }
             }
-            byTrigger
-                    .values()
-                    .removeIf(all -> all.stream()
-                            .allMatch(transition -> transition.event().guards().isEmpty()));
+            for (Transition transition : machine.transitionsFrom(state)) {
+                List<Transition> candidates = byTrigger.get(transition.event().trigger());
+                if (candidates != null) {
+                    candidates.add(transition);
+                }
+            }
             if (!byTrigger.isEmpty()) {
                 guarded.put(state, byTrigger);
             }

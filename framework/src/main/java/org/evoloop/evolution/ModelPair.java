@@ -60,7 +60,9 @@ public record ModelPair(StateMachine original, StateMachine evolved) {
      */
     public void requireValid() {
         List<String> problems = new ArrayList<>();
-        violations().forEach(violation -> problems.add(violation.toString()));
+        for (Violation violation : violations()) {
+            problems.add(violation.toString());
+        }
         if (!original.initial().equals(evolved.initial())) {
             problems.add("the new model starts in " + evolved.initial() + ", the device in " + original.initial());
         }

@@ -24,12 +24,8 @@ final class PathPlanner {
     private final StateMachine original;
     private final DeviceEvents device;
     private final GuardedTriggers guards;
-    private final Map<State, PathSearch> searches = new LinkedHashMap<>(KEPT, 0.75f, true) {
-        @Override
-        protected boolean removeEldestEntry(Map.Entry<State, PathSearch> eldest) {
-            return size() > KEPT;
-        }
-    };
+    /** Those that were asked last come last. */
+    private final Map<State, PathSearch> searches = new LinkedHashMap<>(KEPT, 0.75f, true);
 
     PathPlanner(StateMachine original, DeviceEvents device) {
         this.original = original;
@@ -42,7 +38,7 @@ final class PathPlanner {
         if (source.equals(target)) {
             return Optional.of(List.of());
         }
-        PathSearch search = searches.computeIfAbsent(source, from -> new PathSearch(this, from));
+        PathSearch search = searchFrom(source);
         Step last = search.lastStepTo(target);
         if (last == null) {
             return Optional.empty();
@@ -52,6 +48,18 @@ final class PathPlanner {
             path.addFirst(step);
         }
         return Optional.of(List.copyOf(path));
+    }
+
+    private PathSearch searchFrom(State source) {
+        PathSearch search = searches.get(source);
+        if (search == null) {
+            if (searches.size() == KEPT) {
+                searches.remove(searches.keySet().iterator().next());
+            }
+            search = new PathSearch(this, source);
+            searches.put(source, search);
+        }
+        return search;
     }
 
     List<Transition> transitionsFrom(State state) {

@@ -1,6 +1,5 @@
 package org.evoloop.evolution;
 
-import java.util.Comparator;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.Map;
@@ -22,13 +21,29 @@ final class PathSearch {
     private final State source;
     private final Map<State, Arrival> arrivals = new HashMap<>();
     private final Set<State> settled = new HashSet<>();
-    private final PriorityQueue<Arrival> frontier =
-            new PriorityQueue<>(Comparator.comparingLong(Arrival::cost).thenComparingInt(Arrival::order));
+    private final PriorityQueue<Arrival> frontier = new PriorityQueue<>();
     private int found;
 
-    /** @param order counts what was found; of arrivals of equal cost the first one counts */
-    private record Arrival(
-            State state, long cost, int order, @Nullable Step lastStep) {}
+    private static final class Arrival implements Comparable<Arrival> {
+        final State state;
+        final long cost;
+        /** Counts what was found; of arrivals of equal cost the first one counts. */
+        final int order;
+
+        final @Nullable Step lastStep;
+
+        Arrival(State state, long cost, int order, @Nullable Step lastStep) {
+            this.state = state;
+            this.cost = cost;
+            this.order = order;
+            this.lastStep = lastStep;
+        }
+
+        @Override
+        public int compareTo(Arrival other) {
+            return cost != other.cost ? Long.compare(cost, other.cost) : Integer.compare(order, other.order);
+        }
+    }
 
     PathSearch(PathPlanner planner, State source) {
         this.planner = planner;
@@ -41,29 +56,29 @@ final class PathSearch {
     Step lastStepTo(State target) {
         while (!settled.contains(target) && !frontier.isEmpty()) {
             Arrival at = frontier.remove();
-            if (settled.add(at.state())) {
+            if (settled.add(at.state)) {
                 expand(at);
             }
         }
         Arrival arrival = settled.contains(target) ? arrivals.get(target) : null;
-        return arrival == null ? null : arrival.lastStep();
+        return arrival == null ? null : arrival.lastStep;
     }
 
     private void expand(Arrival at) {
-        if (!at.state().equals(source) && !planner.mayPass(at.state())) {
+        if (!at.state.equals(source) && !planner.mayPass(at.state)) {
             return;
         }
-        for (Transition transition : planner.transitionsFrom(at.state())) {
+        for (Transition transition : planner.transitionsFrom(at.state)) {
             Step step = settled.contains(transition.target()) ? null : planner.stepOver(transition);
             if (step != null) {
-                arrive(step.target(), at.cost() + planner.costOf(step), step);
+                arrive(step.target(), at.cost + planner.costOf(step), step);
             }
         }
     }
 
     private void arrive(State state, long cost, @Nullable Step lastStep) {
         Arrival known = arrivals.get(state);
-        if (known == null || cost < known.cost()) {
+        if (known == null || cost < known.cost) {
             Arrival arrival = new Arrival(state, cost, found++, lastStep);
             arrivals.put(state, arrival);
             frontier.add(arrival);

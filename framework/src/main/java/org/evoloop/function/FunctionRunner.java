@@ -12,6 +12,9 @@ import org.slf4j.LoggerFactory;
  * <p>Threading: {@link #begin} and {@link #end} are called by one thread at a time; {@link #running} from any.
  */
 public final class FunctionRunner {
+    /** The function of a state in which nothing has to run; it needs no thread. */
+    static final NewFunction NOTHING = visit -> {};
+
     private static final Logger LOG = LoggerFactory.getLogger(FunctionRunner.class);
 
     private final VisitHost host;
@@ -40,7 +43,7 @@ public final class FunctionRunner {
         }
         hasFunction = true;
         host.notice("***  Start to run new functions. ***");
-        if (!host.threads() || function == NewFunction.none()) {
+        if (!host.threads() || function == NOTHING) {
             current.run(function);
             return;
         }

@@ -24,6 +24,6 @@ public interface NewFunction {
 
     /** A state in which nothing has to run: it waits for an event. */
     static NewFunction none() {
-        return NoFunction.INSTANCE;
+        return FunctionRunner.NOTHING;
     }
 }

@@ -1,9 +1,7 @@
 package org.evoloop.loop;
 
 import java.util.List;
-import java.util.Objects;
 import java.util.function.Predicate;
-import java.util.function.Supplier;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -59,29 +57,29 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
 
     /** Adds a monitor. @throws IllegalStateException if the loop has ended or the name is taken */
     public void addMonitor(Monitor<O> monitor) {
-        add(monitor, () -> roster.enlist(monitor, Integer.MAX_VALUE));
+        add(monitor);
     }
 
     /** Sets the analyze component. @throws IllegalStateException if there is one already, or the loop has ended */
     public void addAnalyze(Analyze<O, A> analyze) {
-        add(analyze, () -> roster.enlist(analyze));
+        add(analyze);
     }
 
     /** Sets the plan component. @throws IllegalStateException if there is one already, or the loop has ended */
     public void addPlan(Plan<A, P> plan) {
-        add(plan, () -> roster.enlist(plan));
+        add(plan);
     }
 
     /** Adds an execute component. @throws IllegalStateException if the loop has ended or the name is taken */
     public void addExecute(Execute<P> execute) {
-        add(execute, () -> roster.enlist(execute, Integer.MAX_VALUE));
+        add(execute);
     }
 
-    private void add(Component added, Supplier<Worker> enlistment) {
+    private void add(Component added) {
         synchronized (admin) {
             requireUsable();
             requireUnknown(added);
-            sequencer.quietly(() -> startIfBuilt(enlistment.get()));
+            sequencer.quietly(() -> enlist(added, Integer.MAX_VALUE));
         }
     }
 
@@ -92,7 +90,8 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
         }
     }
 
-    private void startIfBuilt(Worker worker) {
+    private void enlist(Component component, int position) {
+        Worker worker = roster.enlist(component, position);
         if (sequencer.state() != LoopState.NEW) {
             worker.start();
         }
@@ -125,7 +124,7 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
                         + worker.component().role() + "; exchange it instead");
             }
             sequencer.quietly(() -> roster.drop(worker));
-            awaitEnd(List.of(worker));
+            awaitEnd(worker);
         }
     }
 
@@ -140,11 +139,8 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
             requireUsable();
             requireExchangeable(name, next);
             Worker worker = roster.require(name);
-            sequencer.quietly(() -> {
-                int position = roster.drop(worker);
-                startIfBuilt(roster.enlistAny(next, position));
-            });
-            awaitEnd(List.of(worker));
+            sequencer.quietly(() -> enlist(next, roster.drop(worker)));
+            awaitEnd(worker);
         }
     }
 
@@ -224,19 +220,18 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
             if (sequencer.state() != LoopState.EXITED) {
                 sequencer.become(LoopState.EXITED);
                 sequencer.quietly(() -> roster.workers().forEach(Worker::retire));
-                awaitEnd(roster.workers());
+                roster.workers().forEach(this::awaitEnd);
             }
         }
     }
 
-    private void awaitEnd(List<Worker> ending) {
-        ending.stream()
-                .map(worker -> worker.join(config.joinLimit()))
-                .filter(Objects::nonNull)
-                .forEach(stuck -> LOG.warn(
-                        "thread {} did not end within {} ms; its component ignores interrupts",
-                        stuck,
-                        config.joinLimit().toMillis()));
+    private void awaitEnd(Worker worker) {
+        if (!worker.join(config.joinLimit())) {
+            LOG.warn(
+                    "thread {} did not end within {} ms; its component ignores interrupts",
+                    worker.threadName(),
+                    config.joinLimit().toMillis());
+        }
     }
 
     /** Queues an occurrence as if a monitor had told it; false if it was refused or dropped. */

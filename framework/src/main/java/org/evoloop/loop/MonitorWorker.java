@@ -9,13 +9,13 @@ import org.evoloop.time.Clock;
  * @param <O> an occurrence
  */
 final class MonitorWorker<O> extends Worker {
-    private static final Duration FIRST_PAUSE = Duration.ofMillis(100);
-    private static final Duration LONGEST_PAUSE = Duration.ofSeconds(5);
+    private static final long FIRST_PAUSE_MILLIS = 100;
+    private static final long LONGEST_PAUSE_MILLIS = 5000;
 
     private final Monitor<O> monitor;
     private final Sequencer<O> sequencer;
     private final Clock clock;
-    private Duration pause = FIRST_PAUSE;
+    private long pauseMillis = FIRST_PAUSE_MILLIS;
 
     MonitorWorker(Monitor<O> monitor, LoopConfig config, Sequencer<O> sequencer) {
         super(monitor, config);
@@ -28,8 +28,8 @@ final class MonitorWorker<O> extends Worker {
     void work() throws InterruptedException {
         sequencer.awaitFirstOpening();
         if (!observe()) {
-            clock.sleep(pause);
-            pause = pause.compareTo(LONGEST_PAUSE.dividedBy(2)) > 0 ? LONGEST_PAUSE : pause.multipliedBy(2);
+            clock.sleep(Duration.ofMillis(pauseMillis));
+            pauseMillis = Math.min(2 * pauseMillis, LONGEST_PAUSE_MILLIS);
         }
     }
 
@@ -41,7 +41,7 @@ final class MonitorWorker<O> extends Worker {
                 // It polls, or tells more than there is room for; at least it shall not starve the others.
                 giveWay();
             }
-            pause = FIRST_PAUSE;
+            pauseMillis = FIRST_PAUSE_MILLIS;
             return true;
         } catch (InterruptedException stop) {
             throw stop;

@@ -15,12 +15,10 @@ final class Roster<O, A, P> {
     private final Dispatch<P> dispatch;
     private final Sequencer<O> sequencer;
     private final List<MonitorWorker<O>> monitors = new CopyOnWriteArrayList<>();
-    private final List<ExecuteEntry<P>> executes = new CopyOnWriteArrayList<>();
+    private final List<StageWorker<P>> executes = new CopyOnWriteArrayList<>();
     private volatile List<Execute<P>> executeOrder = List.of();
     private volatile @Nullable StageWorker<O> analyze;
     private volatile @Nullable StageWorker<A> plan;
-
-    private record ExecuteEntry<P>(Execute<P> component, StageWorker<P> worker) {}
 
     Roster(LoopConfig config, Dispatch<P> dispatch, Sequencer<O> sequencer) {
         this.config = config;
@@ -28,58 +26,47 @@ final class Roster<O, A, P> {
         this.sequencer = sequencer;
     }
 
-    Worker enlist(Monitor<O> monitor, int position) {
-        MonitorWorker<O> worker = new MonitorWorker<>(monitor, config, sequencer);
-        monitors.add(Math.min(position, monitors.size()), worker);
-        return worker;
-    }
-
-    Worker enlist(Analyze<O, A> component) {
-        requireNone(analyze);
-        StageWorker<O> worker = new StageWorker<>(
-                component,
-                config,
-                (cycle, occurrence) -> sequencer.passOn(cycle, component.analyze(occurrence), plan),
-                sequencer::failed);
-        analyze = worker;
-        sequencer.setAnalyze(worker);
-        return worker;
-    }
-
-    Worker enlist(Plan<A, P> component) {
-        requireNone(plan);
-        StageWorker<A> worker = new StageWorker<>(
-                component,
-                config,
-                (cycle, analysis) -> dispatch(cycle, component.plan(analysis), null),
-                sequencer::failed);
-        plan = worker;
-        return worker;
-    }
-
-    Worker enlist(Execute<P> component, int position) {
-        StageWorker<P> worker = new StageWorker<>(
-                component,
-                config,
-                (cycle, planned) -> {
-                    component.execute(planned);
-                    dispatch(cycle, planned, component);
-                },
-                sequencer::failed);
-        executes.add(Math.min(position, executes.size()), new ExecuteEntry<>(component, worker));
+    /**
+     * Enlists a component of any role; one that was made for another loop fails when it is first called.
+     *
+     * @param position among those of its role, if there may be several
+     */
+    @SuppressWarnings("unchecked")
+    Worker enlist(Component component, int position) {
+        if (component instanceof Monitor) {
+            MonitorWorker<O> worker = new MonitorWorker<>((Monitor<O>) component, config, sequencer);
+            monitors.add(Math.min(position, monitors.size()), worker);
+            return worker;
+        }
+        if (component instanceof Analyze) {
+            requireNone(analyze);
+            Analyze<O, A> analyzing = (Analyze<O, A>) component;
+            StageWorker<O> worker = stage(
+                    component, (cycle, occurrence) -> sequencer.passOn(cycle, analyzing.analyze(occurrence), plan));
+            analyze = worker;
+            sequencer.setAnalyze(worker);
+            return worker;
+        }
+        if (component instanceof Plan) {
+            requireNone(plan);
+            Plan<A, P> planning = (Plan<A, P>) component;
+            StageWorker<A> worker =
+                    stage(component, (cycle, analysis) -> dispatch(cycle, planning.plan(analysis), null));
+            plan = worker;
+            return worker;
+        }
+        Execute<P> executing = (Execute<P>) component;
+        StageWorker<P> worker = stage(component, (cycle, planned) -> {
+            executing.execute(planned);
+            dispatch(cycle, planned, executing);
+        });
+        executes.add(Math.min(position, executes.size()), worker);
         orderExecutes();
         return worker;
     }
 
-    /** Enlists a component of any role; one that was made for another loop fails when it is first called. */
-    @SuppressWarnings("unchecked")
-    Worker enlistAny(Component component, int position) {
-        return switch (component.role()) {
-            case MONITOR -> enlist((Monitor<O>) component, position);
-            case ANALYZE -> enlist((Analyze<O, A>) component);
-            case PLAN -> enlist((Plan<A, P>) component);
-            case EXECUTE -> enlist((Execute<P>) component, position);
-        };
+    private <I> StageWorker<I> stage(Component component, StageWorker.Work<I> work) {
+        return new StageWorker<>(component, config, sequencer, work);
     }
 
     private void dispatch(long cycle, @Nullable P planned, @Nullable Execute<P> last) {
@@ -88,14 +75,19 @@ final class Roster<O, A, P> {
         // By index: an iterator would be garbage in every cycle.
         for (int index = 0; index < executes.size(); index++) {
             if (executes.get(index).component() == next) {
-                worker = executes.get(index).worker();
+                worker = executes.get(index);
             }
         }
         sequencer.passOn(cycle, planned, worker);
     }
 
+    @SuppressWarnings("unchecked") // nothing else is enlisted there
     private void orderExecutes() {
-        executeOrder = executes.stream().map(ExecuteEntry::component).toList();
+        List<Execute<P>> order = new ArrayList<>();
+        for (StageWorker<P> worker : executes) {
+            order.add((Execute<P>) worker.component());
+        }
+        executeOrder = List.copyOf(order);
     }
 
     private static void requireNone(@Nullable Worker present) {
@@ -111,32 +103,25 @@ final class Roster<O, A, P> {
     int drop(Worker worker) {
         worker.retire();
         int position = 0;
-        switch (worker.component().role()) {
-            case MONITOR -> {
-                position = monitors.indexOf(worker);
-                monitors.remove(position);
-            }
-            case ANALYZE -> {
-                analyze = null;
-                sequencer.setAnalyze(null);
-            }
-            case PLAN -> plan = null;
-            case EXECUTE -> {
-                position = executes.stream().map(ExecuteEntry::worker).toList().indexOf(worker);
-                executes.remove(position);
-                orderExecutes();
-            }
+        if (worker == analyze) {
+            analyze = null;
+            sequencer.setAnalyze(null);
+        } else if (worker == plan) {
+            plan = null;
+        } else if (worker instanceof MonitorWorker) {
+            position = monitors.indexOf(worker);
+            monitors.remove(position);
+        } else {
+            position = executes.indexOf(worker);
+            executes.remove(position);
+            orderExecutes();
         }
         return position;
     }
 
     /** Whether the loop could not go on without this component. */
     boolean needs(Worker worker) {
-        return switch (worker.component().role()) {
-            case MONITOR -> false;
-            case ANALYZE, PLAN -> true;
-            case EXECUTE -> executes.size() == 1;
-        };
+        return worker == analyze || worker == plan || executes.equals(List.of(worker));
     }
 
     /** The roles for which a component is missing, as problems. */
@@ -172,25 +157,28 @@ final class Roster<O, A, P> {
                 all.add(stage);
             }
         }
-        executes.forEach(entry -> all.add(entry.worker()));
+        all.addAll(executes);
         return all;
     }
 
     @Nullable
     Worker find(String name) {
-        return workers().stream()
-                .filter(worker -> worker.component().name().equals(name))
-                .findFirst()
-                .orElse(null);
+        for (Worker worker : workers()) {
+            if (worker.component().name().equals(name)) {
+                return worker;
+            }
+        }
+        return null;
     }
 
     /** @throws IllegalArgumentException if there is none of that name; the message lists those there are */
     Worker require(String name) {
         Worker worker = find(name);
         if (worker == null) {
-            List<String> names = workers().stream()
-                    .map(present -> present.component().name())
-                    .toList();
+            List<String> names = new ArrayList<>();
+            for (Worker present : workers()) {
+                names.add(present.component().name());
+            }
             throw new IllegalArgumentException(
                     "no component is named " + name + "; there are " + String.join(", ", names));
         }

@@ -198,8 +198,8 @@ final class Sequencer<O> {
      * failure was reported, see {@link #goOn}: the listener may have to put things in order first.
      */
     private Failure<O> breakOff(Worker worker, String what) {
-        Failure<O> failure =
-                new Failure<>(worker.component().name(), phase(worker), cycle, occurrence, new TimeoutException(what));
+        Failure<O> failure = new Failure<>(
+                worker.component().name(), worker.roleName(), cycle, occurrence, new TimeoutException(what));
         breakingOff = true;
         busy = null;
         return failure;
@@ -230,12 +230,8 @@ final class Sequencer<O> {
         } finally {
             release();
         }
-        report(worker, phase(worker), inCycle, about, cause);
+        report(worker, worker.roleName(), inCycle, about, cause);
         passOn(inCycle, null, null);
-    }
-
-    private static String phase(Worker worker) {
-        return worker.component().role().name().toLowerCase(java.util.Locale.ROOT);
     }
 
     void report(Worker worker, String phase, long inCycle, @Nullable O about, Throwable cause) {
@@ -364,13 +360,9 @@ final class Sequencer<O> {
         }
     }
 
+    /** Called by a change that goes on {@link #quietly}. */
     void setAnalyze(@Nullable StageWorker<O> worker) {
-        acquire();
-        try {
-            analyze = worker;
-        } finally {
-            release();
-        }
+        analyze = worker;
     }
 
     /** Runs one cycle on the caller's thread; false if nothing waited. */
@@ -384,29 +376,20 @@ final class Sequencer<O> {
             release();
         }
         boolean worked = false;
-        for (StageWorker<?> turn = turn(); turn != null; turn = turn()) {
+        for (StageWorker<?> turn = busy; turn != null; turn = busy) {
             turn.runGiven();
             worked = true;
         }
         return worked;
     }
 
-    private @Nullable StageWorker<?> turn() {
-        return busy;
-    }
-
     boolean hasTurn(Component component) {
-        StageWorker<?> worker = turn();
+        StageWorker<?> worker = busy;
         return worker != null && worker.component() == component;
     }
 
     LoopState state() {
-        acquire();
-        try {
-            return state;
-        } finally {
-            release();
-        }
+        return state;
     }
 
     QueueStatus queueStatus() {

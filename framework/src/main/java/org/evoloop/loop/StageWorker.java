@@ -20,13 +20,8 @@ final class StageWorker<I> extends Worker {
         void run(long cycle, I input) throws Exception;
     }
 
-    /** Told when the work throws. */
-    interface Failed {
-        void failed(Worker worker, long cycle, Throwable cause);
-    }
-
     private final Work<I> work;
-    private final Failed failed;
+    private final Sequencer<?> sequencer;
     private final WaitStrategy waiting;
     private @Nullable I input;
     private long cycle;
@@ -37,10 +32,10 @@ final class StageWorker<I> extends Worker {
     /** Whether its turn came soon the last time, so that it is worth staying awake. The thread's own. */
     private boolean patient = true;
 
-    StageWorker(Component component, LoopConfig config, Work<I> work, Failed failed) {
+    StageWorker(Component component, LoopConfig config, Sequencer<?> sequencer, Work<I> work) {
         super(component, config);
+        this.sequencer = sequencer;
         this.work = work;
-        this.failed = failed;
         this.waiting = config.waiting();
     }
 
@@ -111,7 +106,7 @@ final class StageWorker<I> extends Worker {
         try {
             work.run(givenCycle, given);
         } catch (Throwable cause) {
-            failed.failed(this, givenCycle, cause);
+            sequencer.failed(this, givenCycle, cause);
         } finally {
             working.setRelease(false);
             if (isStuck()) {

@@ -19,16 +19,18 @@ abstract class Worker implements Runnable {
 
     Worker(Component component, LoopConfig config) {
         this.component = component;
-        this.thread = config.threads() ? new Thread(this, threadName(component, config)) : null;
+        this.thread = config.threads()
+                ? new Thread(this, "mapek-" + config.name() + "-" + roleName() + "-" + component.name())
+                : null;
         if (thread != null) {
             // A component that cannot be stopped must not keep the program alive.
             thread.setDaemon(true);
         }
     }
 
-    private static String threadName(Component component, LoopConfig config) {
-        return "mapek-" + config.name() + "-" + component.role().name().toLowerCase(Locale.ROOT) + "-"
-                + component.name();
+    /** Its place in the loop: {@code monitor}, {@code analyze}, {@code plan} or {@code execute}. */
+    final String roleName() {
+        return component.role().name().toLowerCase(Locale.ROOT);
     }
 
     /** One round on the component's thread; returns when it is time to look whether the thread is still wanted. */
@@ -85,13 +87,10 @@ abstract class Worker implements Runnable {
     /**
      * Waits for the thread to end. An interrupt of the caller does not cut the wait short; its flag is restored.
      *
-     * @return the name of the thread if it is still alive, else null
+     * @return whether there is no other thread that is still alive
      */
-    final @Nullable String join(Duration limit) {
-        if (thread == null || thread == Thread.currentThread()) {
-            return null;
-        }
-        return Threads.join(thread, limit) ? null : thread.getName();
+    final boolean join(Duration limit) {
+        return thread == null || ownsCurrentThread() || Threads.join(thread, limit);
     }
 
     final boolean ownsCurrentThread() {

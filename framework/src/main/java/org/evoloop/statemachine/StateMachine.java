@@ -2,6 +2,7 @@ package org.evoloop.statemachine;
 
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -24,16 +25,10 @@ public final class StateMachine {
     private final State initial;
     private final Set<State> states;
     private final Set<Event> events;
-    private final Map<State, Row> outgoing;
+    private final Map<State, List<Transition>> outgoing;
+    private final Map<State, Map<Event, Transition>> byEvent;
     private final List<String> initialEffects;
     private final Map<State, List<String>> activities;
-
-    /** What leaves a state. */
-    private record Row(List<Transition> transitions, Map<Event, Transition> byEvent) {
-        static Row of(Map<Event, Transition> byEvent) {
-            return new Row(List.copyOf(byEvent.values()), Map.copyOf(byEvent));
-        }
-    }
 
     StateMachine(
             String name,
@@ -48,7 +43,11 @@ public final class StateMachine {
         this.states = Collections.unmodifiableSet(new LinkedHashSet<>(states));
         this.events = Collections.unmodifiableSet(new LinkedHashSet<>(events));
         this.outgoing = new LinkedHashMap<>();
-        outgoing.forEach((state, byEvent) -> this.outgoing.put(state, Row.of(byEvent)));
+        this.byEvent = new HashMap<>();
+        for (Map.Entry<State, Map<Event, Transition>> row : outgoing.entrySet()) {
+            this.outgoing.put(row.getKey(), List.copyOf(row.getValue().values()));
+            this.byEvent.put(row.getKey(), Map.copyOf(row.getValue()));
+        }
         this.initialEffects = List.copyOf(initialEffects);
         this.activities = Map.copyOf(activities);
     }
@@ -59,6 +58,7 @@ public final class StateMachine {
         this.states = same.states;
         this.events = same.events;
         this.outgoing = same.outgoing;
+        this.byEvent = same.byEvent;
         this.initialEffects = same.initialEffects;
         this.activities = same.activities;
     }
@@ -106,28 +106,33 @@ public final class StateMachine {
     /** E without guards: what can be told by a monitor or sent. The same as {@link #events()} where no guard is drawn. */
     public Set<Event> triggers() {
         Set<Event> triggers = new LinkedHashSet<>();
-        events.forEach(event -> triggers.add(event.trigger()));
+        for (Event event : events) {
+            triggers.add(event.trigger());
+        }
         return Collections.unmodifiableSet(triggers);
     }
 
     /** The texts of all guards. */
     public Set<String> guards() {
         Set<String> guards = new LinkedHashSet<>();
-        events.forEach(event -> guards.addAll(event.guards()));
+        for (Event event : events) {
+            guards.addAll(event.guards());
+        }
         return Collections.unmodifiableSet(guards);
     }
 
     /** T, ordered by source state. */
     public List<Transition> transitions() {
         List<Transition> all = new ArrayList<>();
-        outgoing.values().forEach(row -> all.addAll(row.transitions()));
+        for (List<Transition> some : outgoing.values()) {
+            all.addAll(some);
+        }
         return Collections.unmodifiableList(all);
     }
 
     /** The transitions that leave {@code source}; empty for a state that is not of this machine. */
     public List<Transition> transitionsFrom(State source) {
-        Row row = outgoing.get(source);
-        return row == null ? List.of() : row.transitions();
+        return outgoing.getOrDefault(source, List.of());
     }
 
     /** Whether {@code state} is a member of S (the paper's {@code existState}). */
@@ -142,9 +147,12 @@ public final class StateMachine {
 
     /** Whether {@code trigger} is acceptable in {@code source}, be it under a guard. */
     public boolean hasTrigger(State source, Event trigger) {
-        return hasTransition(source, trigger)
-                || transitionsFrom(source).stream()
-                        .anyMatch(transition -> transition.event().name().equals(trigger.name()));
+        for (Transition transition : transitionsFrom(source)) {
+            if (transition.event().name().equals(trigger.name())) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /** The transition that {@code event} triggers in {@code source} (the paper's {@code getTransition}). */
@@ -154,12 +162,13 @@ public final class StateMachine {
 
     /** Where {@code event} leads from {@code source} (the paper's {@code getNextState}). */
     public Optional<State> nextState(State source, Event event) {
-        return transition(source, event).map(Transition::target);
+        Transition transition = find(source, event);
+        return transition == null ? Optional.empty() : Optional.of(transition.target());
     }
 
     private @Nullable Transition find(State source, Event event) {
-        Row row = outgoing.get(source);
-        return row == null ? null : row.byEvent().get(event);
+        Map<Event, Transition> row = byEvent.get(source);
+        return row == null ? null : row.get(event);
     }
 
     /** For messages: the name and the sizes of S, E and T. */

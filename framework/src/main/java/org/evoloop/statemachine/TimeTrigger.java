@@ -2,8 +2,9 @@ package org.evoloop.statemachine;
 
 import java.math.BigDecimal;
 import java.time.Duration;
+import java.time.temporal.ChronoUnit;
+import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -20,23 +21,12 @@ final class TimeTrigger {
     private static final Pattern CALL =
             Pattern.compile("(?:tm|after)\\s*\\((.*?)\\)" + OWNER, Pattern.CASE_INSENSITIVE);
     private static final Pattern PHRASE = Pattern.compile("after\\s+([0-9.].*?)" + OWNER, Pattern.CASE_INSENSITIVE);
-    private static final Pattern DURATION = Pattern.compile("([0-9]+(?:\\.[0-9]+)?)\\s*([a-z]+)");
+    private static final Pattern DURATION = Pattern.compile(
+            "([0-9]+(?:\\.[0-9]+)?)\\s*(?:(ms|msec|milliseconds?)|(s|sec|seconds?)|(min|minutes?)|(h|hours?))");
 
-    private static final Map<String, Long> NANOS = Map.ofEntries(
-            Map.entry("ms", 1_000_000L),
-            Map.entry("msec", 1_000_000L),
-            Map.entry("millisecond", 1_000_000L),
-            Map.entry("milliseconds", 1_000_000L),
-            Map.entry("s", 1_000_000_000L),
-            Map.entry("sec", 1_000_000_000L),
-            Map.entry("second", 1_000_000_000L),
-            Map.entry("seconds", 1_000_000_000L),
-            Map.entry("min", 60_000_000_000L),
-            Map.entry("minute", 60_000_000_000L),
-            Map.entry("minutes", 60_000_000_000L),
-            Map.entry("h", 3_600_000_000_000L),
-            Map.entry("hour", 3_600_000_000_000L),
-            Map.entry("hours", 3_600_000_000_000L));
+    /** The unit of each group of {@link #DURATION} but the first. */
+    private static final List<ChronoUnit> UNITS =
+            List.of(ChronoUnit.MILLIS, ChronoUnit.SECONDS, ChronoUnit.MINUTES, ChronoUnit.HOURS);
 
     private TimeTrigger() {}
 
@@ -50,15 +40,19 @@ final class TimeTrigger {
             }
         }
         Matcher duration = DURATION.matcher(form.group(1).strip().toLowerCase(Locale.ROOT));
-        Long unitNanos = duration.matches() ? NANOS.get(duration.group(2)) : null;
-        if (unitNanos == null) {
-            throw new ModelException("time trigger '" + eventName
-                    + "' needs a number and a unit (ms, s, min or h), for example tm(2s) or after 2 s");
+        if (duration.matches()) {
+            for (int unit = 0; unit < UNITS.size(); unit++) {
+                if (duration.group(2 + unit) != null) {
+                    return Optional.of(exact(eventName, new BigDecimal(duration.group(1)), UNITS.get(unit)));
+                }
+            }
         }
-        return Optional.of(exact(eventName, new BigDecimal(duration.group(1)).multiply(BigDecimal.valueOf(unitNanos))));
+        throw new ModelException("time trigger '" + eventName
+                + "' needs a number and a unit (ms, s, min or h), for example tm(2s) or after 2 s");
     }
 
-    private static Duration exact(String eventName, BigDecimal nanos) {
+    private static Duration exact(String eventName, BigDecimal amount, ChronoUnit unit) {
+        BigDecimal nanos = amount.multiply(BigDecimal.valueOf(unit.getDuration().toNanos()));
         // Clocks count nanoseconds in a long: 292 years.
         if (nanos.compareTo(BigDecimal.valueOf(Long.MAX_VALUE)) > 0) {
             throw new ModelException("time trigger '" + eventName + "' is longer than 292 years; write a shorter one");

@@ -16,7 +16,17 @@ public final class ManualClock implements Clock {
     private long nowNanos;
     private long scheduled;
 
-    private record Task(long dueNanos, long order, Runnable action) implements Comparable<Task> {
+    private static final class Task implements Comparable<Task> {
+        final long dueNanos;
+        final long order;
+        final Runnable action;
+
+        Task(long dueNanos, long order, Runnable action) {
+            this.dueNanos = dueNanos;
+            this.order = order;
+            this.action = action;
+        }
+
         @Override
         public int compareTo(Task other) {
             int byTime = Long.compare(dueNanos, other.dueNanos);
@@ -49,7 +59,7 @@ public final class ManualClock implements Clock {
     public void advance(Duration duration) {
         long until = nanoTime() + duration.toNanos();
         for (Task due = pollDue(until); due != null; due = pollDue(until)) {
-            due.action().run();
+            due.action.run();
         }
         synchronized (this) {
             nowNanos = until;
@@ -58,10 +68,10 @@ public final class ManualClock implements Clock {
 
     private synchronized @Nullable Task pollDue(long until) {
         Task next = tasks.peek();
-        if (next == null || next.dueNanos() > until) {
+        if (next == null || next.dueNanos > until) {
             return null;
         }
-        nowNanos = Math.max(nowNanos, next.dueNanos());
+        nowNanos = Math.max(nowNanos, next.dueNanos);
         return tasks.poll();
     }
 
