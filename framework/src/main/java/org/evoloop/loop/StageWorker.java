@@ -58,7 +58,7 @@ final class StageWorker<I> extends Worker {
     @Override
     void work() throws InterruptedException {
         int rounds = patient ? waiting.looks() + waiting.yields() : 0;
-        for (int round = 0; round < rounds && !full.get(); round++) {
+        for (int round = 0; round < rounds && !full.get() && !isRetired(); round++) {
             if (round < waiting.looks()) {
                 Thread.onSpinWait();
             } else {

@@ -87,7 +87,7 @@ abstract class Worker implements Runnable {
     /**
      * Waits for the thread to end. An interrupt of the caller does not cut the wait short; its flag is restored.
      *
-     * @return whether there is no other thread that is still alive
+     * @return whether it has ended, or there is none to wait for
      */
     final boolean join(Duration limit) {
         return thread == null || ownsCurrentThread() || Threads.join(thread, limit);
