@@ -48,9 +48,18 @@ class DemoTest {
         }
     }
 
+    /** What is said of the scenarios. On a computer that is too busy for the demo's speed the simulator complains, too. */
+    private static List<String> said(Program.Result result) {
+        return result.err()
+                .lines()
+                .filter(line -> !line.contains(" WARN  the simulator was "))
+                .toList();
+    }
+
     private static void assertPlayed(Program.Result result, String scenario) {
-        assertThat(result.err())
-                .isEqualTo("evoloop: " + scenario + " ended where it should, by the simulated robot's true state\n");
+        assertThat(said(result))
+                .containsExactly(
+                        "evoloop: " + scenario + " ended where it should, by the simulated robot's true state");
         assertThat(result.status()).isZero();
     }
 
@@ -90,7 +99,7 @@ class DemoTest {
                         "=== scenario: spot-from-clean",
                         "=== scenario: own-button",
                         "=== scenario: timeout");
-        assertThat(result.err().lines())
+        assertThat(said(result))
                 .hasSize(4)
                 .allMatch(line -> line.endsWith(" ended where it should, by the simulated robot's true state"));
         assertThat(result.out().lines().filter(line -> line.contains("internal_event : timeout")))

@@ -1,5 +1,7 @@
 package org.evoloop.roomba.link;
 
+import static java.util.concurrent.TimeUnit.NANOSECONDS;
+
 /**
  * Waits that an interrupt does not cut short, because what waits here leaves the robot safe; each has a limit instead.
  * The interrupt flag is restored for the caller.
@@ -12,6 +14,14 @@ final class BoundedWait {
     interface Attempt {
         /** Returns whether that came which was waited for. */
         boolean within(long nanos) throws InterruptedException;
+    }
+
+    /** Waits for a thread's end; false if it did not come in time. */
+    static boolean forEnd(Thread thread, long limitNanos) {
+        return uninterruptibly(limitNanos, nanos -> {
+            NANOSECONDS.timedJoin(thread, nanos);
+            return !thread.isAlive();
+        });
     }
 
     static boolean uninterruptibly(long limitNanos, Attempt attempt) {

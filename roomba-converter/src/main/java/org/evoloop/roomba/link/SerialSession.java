@@ -4,7 +4,6 @@ import static java.util.concurrent.TimeUnit.MILLISECONDS;
 import static java.util.concurrent.TimeUnit.NANOSECONDS;
 
 import com.fazecast.jSerialComm.SerialPort;
-import java.time.Duration;
 import java.util.Arrays;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicBoolean;
@@ -26,7 +25,7 @@ final class SerialSession {
     private static final int BUFFER_BYTES = 4_096;
 
     private static final long LONGEST_SILENCE_WAIT_NANOS = MILLISECONDS.toNanos(2_000);
-    private static final Duration WRITER_END_LIMIT = Duration.ofSeconds(1);
+    private static final long WRITER_END_LIMIT_NANOS = MILLISECONDS.toNanos(1_000);
     private static final long READER_END_LIMIT_NANOS = MILLISECONDS.toNanos(2_000);
 
     private final SerialPort port;
@@ -114,7 +113,7 @@ final class SerialSession {
     }
 
     private void release() {
-        if (!writer.end(WRITER_END_LIMIT)) {
+        if (!writer.end(WRITER_END_LIMIT_NANOS)) {
             LOG.error("{}: a write is stuck, so the port stays open until the program ends", settings);
             return;
         }
@@ -129,8 +128,7 @@ final class SerialSession {
             awaitSilence();
             end(SerialFaults.closed(settings));
         }
-        if (Thread.currentThread() != reader
-                && !BoundedWait.uninterruptibly(READER_END_LIMIT_NANOS, this::readerEnds)) {
+        if (Thread.currentThread() != reader && !BoundedWait.forEnd(reader, READER_END_LIMIT_NANOS)) {
             LOG.error("thread {} is stuck at {}", reader.getName(), Arrays.toString(reader.getStackTrace()));
         }
     }
@@ -143,10 +141,5 @@ final class SerialSession {
             BoundedWait.uninterruptibly(
                     Math.min(wait, LONGEST_SILENCE_WAIT_NANOS), nanos -> released.await(nanos, NANOSECONDS));
         }
-    }
-
-    private boolean readerEnds(long nanos) throws InterruptedException {
-        NANOSECONDS.timedJoin(reader, nanos);
-        return !reader.isAlive();
     }
 }

@@ -4,7 +4,6 @@ import static java.util.concurrent.TimeUnit.MILLISECONDS;
 import static java.util.concurrent.TimeUnit.NANOSECONDS;
 
 import com.fazecast.jSerialComm.SerialPort;
-import java.time.Duration;
 import java.util.Arrays;
 import java.util.concurrent.locks.ReentrantLock;
 
@@ -107,13 +106,13 @@ final class SerialWriter {
     }
 
     /** Lets waiting and later writes fail, and ends the one under way; false if that did not return in time. */
-    boolean end(Duration limit) {
+    boolean end(long limitNanos) {
         ending = true;
         guard.hurry();
-        boolean idle = takeTurn(limit.toNanos());
+        boolean idle = takeTurn(limitNanos);
         if (idle) {
             turn.unlock();
         }
-        return guard.end(limit) && idle;
+        return guard.end(limitNanos) && idle;
     }
 }

@@ -4,8 +4,6 @@ import static java.util.concurrent.TimeUnit.MILLISECONDS;
 import static java.util.concurrent.TimeUnit.NANOSECONDS;
 
 import com.fazecast.jSerialComm.SerialPort;
-import java.time.Duration;
-import org.evoloop.loop.Threads;
 
 /**
  * Sees to it that a write comes to its end, which a write to a port whose peer does not read never does by itself on Linux:
@@ -74,12 +72,12 @@ final class WriteGuard {
     }
 
     /** Ends the thread; it touches the port no more when this returns true. */
-    boolean end(Duration limit) {
+    boolean end(long limitNanos) {
         synchronized (this) {
             ended = true;
             notifyAll();
         }
-        return Threads.join(thread, limit);
+        return BoundedWait.forEnd(thread, limitNanos);
     }
 
     private synchronized void watch() {
