@@ -72,8 +72,7 @@ final class ScxmlTree {
     }
 
     String key(XmlNode vertex) {
-        String id = vertex.attribute("id").strip();
-        return id.isEmpty() ? placed(vertex).key() : id;
+        return placed(vertex).key();
     }
 
     @Nullable
@@ -154,11 +153,7 @@ final class ScxmlTree {
 
     /** The vertices with these ids; an unknown one is a problem. */
     List<XmlNode> targets(String ids, int line, String what) {
-        XmlNode only = isOneWord(ids) ? byId.get(ids) : null;
-        if (only != null) {
-            return List.of(only);
-        }
-        List<XmlNode> found = new ArrayList<>();
+        List<XmlNode> found = new ArrayList<>(1);
         for (String id : words(ids)) {
             XmlNode target = byId.get(id);
             if (target != null) {
@@ -178,15 +173,6 @@ final class ScxmlTree {
             words.add(tokens.nextToken());
         }
         return words;
-    }
-
-    private static boolean isOneWord(String attribute) {
-        for (int i = 0; i < attribute.length(); i++) {
-            if (attribute.charAt(i) <= ' ') {
-                return false;
-            }
-        }
-        return true;
     }
 
     static Place place(XmlNode node) {
