@@ -34,6 +34,14 @@ public final class XmiFile {
     }
 
     /**
+     * Has made what it takes to read Astah's files, which is long compared with reading one. A program that has other things
+     * to do before it reads calls this on another thread; whoever reads meanwhile waits for it.
+     */
+    public static void prepare() {
+        AstahDialect.prepare();
+    }
+
+    /**
      * Reads the file once, in bounded memory.
      *
      * @throws ModelException if it cannot be read, is not well-formed XML, is of no supported dialect, or is too large;

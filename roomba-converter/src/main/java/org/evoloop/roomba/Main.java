@@ -2,9 +2,15 @@ package org.evoloop.roomba;
 
 import java.io.IOException;
 import org.evoloop.roomba.camera.CameraException;
+import org.evoloop.roomba.camera.tool.CalibrateCommand;
+import org.evoloop.roomba.camera.tool.CameraCommand;
+import org.evoloop.roomba.camera.tool.MarkerCommand;
 import org.evoloop.roomba.link.LinkException;
+import org.evoloop.roomba.link.SerialLink;
 import org.evoloop.roomba.session.connection.RobotException;
+import org.evoloop.roomba.simulator.SimulatorCommand;
 import org.evoloop.statemachine.ModelException;
+import org.evoloop.xmi.XmiFile;
 import picocli.CommandLine;
 
 /** Runs the command line; what its user can mend is one line and exit status 2. */
@@ -17,7 +23,43 @@ public final class Main {
 
     /** Runs the command line and returns the exit status: 0 good, 1 a check failed, 2 wrong usage or input. */
     static int run(String... arguments) {
-        return new CommandLine(new RoombaCommand())
+        boolean plain = arguments.length > 0 && arguments[0].startsWith("-");
+        return (plain ? converterAlone() : everything()).execute(arguments);
+    }
+
+    /**
+     * The converter without the commands beside it, whose options take longer to find than a converter needs to start; they
+     * are asked when it does not understand what it is told, or shall help.
+     */
+    private static CommandLine converterAlone() {
+        Thread loading = new Thread(Main::loadWhatTakesLong, "roomba-loading");
+        loading.setDaemon(true);
+        loading.start();
+        CommandLine converter = withHandlers(new CommandLine(new RoombaCommand()));
+        return converter
+                .setParameterExceptionHandler((mistake, given) -> everything().execute(given))
+                .setExecutionStrategy(parsed -> parsed.isUsageHelpRequested()
+                        ? everything().execute(parsed.originalArgs().toArray(String[]::new))
+                        : new CommandLine.RunLast().execute(parsed));
+    }
+
+    /** Beside the reading of the options, which takes as long. */
+    private static void loadWhatTakesLong() {
+        XmiFile.prepare();
+        SerialLink.prepare();
+    }
+
+    private static CommandLine everything() {
+        return withHandlers(new CommandLine(new RoombaCommand())
+                .addSubcommand(new SimulatorCommand())
+                .addSubcommand(new DemoCommand())
+                .addSubcommand(new CameraCommand())
+                .addSubcommand(new MarkerCommand())
+                .addSubcommand(new CalibrateCommand()));
+    }
+
+    private static CommandLine withHandlers(CommandLine commandLine) {
+        return commandLine
                 .setCaseInsensitiveEnumValuesAllowed(true)
                 .setParameterExceptionHandler((mistake, given) -> {
                     CommandLine command = mistake.getCommandLine();
@@ -33,8 +75,7 @@ public final class Main {
                     }
                     failure.printStackTrace(command.getErr());
                     return CommandLine.ExitCode.SOFTWARE;
-                })
-                .execute(arguments);
+                });
     }
 
     private static boolean isUsersMistake(Exception failure) {

@@ -10,14 +10,10 @@ import java.util.function.IntFunction;
 import org.evoloop.console.Console;
 import org.evoloop.console.ConsoleCommand;
 import org.evoloop.loop.LoopConfig;
-import org.evoloop.roomba.camera.tool.CalibrateCommand;
-import org.evoloop.roomba.camera.tool.CameraCommand;
-import org.evoloop.roomba.camera.tool.MarkerCommand;
 import org.evoloop.roomba.link.Link;
 import org.evoloop.roomba.link.SerialLink;
 import org.evoloop.roomba.link.SerialSettings;
 import org.evoloop.roomba.session.SessionOptions;
-import org.evoloop.roomba.simulator.SimulatorCommand;
 import org.evoloop.roomba.simulator.SimulatorServer;
 import org.evoloop.time.Clock;
 import org.evoloop.time.SystemClock;
@@ -30,13 +26,6 @@ import picocli.CommandLine.Option;
 @Command(
         name = "roomba",
         description = "Gives a Roomba new functions: converts its events between the original and the new model.",
-        subcommands = {
-            SimulatorCommand.class,
-            DemoCommand.class,
-            CameraCommand.class,
-            MarkerCommand.class,
-            CalibrateCommand.class
-        },
         mixinStandardHelpOptions = true)
 final class RoombaCommand implements Callable<Integer> {
     @Mixin

@@ -20,6 +20,11 @@ public final class AstahDialect implements XmiDialect {
     private static final String EXPORTER = "Jomt XMI writer";
     private static final String JUDE = "http://objectclub.esm.co.jp/Jude/namespace/";
 
+    /** Has the bindings made, if they were not. */
+    public static void prepare() {
+        AstahUnmarshaller.prepare();
+    }
+
     @Override
     public boolean recognises(XmiHead head) {
         return head.root().getNamespaceURI().isEmpty()

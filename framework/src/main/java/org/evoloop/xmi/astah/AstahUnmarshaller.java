@@ -8,6 +8,7 @@ import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 import javax.xml.XMLConstants;
 import javax.xml.stream.util.StreamReaderDelegate;
@@ -50,6 +51,10 @@ final class AstahUnmarshaller extends StreamReaderDelegate {
                 throw new IllegalStateException("the bindings of Astah's XMI are broken", broken);
             }
         }
+    }
+
+    static void prepare() {
+        Objects.requireNonNull(Context.JAXB);
     }
 
     private AstahUnmarshaller(XmiStream stream) {

@@ -23,6 +23,14 @@ public final class SerialLink implements Link {
         this.settings = settings;
     }
 
+    /**
+     * Has the serial library loaded, which takes longer than opening a link. A program that has other things to do before
+     * calls this on another thread; whoever needs the library meanwhile waits for it.
+     */
+    public static void prepare() {
+        SerialPorts.load();
+    }
+
     /** The paths of the serial ports this computer has, in alphabetical order. Pseudo-terminals are not among them. */
     public static List<String> available() {
         return SerialPorts.available();

@@ -25,6 +25,9 @@ final class SerialPorts {
 
     private SerialPorts() {}
 
+    /** Has the library loaded, if it was not; initialising this class does it. */
+    static void load() {}
+
     static void addShutdownHook(Thread hook) {
         SerialPort.addShutdownHook(hook);
     }

@@ -1,6 +1,5 @@
 package org.evoloop.roomba.oi;
 
-import java.util.Comparator;
 import java.util.Optional;
 import java.util.regex.MatchResult;
 import java.util.regex.Matcher;
@@ -14,9 +13,6 @@ public record FirmwareVersion(int major, int minor, int patch) implements Compar
     private static final Pattern VERSION = Pattern.compile("(\\d{1,4})\\.(\\d{1,4})\\.(\\d{1,4})");
     private static final Pattern RELEASE =
             Pattern.compile("r3[_-]robot/tags/release-(?:stm32-)?" + VERSION + "(?!\\d)");
-    private static final Comparator<FirmwareVersion> ORDER = Comparator.comparingInt(FirmwareVersion::major)
-            .thenComparingInt(FirmwareVersion::minor)
-            .thenComparingInt(FirmwareVersion::patch);
 
     /** The first version in this text, which is the wire's bytes read as ISO 8859-1; empty if there is none. */
     public static Optional<FirmwareVersion> find(String text) {
@@ -47,7 +43,9 @@ public record FirmwareVersion(int major, int minor, int patch) implements Compar
 
     @Override
     public int compareTo(FirmwareVersion other) {
-        return ORDER.compare(this, other);
+        int byMajor = Integer.compare(major, other.major);
+        int byMinor = Integer.compare(minor, other.minor);
+        return byMajor != 0 ? byMajor : byMinor != 0 ? byMinor : Integer.compare(patch, other.patch);
     }
 
     @Override

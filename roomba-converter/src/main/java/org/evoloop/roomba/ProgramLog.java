@@ -1,0 +1,78 @@
+package org.evoloop.roomba;
+
+import ch.qos.logback.classic.Level;
+import ch.qos.logback.classic.Logger;
+import ch.qos.logback.classic.LoggerContext;
+import ch.qos.logback.classic.PatternLayout;
+import ch.qos.logback.classic.spi.Configurator;
+import ch.qos.logback.classic.spi.ConfiguratorRank;
+import ch.qos.logback.classic.spi.ILoggingEvent;
+import ch.qos.logback.core.ConsoleAppender;
+import ch.qos.logback.core.Layout;
+import ch.qos.logback.core.LayoutBase;
+import ch.qos.logback.core.encoder.LayoutWrappingEncoder;
+import ch.qos.logback.core.joran.spi.ConsoleTarget;
+import ch.qos.logback.core.spi.ContextAwareBase;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Says where the program's log goes: the transcript to stdout, warnings and errors to stderr. Logback finds it as a service
+ * and asks it only when nobody gave a {@code logback.xml}. Reading one, and knowing patterns before there is anything to
+ * say, would take a tenth of the program's start.
+ */
+@ConfiguratorRank(ConfiguratorRank.FALLBACK + 1)
+public final class ProgramLog extends ContextAwareBase implements Configurator {
+    @Override
+    public ExecutionStatus configure(LoggerContext context) {
+        Logger transcript = context.getLogger("org.evoloop.transcript");
+        transcript.setLevel(Level.INFO);
+        transcript.setAdditive(false);
+        transcript.addAppender(appender(ConsoleTarget.SystemOut, new Lines()));
+        Logger root = context.getLogger(org.slf4j.Logger.ROOT_LOGGER_NAME);
+        root.setLevel(Level.WARN);
+        root.addAppender(appender(ConsoleTarget.SystemErr, new TimedLines()));
+        return ExecutionStatus.DO_NOT_INVOKE_NEXT_IF_ANY;
+    }
+
+    private ConsoleAppender<ILoggingEvent> appender(ConsoleTarget target, Layout<ILoggingEvent> layout) {
+        layout.setContext(getContext());
+        layout.start();
+        LayoutWrappingEncoder<ILoggingEvent> encoder = new LayoutWrappingEncoder<>();
+        encoder.setContext(getContext());
+        encoder.setLayout(layout);
+        encoder.start();
+        ConsoleAppender<ILoggingEvent> appender = new ConsoleAppender<>();
+        appender.setContext(getContext());
+        appender.setName(target.getName());
+        appender.setTarget(target.getName());
+        appender.setEncoder(encoder);
+        appender.start();
+        return appender;
+    }
+
+    /** The message alone. */
+    private static final class Lines extends LayoutBase<ILoggingEvent> {
+        @Override
+        public String doLayout(ILoggingEvent event) {
+            return event.getFormattedMessage() + System.lineSeparator();
+        }
+    }
+
+    /** When it was, how bad it is, the message, and an exception if there is one. An appender asks under its lock. */
+    private static final class TimedLines extends LayoutBase<ILoggingEvent> {
+        private @Nullable PatternLayout pattern;
+
+        @Override
+        public String doLayout(ILoggingEvent event) {
+            PatternLayout layout = pattern;
+            if (layout == null) {
+                layout = new PatternLayout();
+                layout.setContext(getContext());
+                layout.setPattern("%d{HH:mm:ss.SSS} %-5level %msg%n");
+                layout.start();
+                pattern = layout;
+            }
+            return layout.doLayout(event);
+        }
+    }
+}
