@@ -1,11 +1,11 @@
 package org.evoloop.roomba;
 
+import ch.qos.logback.classic.ClassicConstants;
 import ch.qos.logback.classic.Level;
 import ch.qos.logback.classic.Logger;
 import ch.qos.logback.classic.LoggerContext;
 import ch.qos.logback.classic.PatternLayout;
 import ch.qos.logback.classic.spi.Configurator;
-import ch.qos.logback.classic.spi.ConfiguratorRank;
 import ch.qos.logback.classic.spi.ILoggingEvent;
 import ch.qos.logback.core.ConsoleAppender;
 import ch.qos.logback.core.Layout;
@@ -13,17 +13,20 @@ import ch.qos.logback.core.LayoutBase;
 import ch.qos.logback.core.encoder.LayoutWrappingEncoder;
 import ch.qos.logback.core.joran.spi.ConsoleTarget;
 import ch.qos.logback.core.spi.ContextAwareBase;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Says where the program's log goes: the transcript to stdout, warnings and errors to stderr. Logback finds it as a service
- * and asks it only when nobody gave a {@code logback.xml}. Reading one, and knowing patterns before there is anything to
- * say, would take a tenth of the program's start.
+ * Says where the program's log goes: the transcript to stdout, warnings and errors to stderr. Logback finds it as a service;
+ * a {@code logback.xml} in front of it wins. Reading one, and knowing patterns before there is anything to say, would take
+ * a tenth of the program's start.
  */
-@ConfiguratorRank(ConfiguratorRank.FALLBACK + 1)
 public final class ProgramLog extends ContextAwareBase implements Configurator {
     @Override
     public ExecutionStatus configure(LoggerContext context) {
+        if (isFileGiven()) {
+            return ExecutionStatus.INVOKE_NEXT_IF_ANY;
+        }
         Logger transcript = context.getLogger("org.evoloop.transcript");
         transcript.setLevel(Level.INFO);
         transcript.setAdditive(false);
@@ -32,6 +35,12 @@ public final class ProgramLog extends ContextAwareBase implements Configurator {
         root.setLevel(Level.WARN);
         root.addAppender(appender(ConsoleTarget.SystemErr, new TimedLines()));
         return ExecutionStatus.DO_NOT_INVOKE_NEXT_IF_ANY;
+    }
+
+    private static boolean isFileGiven() {
+        return System.getProperty(ClassicConstants.CONFIG_FILE_PROPERTY) != null
+                || Stream.of(ClassicConstants.TEST_AUTOCONFIG_FILE, ClassicConstants.AUTOCONFIG_FILE)
+                        .anyMatch(file -> ClassLoader.getSystemResource(file) != null);
     }
 
     private ConsoleAppender<ILoggingEvent> appender(ConsoleTarget target, Layout<ILoggingEvent> layout) {

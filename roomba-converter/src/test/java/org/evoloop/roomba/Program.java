@@ -37,6 +37,12 @@ final class Program {
         return run(folder, List.of("-Devoloop.opencv.classes=" + empty), "", arguments);
     }
 
+    /** With a file of one's own that says where the log goes. */
+    static Result runWithLogFile(Path folder, Path logFile, String... arguments)
+            throws IOException, InterruptedException {
+        return run(folder, List.of("-Dlogback.configurationFile=" + logFile), "", arguments);
+    }
+
     private static Result run(Path folder, List<String> javaOptions, String input, String... arguments)
             throws IOException, InterruptedException {
         Path out = Files.createTempFile(folder, "out", ".txt");
