@@ -18,7 +18,9 @@ public final class Fork {
             "-XX:TieredStopAtLevel=1",
             "-Xms16m",
             "-XX:CompileCommand=quiet",
-            "-XX:CompileCommand=CompileThresholdScaling,org/evoloop/*.*,0.02");
+            "-XX:CompileCommand=CompileThresholdScaling,org/evoloop/*.*,0.02",
+            "-XX:CompileCommand=CompileThresholdScaling,com/fazecast/*.*,0.02",
+            "-XX:CompileCommand=CompileThresholdScaling,java/util/concurrent/*.*,0.02");
 
     private static final long LIMIT_MINUTES = 20;
 

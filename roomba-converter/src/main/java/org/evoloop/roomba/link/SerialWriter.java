@@ -60,17 +60,21 @@ final class SerialWriter {
     Outcome write(byte[] bytes) {
         long limitNanos = limitNanos(bytes.length);
         long deadline = System.nanoTime() + limitNanos;
-        if (!takeTurn(limitNanos)) {
+        boolean free = !turn.hasQueuedThreads() && turn.tryLock();
+        if (!free && !takeTurn(limitNanos)) {
             return Outcome.LATE;
         }
+        Outcome outcome = Outcome.REFUSED;
+        guard.begin(deadline);
         try {
-            guard.begin(deadline);
-            Outcome outcome = writeAll(bytes);
-            return guard.isLate() ? Outcome.LATE : outcome;
+            outcome = writeAll(bytes);
         } finally {
-            guard.done();
+            if (!guard.done()) {
+                outcome = Outcome.LATE;
+            }
             turn.unlock();
         }
+        return outcome;
     }
 
     private boolean takeTurn(long limitNanos) {
@@ -88,7 +92,8 @@ final class SerialWriter {
 
     private Outcome writeAll(byte[] bytes) {
         for (int start = 0; start < bytes.length; start += CHUNK_BYTES) {
-            byte[] chunk = Arrays.copyOfRange(bytes, start, Math.min(start + CHUNK_BYTES, bytes.length));
+            int end = Math.min(start + CHUNK_BYTES, bytes.length);
+            byte[] chunk = end == bytes.length && start == 0 ? bytes : Arrays.copyOfRange(bytes, start, end);
             if (ending || guard.isLate() || port.writeBytes(chunk, chunk.length) != chunk.length) {
                 return Outcome.REFUSED;
             }

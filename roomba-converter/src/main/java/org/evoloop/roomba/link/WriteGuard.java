@@ -1,30 +1,38 @@
 package org.evoloop.roomba.link;
 
 import static java.util.concurrent.TimeUnit.MILLISECONDS;
-import static java.util.concurrent.TimeUnit.NANOSECONDS;
 
 import com.fazecast.jSerialComm.SerialPort;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.concurrent.locks.LockSupport;
 
 /**
  * Sees to it that a write comes to its end, which a write to a port whose peer does not read never does by itself on Linux:
  * when its time is over the session is ended, and what stands in the port's buffers is dropped.
  *
  * <p>Threading: watches on a daemon thread of its own, which sleeps while nothing is written. It is not woken for a write
- * that soon follows another one: a write must not wait for that. One write at a time.
+ * that soon follows another one, and takes no lock that a write could wait for. One write at a time.
  */
 final class WriteGuard {
     private static final long FLUSH_INTERVAL_NANOS = MILLISECONDS.toNanos(10);
+
+    /** Nobody writes. Deadlines are odd, so that they are neither this nor {@link #LATE}. */
+    private static final long IDLE = 0;
+
+    /** The write under way has had its time. */
+    private static final long LATE = 2;
 
     private final SerialPort port;
     private final long shortestLimitNanos;
     private final Runnable endSession;
     private final Thread thread;
-    private boolean ended;
-    private boolean asleep;
-    private boolean usedLately;
-    private boolean writing;
-    private boolean late;
-    private long deadlineNanoTime;
+
+    /** When the write under way has to end, by {@link System#nanoTime()}, or one of the two words above. */
+    private final AtomicLong due = new AtomicLong(IDLE);
+
+    private volatile boolean ended;
+    private volatile boolean asleep;
+    private volatile boolean usedLately;
 
     /**
      * Watches from {@link #start} on.
@@ -45,70 +53,70 @@ final class WriteGuard {
     }
 
     /** A write begins, which has to end before {@code deadlineNanoTime}, by {@link System#nanoTime()}. */
-    synchronized void begin(long deadlineNanoTime) {
-        this.deadlineNanoTime = deadlineNanoTime;
-        writing = true;
-        late = false;
+    void begin(long deadlineNanoTime) {
         usedLately = true;
+        due.set(deadlineNanoTime | 1);
         if (asleep) {
-            notifyAll();
+            LockSupport.unpark(thread);
         }
     }
 
-    /** Whether the time of the last write that began was over before it was done. */
-    synchronized boolean isLate() {
-        return late;
+    /** Whether the time of the write under way is over. */
+    boolean isLate() {
+        return due.get() == LATE;
     }
 
-    /** The write has returned. */
-    synchronized void done() {
-        writing = false;
+    /** The write has returned; false if its time was over before that. */
+    boolean done() {
+        return due.getAndSet(IDLE) != LATE;
     }
 
     /** The write under way, if there is one, has only a moment left. */
-    synchronized void hurry() {
-        deadlineNanoTime = System.nanoTime() + FLUSH_INTERVAL_NANOS;
-        notifyAll();
+    void hurry() {
+        long soon = (System.nanoTime() + FLUSH_INTERVAL_NANOS) | 1;
+        due.updateAndGet(current -> current == IDLE || current == LATE ? current : soon);
+        LockSupport.unpark(thread);
     }
 
     /** Ends the thread; it touches the port no more when this returns true. */
     boolean end(long limitNanos) {
-        synchronized (this) {
-            ended = true;
-            notifyAll();
-        }
+        ended = true;
+        LockSupport.unpark(thread);
         return BoundedWait.forEnd(thread, limitNanos);
     }
 
-    private synchronized void watch() {
-        try {
-            while (!ended) {
-                if (writing) {
-                    watchWrite();
-                } else if (usedLately) {
-                    // A write that begins meanwhile is not due before this is over.
-                    usedLately = false;
-                    NANOSECONDS.timedWait(this, shortestLimitNanos);
-                } else {
-                    asleep = true;
-                    wait();
-                    asleep = false;
-                }
+    private void watch() {
+        while (!ended) {
+            long deadline = due.get();
+            if (deadline != IDLE) {
+                watchWrite(deadline);
+            } else if (usedLately) {
+                // A write that begins meanwhile is not due before this is over.
+                usedLately = false;
+                LockSupport.parkNanos(this, shortestLimitNanos);
+            } else {
+                sleep();
             }
-        } catch (InterruptedException nobodyDoes) {
-            Thread.currentThread().interrupt();
         }
     }
 
-    private void watchWrite() throws InterruptedException {
-        long leftNanos = deadlineNanoTime - System.nanoTime();
-        if (leftNanos > 0) {
-            NANOSECONDS.timedWait(this, leftNanos);
-        } else {
-            late = true;
+    private void sleep() {
+        asleep = true;
+        // Looks once more: a write that began before saw nobody asleep.
+        if (due.get() == IDLE && !ended) {
+            LockSupport.park(this);
+        }
+        asleep = false;
+    }
+
+    private void watchWrite(long deadline) {
+        long leftNanos = deadline - System.nanoTime();
+        if (deadline != LATE && leftNanos > 0) {
+            LockSupport.parkNanos(this, leftNanos);
+        } else if (deadline == LATE || due.compareAndSet(deadline, LATE)) {
             endSession.run();
             port.flushIOBuffers();
-            NANOSECONDS.timedWait(this, FLUSH_INTERVAL_NANOS);
+            LockSupport.parkNanos(this, FLUSH_INTERVAL_NANOS);
         }
     }
 }
