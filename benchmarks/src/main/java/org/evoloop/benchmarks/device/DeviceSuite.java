@@ -9,7 +9,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import org.evoloop.benchmarks.report.Figures;
 import org.evoloop.benchmarks.report.Fork;
 import org.evoloop.benchmarks.report.ResidentMemory;
@@ -25,8 +27,10 @@ public final class DeviceSuite implements Suite {
 
     @Override
     public List<Row> measure(boolean quick) throws Exception {
-        Figures press = Fork.of(PressToCommand.class, Fork.SHIPPED_OPTIONS, quick ? "20" : "200")
-                .figures();
+        String times = quick ? "20" : "200";
+        Figures press =
+                Fork.of(PressToCommand.class, Fork.SHIPPED_OPTIONS, times).figures();
+        Figures bare = Fork.of(BareChain.class, Fork.SHIPPED_OPTIONS, times).figures();
         Fork version = Fork.java("-version");
         double[] starts = new double[quick ? 3 : 9];
         double[] versions = new double[starts.length];
@@ -40,14 +44,21 @@ public final class DeviceSuite implements Suite {
         Arrays.sort(starts);
         Arrays.sort(versions);
         return List.of(
-                new Row("button to command, added by us, median", "us", press.get("press p50"), Row.Goal.atMost(100)),
-                new Row("button to command, 99th percentile", "us", press.get("press p99"), Row.Goal.atMost(1000)),
+                press("button to command, added by us, median", "p50", 100, press, bare),
+                press("button to command, 99th percentile", "p99", 1000, press, bare),
                 new Row(
                         "start of the Roomba converter to the first event",
                         "s",
                         starts[starts.length / 2],
                         Row.Goal.atMostTimes(10, "java -version", versions[versions.length / 2])),
                 new Row("its resident memory", "MB", megabytes, Row.Goal.atMost(90)));
+    }
+
+    private static Row press(String what, String percentile, double bound, Figures press, Figures bare) {
+        Map<String, Double> least = new LinkedHashMap<>();
+        least.put("a byte sent back by its reader", bare.get("direct " + percentile));
+        least.put("by way of 3 bare threads", bare.get("threads " + percentile));
+        return new Row(what, "us", press.get("press " + percentile), Row.Goal.atMost(bound), least);
     }
 
     private record Started(double seconds, double megabytes) {}

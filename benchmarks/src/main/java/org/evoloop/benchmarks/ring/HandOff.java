@@ -8,8 +8,8 @@ import java.util.concurrent.SynchronousQueue;
 import java.util.concurrent.locks.LockSupport;
 import org.jspecify.annotations.Nullable;
 
-/** How one thread of a ring hands an object to the next. */
-interface HandOff {
+/** How one thread hands an object to the next. */
+public interface HandOff {
     void give(Object token) throws InterruptedException;
 
     Object take() throws InterruptedException;
@@ -18,36 +18,37 @@ interface HandOff {
     enum Kind {
         SYNCHRONOUS_QUEUE {
             @Override
-            HandOff make() {
+            public HandOff make() {
                 return queue(new SynchronousQueue<>());
             }
         },
         LINKED_TRANSFER_QUEUE {
             @Override
-            HandOff make() {
+            public HandOff make() {
                 return queue(new LinkedTransferQueue<>());
             }
         },
         ARRAY_BLOCKING_QUEUE {
             @Override
-            HandOff make() {
+            public HandOff make() {
                 return queue(new ArrayBlockingQueue<>(1));
             }
         },
         YIELDING_SLOT {
             @Override
-            HandOff make() {
+            public HandOff make() {
                 return new Slot(30);
             }
         },
         PARKING_SLOT {
             @Override
-            HandOff make() {
+            public HandOff make() {
                 return new Slot(0);
             }
         };
 
-        abstract HandOff make();
+        /** A new place to hand over at. */
+        public abstract HandOff make();
 
         /** For the table: {@code LinkedTransferQueue}. */
         String label() {

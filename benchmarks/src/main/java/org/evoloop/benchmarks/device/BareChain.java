@@ -1,0 +1,154 @@
+package org.evoloop.benchmarks.device;
+
+import java.io.IOException;
+import java.util.List;
+import java.util.concurrent.CountDownLatch;
+import org.HdrHistogram.Histogram;
+import org.evoloop.benchmarks.report.Latencies;
+import org.evoloop.benchmarks.ring.HandOff;
+import org.evoloop.roomba.link.Link;
+import org.evoloop.roomba.link.LinkException;
+import org.evoloop.roomba.link.SerialLink;
+import org.evoloop.roomba.link.SerialSettings;
+import org.evoloop.roomba.simulator.Pty;
+
+/**
+ * What a way from a byte read to a byte written costs at least on this computer: over the same serial link, in the rhythm of
+ * the robot's frames, but with nothing on it than threads that sleep and wake each other. By turns with no thread between,
+ * and with as many as a press goes through.
+ */
+public final class BareChain {
+    private static final int THREADS = 3;
+    private static final int FRAME_BYTES = 8;
+    private static final int FRAME_MILLIS = 15;
+    private static final int FRAMES_PER_MARK = 20;
+    private static final byte MARK = 1;
+
+    private BareChain() {}
+
+    /**
+     * Prints the medians and the 99th percentiles in microseconds.
+     *
+     * @param arguments how often each way is gone
+     */
+    public static void main(String[] arguments) throws IOException, InterruptedException {
+        int wanted = Integer.parseInt(arguments[0]);
+        try (Pty pty = Pty.open()) {
+            try (SerialLink link =
+                    new SerialLink(new SerialSettings(pty.slavePath().toString()))) {
+                List<Way> ways = List.of(new Way(link, 0, wanted), new Way(link, THREADS, wanted));
+                link.open(new Marks(ways));
+                Thread robot = daemon("robot", () -> play(pty));
+                for (Way way : ways) {
+                    way.done.await();
+                }
+                robot.interrupt();
+                robot.join();
+                Latencies.print("direct", ways.get(0).nanos);
+                Latencies.print("threads", ways.get(1).nanos);
+            }
+        }
+    }
+
+    /** Frames without end, some of them with a mark. */
+    private static void play(Pty pty) {
+        byte[] taken = new byte[FRAME_BYTES];
+        try {
+            for (int frame = 1; ; frame++) {
+                byte[] bytes = new byte[FRAME_BYTES];
+                bytes[0] = frame % FRAMES_PER_MARK == 0 ? MARK : 0;
+                pty.write(bytes, bytes.length);
+                pty.read(taken, 0);
+                Thread.sleep(FRAME_MILLIS);
+            }
+        } catch (InterruptedException over) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    private static Thread daemon(String name, Runnable task) {
+        Thread thread = new Thread(task, name);
+        thread.setDaemon(true);
+        thread.start();
+        return thread;
+    }
+
+    /** Sends each mark on its way. */
+    private static final class Marks implements Link.Receiver {
+        private final List<Way> ways;
+        private int turn;
+
+        Marks(List<Way> ways) {
+            this.ways = ways;
+        }
+
+        @Override
+        public void received(byte[] buffer, int length) {
+            long now = System.nanoTime();
+            for (int index = 0; index < length; index++) {
+                if (buffer[index] == MARK) {
+                    ways.get(turn++ % ways.size()).go(now);
+                }
+            }
+        }
+
+        @Override
+        public void lost(LinkException cause) {
+            throw cause;
+        }
+    }
+
+    /** From the reader's thread over so many others to the link. */
+    private static final class Way {
+        private static final Object TOKEN = new Object();
+        private static final byte[] ANSWER = {(byte) 135};
+
+        private final Link link;
+        private final Histogram nanos = Latencies.histogram();
+        private final CountDownLatch done;
+        private final HandOff[] slots;
+        private volatile long begunNanos;
+
+        Way(Link link, int threads, int wanted) {
+            this.link = link;
+            this.done = new CountDownLatch(wanted);
+            this.slots = new HandOff[threads];
+            for (int index = 0; index < threads; index++) {
+                slots[index] = HandOff.Kind.PARKING_SLOT.make();
+            }
+            for (int index = 0; index < threads; index++) {
+                int mine = index;
+                daemon("relay-" + index, () -> relay(mine));
+            }
+        }
+
+        void go(long now) {
+            begunNanos = now;
+            pass(0);
+        }
+
+        private void pass(int to) {
+            try {
+                if (to < slots.length) {
+                    slots[to].give(TOKEN);
+                } else {
+                    link.send(ANSWER);
+                    nanos.recordValue(System.nanoTime() - begunNanos);
+                    done.countDown();
+                }
+            } catch (InterruptedException nobodyDoes) {
+                Thread.currentThread().interrupt();
+            }
+        }
+
+        private void relay(int mine) {
+            try {
+                while (slots[mine].take() == TOKEN) {
+                    pass(mine + 1);
+                }
+            } catch (InterruptedException nobodyDoes) {
+                Thread.currentThread().interrupt();
+            }
+        }
+    }
+}
