@@ -28,8 +28,7 @@ public final class DeviceSuite implements Suite {
     @Override
     public List<Row> measure(boolean quick) throws Exception {
         String times = quick ? "20" : "200";
-        Figures press =
-                Fork.of(PressToCommand.class, Fork.SHIPPED_OPTIONS, times).figures();
+        Figures press = Fork.shipped(PressToCommand.class, List.of("1"), times).figures();
         Figures bare = Fork.of(BareChain.class, Fork.SHIPPED_OPTIONS, times).figures();
         Fork version = Fork.java("-version");
         double[] starts = new double[quick ? 3 : 9];

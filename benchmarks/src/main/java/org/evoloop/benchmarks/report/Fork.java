@@ -3,6 +3,8 @@ package org.evoloop.benchmarks.report;
 import java.io.File;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
@@ -37,6 +39,30 @@ public final class Fork {
         fork.command.addAll(List.of("-cp", System.getProperty("java.class.path"), main.getName()));
         fork.command.addAll(List.of(arguments));
         return fork;
+    }
+
+    /**
+     * A JVM that runs {@code main} as {@code ./evoloop} would: with an archive of the classes that a short run needs.
+     *
+     * @param shortRun the short run's arguments
+     * @throws IOException if that does not end well
+     */
+    public static Fork shipped(Class<?> main, List<String> shortRun, String... arguments)
+            throws IOException, InterruptedException {
+        Path folder = Files.createTempDirectory("evoloop");
+        Path archive = folder.resolve("classes.jsa");
+        // The last one named is the first to go.
+        folder.toFile().deleteOnExit();
+        archive.toFile().deleteOnExit();
+        run(of(main, shippedWith("-XX:ArchiveClassesAtExit=" + archive), shortRun.toArray(String[]::new)).command);
+        return of(main, shippedWith("-XX:SharedArchiveFile=" + archive), arguments);
+    }
+
+    private static List<String> shippedWith(String archiveOption) {
+        List<String> options = new ArrayList<>(SHIPPED_OPTIONS);
+        // What cannot be archived is nobody's concern here, and would stand among the figures.
+        options.addAll(List.of(archiveOption, "-Xlog:cds=off", "-Xlog:cds+dynamic=off"));
+        return options;
     }
 
     /** A JVM with these arguments alone. */

@@ -18,8 +18,7 @@ import org.evoloop.benchmarks.report.Suite;
  * several turns.
  */
 public final class RingSuite implements Suite {
-    private static final int WARM_UP = 30_000;
-    private static final int ROUNDS = 60_000;
+    private static final int LOOP_WARM_UP = 30_000;
     private static final String LOOP = "loop";
 
     @Override
@@ -29,7 +28,8 @@ public final class RingSuite implements Suite {
 
     @Override
     public List<Row> measure(boolean quick) throws Exception {
-        Figures found = Fork.of(RingSuite.class, List.of(), quick ? "3" : "9").figures();
+        Figures found = Fork.of(RingSuite.class, List.of(), quick ? "3" : "9", quick ? "20000" : "60000")
+                .figures();
         Map<String, Double> p50 = new LinkedHashMap<>();
         Map<String, Double> p99 = new LinkedHashMap<>();
         for (HandOff.Kind kind : HandOff.Kind.values()) {
@@ -52,17 +52,22 @@ public final class RingSuite implements Suite {
         return new Row(what, "us", ours, Row.Goal.atMostTimes(bound, best.getKey(), best.getValue()), rings);
     }
 
-    /** Prints what it measured, in microseconds and bytes. */
+    /**
+     * Prints what it measured, in microseconds and bytes.
+     *
+     * @param arguments how many turns, and how many rounds in each; a bare ring warms up in half as many
+     */
     public static void main(String[] arguments) throws InterruptedException {
         int turns = Integer.parseInt(arguments[0]);
+        int rounds = Integer.parseInt(arguments[1]);
         Map<HandOff.Kind, List<Histogram>> rings = new EnumMap<>(HandOff.Kind.class);
         List<Histogram> loops = new ArrayList<>();
         double bytes = 0;
         for (int turn = 0; turn < turns; turn++) {
             for (HandOff.Kind kind : HandOff.Kind.values()) {
-                rings.computeIfAbsent(kind, key -> new ArrayList<>()).add(BareRing.run(kind, WARM_UP, ROUNDS));
+                rings.computeIfAbsent(kind, key -> new ArrayList<>()).add(BareRing.run(kind, rounds / 2, rounds));
             }
-            LoopRing.Result loop = LoopRing.run(WARM_UP, ROUNDS);
+            LoopRing.Result loop = LoopRing.run(LOOP_WARM_UP, rounds);
             loops.add(loop.nanos());
             bytes = loop.bytesPerRound();
         }

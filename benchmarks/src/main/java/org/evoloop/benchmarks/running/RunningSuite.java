@@ -24,8 +24,8 @@ public final class RunningSuite implements Suite {
 
     @Override
     public List<Row> measure(boolean quick) throws Exception {
-        Figures found =
-                Fork.of(RunningSuite.class, List.of(), quick ? "1" : "6").figures();
+        Figures found = Fork.of(RunningSuite.class, List.of(), quick ? "1" : "6", quick ? "300000" : "1000000")
+                .figures();
         return List.of(
                 new Row("the loop without threads, a cycle", "us", found.get("step"), Row.Goal.atMost(0.2)),
                 new Row("the same, allocated", "B", Math.rint(found.get("step bytes")), Row.Goal.atMost(0)),
@@ -49,7 +49,7 @@ public final class RunningSuite implements Suite {
     /**
      * Prints what it measured.
      *
-     * @param arguments how many times ten seconds the idle converter is watched
+     * @param arguments how many times ten seconds the idle converter is watched, and how many events flood the threads
      */
     public static void main(String[] arguments) throws InterruptedException {
         steps();
@@ -60,7 +60,7 @@ public final class RunningSuite implements Suite {
         try (FloodedLoop flood = new FloodedLoop(false, 5_000_000)) {
             System.out.println("flood step " + flood.inSteps());
         }
-        try (FloodedLoop flood = new FloodedLoop(true, 1_000_000)) {
+        try (FloodedLoop flood = new FloodedLoop(true, Integer.parseInt(arguments[1]))) {
             System.out.println("flood threads " + flood.byThreads());
         }
         idle(Integer.parseInt(arguments[0]));
