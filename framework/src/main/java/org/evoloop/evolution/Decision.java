@@ -98,7 +98,8 @@ public sealed interface Decision {
             return false;
         }
 
-        // By hand: linking what a record is given takes a tenth of a second when a program starts on a small computer.
+        // By hand, see State.
+
         @Override
         public boolean equals(@Nullable Object other) {
             return other instanceof Impossible that

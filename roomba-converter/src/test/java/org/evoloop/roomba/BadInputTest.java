@@ -36,6 +36,13 @@ class BadInputTest {
         assertThat(result.status()).isEqualTo(2);
     }
 
+    @Test
+    void helpKnowsEveryCommand() throws Exception {
+        Program.Result result = Program.run(folder, "--help");
+        assertThat(result.out()).contains("--port=PATH", "simulator", "demo", "camera", "marker", "calibrate");
+        assertThat(result.status()).isZero();
+    }
+
     /** In a process of its own each: what they have in common is the way in and the way out. */
     @ParameterizedTest
     @CsvSource(
@@ -56,6 +63,8 @@ class BadInputTest {
                 "demo --speed 0 | error: --speed is 0.0, allowed is 0.01 to 1000.0 times real time",
                 "demo --scenario dance | error: there is no scenario dance; there are remote-start, spot-from-clean, "
                         + "own-button, timeout",
+                "--simulate demo --scenario dance | error: there is no scenario dance; there are remote-start, "
+                        + "spot-from-clean, own-button, timeout",
             })
     void optionsThatMakeNoSense(String arguments, String message) throws Exception {
         assertRefused(message, arguments.split(" "));
