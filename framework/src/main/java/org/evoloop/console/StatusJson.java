@@ -15,7 +15,8 @@ import org.evoloop.loop.ComponentStatus;
  *   <li>{@code conversionTime}: {@code events}, {@code lastNanos}, {@code medianNanos}, {@code percentile99Nanos}
  *   <li>{@code components}, a list: {@code name}, {@code role} (monitor, analyze, plan, execute), {@code thread}, {@code
  *       activity} (waiting, working, stuck, ended), {@code failures}, {@code lastFailure}
- *   <li>{@code function}: {@code state}, {@code thread}, both empty if no new function runs
+ *   <li>{@code doubt}: why the original state may be wrong, empty if it is sure
+ *   <li>{@code function}: {@code state}, {@code thread}, {@code progress}, all empty if no new function runs
  *   <li>{@code link}: {@code up}, {@code text}, false and empty if the converter was told of none
  * </ul>
  */
@@ -28,6 +29,7 @@ final class StatusJson {
                 .put("loop", lowerCase(status.loop()))
                 .put("originalState", status.states().original().name())
                 .put("newState", status.states().evolved().name())
+                .put("doubt", status.doubt())
                 .put(
                         "queue",
                         new JsonObject()
@@ -60,7 +62,8 @@ final class StatusJson {
                         "function",
                         new JsonObject()
                                 .put("state", status.function().state())
-                                .put("thread", status.function().thread()))
+                                .put("thread", status.function().thread())
+                                .put("progress", status.function().progress()))
                 .put(
                         "link",
                         new JsonObject()

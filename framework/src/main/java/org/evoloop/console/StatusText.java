@@ -25,6 +25,9 @@ final class StatusText {
                 "states",
                 "original " + status.states().original() + ", new "
                         + status.states().evolved());
+        if (!status.doubt().isEmpty()) {
+            line(out, "in doubt", status.doubt());
+        }
         line(
                 out,
                 "queue",
@@ -70,7 +73,9 @@ final class StatusText {
         if (function.state().isEmpty()) {
             return "none";
         }
-        return function.state() + (function.thread().isEmpty() ? ", no thread" : ", thread " + function.thread());
+        return function.state()
+                + (function.thread().isEmpty() ? ", no thread" : ", thread " + function.thread())
+                + (function.progress().isEmpty() ? "" : ": " + function.progress());
     }
 
     private static String link(ConverterStatus.Link link) {

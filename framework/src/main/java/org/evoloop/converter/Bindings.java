@@ -7,11 +7,11 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.function.BooleanSupplier;
 import java.util.function.Predicate;
 import org.evoloop.evolution.DecisionTable;
 import org.evoloop.evolution.DeviceEvents;
 import org.evoloop.evolution.ModelPair;
+import org.evoloop.evolution.Values;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
@@ -24,8 +24,8 @@ import org.evoloop.statemachine.Transition;
  */
 final class Bindings implements Predicate<String> {
     private final ModelPair pair;
-    private final Map<String, BooleanSupplier> guards = new HashMap<>();
-    private final Map<String, Effect> effects = new HashMap<>();
+    private final Map<String, Predicate<Values>> guards = new HashMap<>();
+    private final Map<String, Effect.OfEvent> effects = new HashMap<>();
     private final Map<Event, Integer> costs = new LinkedHashMap<>();
     private final Set<State> doNotPass = new HashSet<>();
 
@@ -33,11 +33,11 @@ final class Bindings implements Predicate<String> {
         this.pair = pair;
     }
 
-    void guard(String text, BooleanSupplier condition) {
+    void guard(String text, Predicate<Values> condition) {
         guards.put(text, condition);
     }
 
-    void effect(String text, Effect effect) {
+    void effect(String text, Effect.OfEvent effect) {
         effects.put(text, effect);
     }
 
@@ -53,20 +53,29 @@ final class Bindings implements Predicate<String> {
         doNotPass.add(new State(state));
     }
 
-    /** Whether the guard of this text holds now; false if nothing is bound to it. */
+    /** Whether the guard of this text holds now for an event without values; false if nothing is bound to it. */
     @Override
     public boolean test(String text) {
-        BooleanSupplier condition = guards.get(text);
-        return condition != null && condition.getAsBoolean();
+        return holds(text, Values.NONE);
+    }
+
+    /** The same for an event that carries {@code values}. */
+    Predicate<String> with(Values values) {
+        return values.isEmpty() ? this : text -> holds(text, values);
+    }
+
+    private boolean holds(String text, Values values) {
+        Predicate<Values> condition = guards.get(text);
+        return condition != null && condition.test(values);
     }
 
     /** @throws IllegalStateException if nothing is bound to {@code text} */
-    void run(String text) throws Exception {
-        Effect effect = effects.get(text);
+    void run(String text, Values values) throws Exception {
+        Effect.OfEvent effect = effects.get(text);
         if (effect == null) {
             throw new IllegalStateException("nothing is bound to it; call effect in registerNewFunctions");
         }
-        effect.run();
+        effect.run(values);
     }
 
     /** The same with the ways that are welcome and the guards that can be asked. */

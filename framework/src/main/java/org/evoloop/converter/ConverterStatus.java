@@ -14,6 +14,7 @@ import org.evoloop.loop.QueueStatus;
  * @param name the converter's name
  * @param loop where the loop is in its life
  * @param states the current states of both models
+ * @param doubt why the record of the device's state may be wrong; empty if it is sure
  * @param queue what waits and what was lost
  * @param events what became of the events so far
  * @param conversionTime how long conversions take
@@ -25,6 +26,7 @@ public record ConverterStatus(
         String name,
         LoopState loop,
         Configuration states,
+        String doubt,
         QueueStatus queue,
         EventCounts events,
         ConversionTime conversionTime,
@@ -32,7 +34,7 @@ public record ConverterStatus(
         RunningFunction function,
         Link link) {
 
-    /** How many events had which outcome, see {@link HistoryEntry.Outcome}. */
+    /** How many events had which outcome, see {@link Outcome}. */
     public record EventCounts(long handled, long ignored, long stale, long failed) {}
 
     /**
@@ -48,8 +50,9 @@ public record ConverterStatus(
      *
      * @param state the state, empty if the device does the work
      * @param thread the thread, empty if it has returned or has none
+     * @param progress how far it is, in its own words; empty if it says nothing
      */
-    public record RunningFunction(String state, String thread) {}
+    public record RunningFunction(String state, String thread, String progress) {}
 
     /** The connection, see {@link DeviceLink}; down with an empty text if the converter was told of none. */
     public record Link(boolean up, String text) {}

@@ -1,5 +1,7 @@
 package org.evoloop.converter;
 
+import org.evoloop.evolution.Values;
+
 /**
  * A behavior that the new model names on its transitions, see {@link StateKnowledge#effect}.
  *
@@ -15,4 +17,11 @@ public interface Effect {
      * @throws Exception any failure: it is reported, and the event has failed although the transition is taken
      */
     void run() throws Exception;
+
+    /** One that looks at what the event carries. */
+    @FunctionalInterface
+    interface OfEvent {
+        /** Does it; see {@link Effect#run}. */
+        void run(Values values) throws Exception;
+    }
 }

@@ -2,9 +2,12 @@ package org.evoloop.converter;
 
 import java.util.Collections;
 import java.util.HashSet;
+import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.atomic.AtomicLong;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Step;
+import org.evoloop.evolution.Values;
 import org.evoloop.loop.Execute;
 import org.evoloop.statemachine.Event;
 import org.jspecify.annotations.Nullable;
@@ -15,8 +18,12 @@ import org.jspecify.annotations.Nullable;
  * <p>Threading: all methods are called on the component's own thread, one at a time; only {@link #settled} is called once
  * more by whoever starts the converter, before the loop opens, and {@link #released} by whoever stops it.
  */
-public abstract class EventExecute extends Execute<Conversion> {
+public abstract class EventExecute extends Execute<ChangePlan> {
+    private final AtomicLong sending = new AtomicLong();
     private volatile @Nullable Set<Event> events;
+    private volatile Values values = Values.NONE;
+    private volatile @Nullable CoreDriver driver;
+    private volatile @Nullable Carrier carrier;
 
     /** A component that is called like its class. */
     protected EventExecute() {}
@@ -50,6 +57,42 @@ public abstract class EventExecute extends Execute<Conversion> {
     protected abstract void send(Step step) throws Exception;
 
     /**
+     * The step that {@link #send} is about has had its effect; for adapters that read from the device when that happens, and
+     * tell what the device does by itself on the same thread. Then everything reaches the converter in the order in which it
+     * happened at the device, and the record is never in doubt. Without this call, an effect counts as told when {@code send}
+     * returns. May be called from any thread; does nothing when nothing is being sent.
+     */
+    protected final void tookEffect() {
+        report(sending.getAndSet(0), true);
+    }
+
+    private void report(long number, boolean inOrder) {
+        CoreDriver told = driver;
+        if (number != 0 && told != null) {
+            told.sent(number, inOrder);
+        }
+    }
+
+    /** What the event that is being converted carries besides its name; for {@link #awaitReady} and {@link #send}. */
+    protected final Values values() {
+        return values;
+    }
+
+    /**
+     * Asks the device where it is, after something has left the record in doubt: a component was given up while it sent, or
+     * the device acted by itself while a step was on its way. Events wait meanwhile, for as long as the loop's step limit
+     * lets this take.
+     *
+     * @return the name of a state of the original model; empty if the device cannot tell, which is the usual answer: then
+     *     the converter goes on with the likelier of the states, and says that it is in doubt. A step that was given up is
+     *     taken to have had no effect, and what the device did by itself to have come in the order in which it was told
+     * @throws Exception any failure: it is reported, and the record stays in doubt
+     */
+    protected Optional<String> locate() throws Exception {
+        return Optional.empty();
+    }
+
+    /**
      * An event has been dealt with, and the system stands at {@code now}; a new function has not started yet. What a
      * device needs in each state, such as a mode, can be seen to here.
      *
@@ -65,9 +108,25 @@ public abstract class EventExecute extends Execute<Conversion> {
      */
     protected void released() throws Exception {}
 
+    final void attach(CoreDriver joined, Carrier carriedBy) {
+        driver = joined;
+        carrier = carriedBy;
+    }
+
     @Override
-    protected final void execute(Conversion conversion) throws Exception {
-        conversion.performWith(this);
+    protected final void execute(ChangePlan plan) throws Exception {
+        Carrier attached = carrier;
+        if (attached != null) {
+            attached.carryOut(plan, this);
+        }
+    }
+
+    /** Sends a step, which was announced under {@code number}. */
+    final void perform(long number, Step step, Values carried) throws Exception {
+        values = carried;
+        sending.set(number);
+        send(step);
+        report(sending.compareAndSet(number, 0) ? number : 0, false);
     }
 
     /** {@link #sendableEvents}, asked for once: every event that is converted needs them more than once. */

@@ -1,8 +1,10 @@
 package org.evoloop.converter;
 
 import java.util.Set;
+import java.util.function.Supplier;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Source;
+import org.evoloop.evolution.Values;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.loop.MapeLoop;
 import org.evoloop.loop.Monitor;
@@ -19,6 +21,7 @@ import org.jspecify.annotations.Nullable;
 public abstract class EventMonitor extends Monitor<Occurrence> {
     private volatile @Nullable LoopConfig config;
     private volatile @Nullable MapeLoop<Occurrence, ?, ?> loop;
+    private volatile Supplier<Set<String>> guards = Set::of;
 
     /** A monitor that is called like its class. */
     protected EventMonitor() {}
@@ -28,9 +31,11 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
         super(name);
     }
 
-    void attach(LoopConfig loopConfig, MapeLoop<Occurrence, ?, ?> joined) {
+    /** @param holding tells which guards of the original model hold now */
+    final void attach(LoopConfig loopConfig, MapeLoop<Occurrence, ?, ?> joined, Supplier<Set<String>> holding) {
         config = loopConfig;
         loop = joined;
+        guards = holding;
     }
 
     /** Tells the loop on the caller's thread; false if {@link #getEvent} has to, on the monitor's. */
@@ -55,7 +60,12 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
 
     /** A control of the controller was operated; the device knows nothing of it. */
     protected final Occurrence fromController(String event) {
-        return occurrence(event, Source.CONTROLLER, false);
+        return fromController(event, Values.NONE);
+    }
+
+    /** The same, carrying {@code values}. */
+    protected final Occurrence fromController(String event, Values values) {
+        return occurrence(event, values, Source.CONTROLLER, false);
     }
 
     /**
@@ -64,12 +74,17 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
      * @param deviceActed true if the device has acted on it by itself, false if it merely reports it
      */
     protected final Occurrence fromPanel(String event, boolean deviceActed) {
-        return occurrence(event, Source.PANEL, deviceActed);
+        return occurrence(event, Values.NONE, Source.PANEL, deviceActed);
     }
 
     /** The device did something of its own accord. */
     protected final Occurrence fromDevice(String event) {
-        return occurrence(event, Source.DEVICE, true);
+        return fromDevice(event, Values.NONE);
+    }
+
+    /** The same, carrying {@code values}. */
+    protected final Occurrence fromDevice(String event, Values values) {
+        return occurrence(event, values, Source.DEVICE, true);
     }
 
     /**
@@ -78,11 +93,13 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
      * the device has been sent an event since.
      */
     protected final Occurrence foundIn(String state) {
-        return Occurrence.found(new State(state), nanoTime());
+        return new Occurrence.Found(new State(state), nanoTime());
     }
 
-    private Occurrence occurrence(String event, Source source, boolean deviceActed) {
-        return new Occurrence(new Event(event), source, deviceActed, Occurrence.ANY_VISIT, nanoTime());
+    private Occurrence occurrence(String event, Values values, Source source, boolean deviceActed) {
+        // A fact moves the record at once, so what its guards say is asked here, before it is told.
+        return new Occurrence.Heard(
+                new Event(event), values, source, deviceActed, guards.get(), Occurrence.ANY_VISIT, nanoTime());
     }
 
     private long nanoTime() {

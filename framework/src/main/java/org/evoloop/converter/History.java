@@ -2,7 +2,8 @@ package org.evoloop.converter;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.evoloop.converter.HistoryEntry.Outcome;
+import java.util.Objects;
+import org.evoloop.core.Outcome;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;
@@ -10,7 +11,7 @@ import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The last {@value #SIZE} events and what became of them, and how many had which outcome.
+ * The last {@value #SIZE} events and what became of them.
  *
  * <p>Threading: thread-safe.
  */
@@ -19,7 +20,6 @@ final class History {
 
     private final Clock clock;
     private final HistoryLine[] lines = new HistoryLine[SIZE];
-    private final long[] counts = new long[Outcome.values().length];
     private long recorded;
 
     History(Clock clock) {
@@ -45,7 +45,11 @@ final class History {
             lines[place] = line;
         }
         line.set(recorded, clock.wallTime(), occurrence, before, after, outcome, decision, detail);
-        counts[placeOf(outcome)]++;
+    }
+
+    /** The last one that was recorded. */
+    synchronized HistoryEntry last() {
+        return Objects.requireNonNull(lines[(int) ((recorded - 1) % SIZE)]).toEntry();
     }
 
     synchronized List<HistoryEntry> entries() {
@@ -57,19 +61,5 @@ final class History {
             }
         }
         return List.copyOf(entries);
-    }
-
-    synchronized ConverterStatus.EventCounts counts() {
-        return new ConverterStatus.EventCounts(
-                count(Outcome.HANDLED), count(Outcome.IGNORED), count(Outcome.STALE), count(Outcome.FAILED));
-    }
-
-    private long count(Outcome outcome) {
-        return counts[placeOf(outcome)];
-    }
-
-    @SuppressWarnings("EnumOrdinal") // a map would box a number in every event
-    private static int placeOf(Outcome outcome) {
-        return outcome.ordinal();
     }
 }

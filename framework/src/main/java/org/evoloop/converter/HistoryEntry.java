@@ -1,6 +1,7 @@
 package org.evoloop.converter;
 
 import java.time.Instant;
+import org.evoloop.core.Outcome;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Occurrence;
 
@@ -24,19 +25,4 @@ public record HistoryEntry(
         Configuration before,
         Configuration after,
         Outcome outcome,
-        String detail) {
-
-    /** What can become of an event. */
-    public enum Outcome {
-        /** It had its effect. */
-        HANDLED,
-        /** The new model has no transition for it. */
-        IGNORED,
-        /** It was raised in an earlier visit of a state and came too late. */
-        STALE,
-        /** It could not be carried out, or not to its end. */
-        FAILED,
-        /** The queue was full. */
-        DROPPED
-    }
-}
+        String detail) {}

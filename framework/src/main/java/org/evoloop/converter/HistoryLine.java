@@ -4,7 +4,7 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
-import org.evoloop.converter.HistoryEntry.Outcome;
+import org.evoloop.core.Outcome;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;
@@ -60,6 +60,9 @@ final class HistoryLine {
     private static String detail(Decision decision) {
         if (decision instanceof Decision.NotAcceptable) {
             return "not acceptable in " + decision.before().evolved();
+        }
+        if (decision instanceof Decision.Refused refused) {
+            return refused.reason();
         }
         if (decision instanceof Decision.Impossible impossible) {
             return impossible.reason();

@@ -9,11 +9,11 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.BooleanSupplier;
+import java.util.function.Predicate;
 import org.evoloop.evolution.Configuration;
-import org.evoloop.evolution.DecisionTable;
 import org.evoloop.evolution.DeviceEvents;
 import org.evoloop.evolution.ModelPair;
-import org.evoloop.evolution.Step;
+import org.evoloop.evolution.Values;
 import org.evoloop.function.NewFunction;
 import org.evoloop.loop.Knowledge;
 import org.evoloop.statemachine.Event;
@@ -37,14 +37,12 @@ public class StateKnowledge extends Knowledge {
 
     private final Map<Ends, NewFunction> actions = new HashMap<>();
     private final Bindings bindings;
-    private volatile Configuration current;
-    private volatile @Nullable DecisionTable table;
+    private volatile @Nullable CoreDriver driver;
 
     /** @throws org.evoloop.statemachine.ModelException if the pair violates Condition 1 or 2 */
     public StateKnowledge(ModelPair pair) {
         pair.requireValid();
         this.pair = pair;
-        this.current = pair.initial();
         this.bindings = new Bindings(pair);
     }
 
@@ -88,6 +86,11 @@ public class StateKnowledge extends Knowledge {
      * @param text as drawn, without brackets
      */
     protected final void guard(String text, BooleanSupplier condition) {
+        bindings.guard(text, values -> condition.getAsBoolean());
+    }
+
+    /** The same for a guard that looks at what the event carries. */
+    protected final void guard(String text, Predicate<Values> condition) {
         bindings.guard(text, condition);
     }
 
@@ -100,6 +103,11 @@ public class StateKnowledge extends Knowledge {
      * @param text as drawn
      */
     protected final void effect(String text, Effect action) {
+        bindings.effect(text, values -> action.run());
+    }
+
+    /** The same for an effect that looks at what the event carries. */
+    protected final void effect(String text, Effect.OfEvent action) {
         bindings.effect(text, action);
     }
 
@@ -182,48 +190,27 @@ public class StateKnowledge extends Knowledge {
 
     /** The current state of the new model. */
     public final State getCurrentState() {
-        return current.evolved();
+        return configuration().evolved();
     }
 
     /** The current state of the original model: where the device is. */
     public final State getOriginalState() {
-        return current.original();
+        return configuration().original();
     }
 
     /** The current states of both models, as of one moment. */
     public final Configuration configuration() {
-        return current;
+        CoreDriver attached = driver;
+        return attached == null ? pair.initial() : attached.configuration();
     }
 
-    final void move(Configuration next) {
-        current = next;
-    }
-
-    /** The transition hash table: what an event means in each configuration. Compiled when the converter is built. */
-    final DecisionTable table() {
-        DecisionTable compiled = table;
-        if (compiled == null) {
-            throw new IllegalStateException(name() + " is not part of a converter that was built");
-        }
-        return compiled;
-    }
-
-    /** {@code trigger} with the guards under which it comes now. */
-    final Event resolve(Configuration at, Event trigger) {
-        return table().resolve(at, trigger, bindings);
-    }
-
-    /** Whether the guards of the original model let {@code step} be taken now. */
-    final boolean isOpen(Step step) {
-        return table().isOpen(step, bindings);
+    /** Where the states are kept from now on. */
+    final void attach(CoreDriver joined) {
+        driver = joined;
     }
 
     final Bindings bindings() {
         return bindings;
-    }
-
-    final void use(DecisionTable next) {
-        table = next;
     }
 
     /** What is wrong with what was registered, a line each. */

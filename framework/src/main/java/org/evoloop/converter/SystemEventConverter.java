@@ -36,14 +36,16 @@ import org.jspecify.annotations.Nullable;
 public final class SystemEventConverter implements AutoCloseable {
     private final LoopConfig config;
     private final Map<String, Supplier<? extends Component>> spares = new LinkedHashMap<>();
+    private final Listeners listeners;
     private Assembly assembly = new Assembly();
     private @Nullable StateKnowledge knowledge;
     private @Nullable DeviceLink link;
-    private volatile @Nullable ConverterCore core;
+    private volatile @Nullable ConverterShell shell;
 
     /** @param config its options; they are checked by {@link #build} */
     public SystemEventConverter(LoopConfig config) {
         this.config = config;
+        this.listeners = new Listeners(config);
     }
 
     /** Adds a monitor, also while the converter runs. @throws IllegalStateException if the name is taken */
@@ -52,12 +54,12 @@ public final class SystemEventConverter implements AutoCloseable {
     }
 
     /** Sets the analyze component, in place of the usual one; before {@link #build}. */
-    public synchronized void addAnalyze(DecisionAnalyze analyze) {
+    public synchronized void addAnalyze(EventAnalyze analyze) {
         add(analyze);
     }
 
     /** Sets the plan component, in place of the usual one; before {@link #build}. */
-    public synchronized void addPlan(DecisionPlan plan) {
+    public synchronized void addPlan(EventPlan plan) {
         add(plan);
     }
 
@@ -79,6 +81,11 @@ public final class SystemEventConverter implements AutoCloseable {
         knowledge = stateKnowledge;
     }
 
+    /** From now on {@code listener} is told what this converter does. */
+    public void addListener(ConverterListener listener) {
+        listeners.add(listener);
+    }
+
     /** Tells what connects the device, for {@link #status}. */
     public synchronized void addLink(DeviceLink deviceLink) {
         link = deviceLink;
@@ -90,7 +97,7 @@ public final class SystemEventConverter implements AutoCloseable {
     }
 
     private void add(Component component) {
-        ConverterCore built = core;
+        ConverterShell built = shell;
         Assembly changed = assembly.with(component);
         if (built != null) {
             DecisionTable table = changed.decisions(built.knowledge);
@@ -110,7 +117,7 @@ public final class SystemEventConverter implements AutoCloseable {
      */
     public synchronized void build() {
         StateKnowledge known = knowledge;
-        if (core != null) {
+        if (shell != null) {
             throw new IllegalStateException("converter " + config.name() + " has been built before");
         }
         List<String> missing = new ArrayList<>();
@@ -124,57 +131,59 @@ public final class SystemEventConverter implements AutoCloseable {
             throw new IllegalStateException("converter " + config.name() + ": " + String.join("; ", missing));
         }
         if (!assembly.has(Component.Role.ANALYZE)) {
-            assembly.add(new DecisionAnalyze());
+            assembly.add(new EventAnalyze());
         }
         if (!assembly.has(Component.Role.PLAN)) {
-            assembly.add(new DecisionPlan());
+            assembly.add(new EventPlan());
         }
         known.registerNewFunctions();
         List<String> problems = new ArrayList<>(known.problems());
-        ConverterCore built = new ConverterCore(config, known);
+        DecisionTable table = null;
         try {
-            built.use(assembly.decisions(known), assembly.executes());
+            table = assembly.decisions(known);
         } catch (ModelException undecidable) {
             problems.add(undecidable.getMessage());
         }
-        if (!problems.isEmpty()) {
+        if (table == null || !problems.isEmpty()) {
             throw new ModelException(String.join("\n", problems));
         }
+        ConverterShell built = new ConverterShell(config, known, table, listeners);
+        built.use(table, assembly.executes());
         for (Component component : assembly.all()) {
             join(built, component);
         }
         built.loop.build();
-        core = built;
+        shell = built;
     }
 
-    private void join(ConverterCore built, Component component) {
+    private void join(ConverterShell built, Component component) {
         attach(built, component);
         if (component instanceof EventMonitor monitor) {
             built.loop.addMonitor(monitor);
-        } else if (component instanceof DecisionAnalyze analyze) {
+        } else if (component instanceof EventAnalyze analyze) {
             built.loop.addAnalyze(analyze);
-        } else if (component instanceof DecisionPlan plan) {
+        } else if (component instanceof EventPlan plan) {
             built.loop.addPlan(plan);
         } else if (component instanceof EventExecute execute) {
             built.loop.addExecute(execute);
         }
     }
 
-    private void attach(ConverterCore built, Component component) {
+    private void attach(ConverterShell built, Component component) {
         if (component instanceof EventMonitor monitor) {
-            monitor.attach(config, built.loop);
-        } else if (component instanceof DecisionAnalyze analyze) {
-            analyze.attach(built);
-        } else if (component instanceof DecisionPlan plan) {
-            plan.attach(built);
-        } else if (!(component instanceof EventExecute)) {
+            monitor.attach(config, built.loop, built.driver::holding);
+        } else if (component instanceof EventAnalyze analyze) {
+            analyze.attach(built.driver);
+        } else if (component instanceof EventExecute execute) {
+            execute.attach(built.driver, built.carrier);
+        } else if (!(component instanceof EventPlan)) {
             throw new IllegalArgumentException(component.name() + " is not a component of a converter");
         }
     }
 
     /** Opens the loop; does nothing if it is open. @throws IllegalStateException if it is not built, or has ended */
     public synchronized void start() {
-        ConverterCore built = built();
+        ConverterShell built = built();
         if (built.loop.state() != LoopState.RUNNING) {
             built.start();
         }
@@ -185,7 +194,7 @@ public final class SystemEventConverter implements AutoCloseable {
      * ends. Then the execute components let go of the device. Does nothing if it is closed.
      */
     public synchronized void stop() {
-        ConverterCore built = built();
+        ConverterShell built = built();
         if (built.loop.state() == LoopState.RUNNING) {
             built.loop.stop();
             built.release();
@@ -195,7 +204,7 @@ public final class SystemEventConverter implements AutoCloseable {
     /** Ends the converter and its threads, see {@link org.evoloop.loop.MapeLoop#close}. Idempotent. */
     @Override
     public synchronized void close() {
-        ConverterCore built = core;
+        ConverterShell built = shell;
         if (built != null) {
             boolean wasRunning = built.loop.state() == LoopState.RUNNING;
             built.loop.close();
@@ -203,6 +212,7 @@ public final class SystemEventConverter implements AutoCloseable {
                 built.release();
             }
         }
+        listeners.close();
     }
 
     /**
@@ -213,10 +223,11 @@ public final class SystemEventConverter implements AutoCloseable {
      * @throws ModelException if decisions are left that nobody could carry out
      */
     public synchronized void remove(String name) {
-        ConverterCore built = built();
+        ConverterShell built = built();
         Assembly changed = assembly.without(name);
-        DecisionTable table =
-                changed.has(Component.Role.EXECUTE) ? changed.decisions(built.knowledge) : built.knowledge.table();
+        DecisionTable table = changed.has(Component.Role.EXECUTE)
+                ? changed.decisions(built.knowledge)
+                : built.driver.rules().table();
         built.loop.remove(name);
         assembly = changed;
         built.use(table, changed.executes());
@@ -229,7 +240,7 @@ public final class SystemEventConverter implements AutoCloseable {
      * @throws ModelException if decisions are left that nobody could carry out
      */
     public synchronized void exchange(String name, Component next) {
-        ConverterCore built = built();
+        ConverterShell built = built();
         built.loop.requireExchangeable(name, next);
         Assembly changed = assembly.with(name, next);
         attach(built, next);
@@ -281,14 +292,15 @@ public final class SystemEventConverter implements AutoCloseable {
 
     /** A picture of this moment. @throws IllegalStateException if the converter is not built yet */
     public ConverterStatus status() {
-        ConverterCore built = built();
+        ConverterShell built = built();
         DeviceLink device = link;
         return new ConverterStatus(
                 config.name(),
                 built.loop.state(),
-                built.knowledge.configuration(),
+                built.driver.configuration(),
+                built.driver.doubt(),
                 built.loop.queueStatus(),
-                built.history.counts(),
+                built.counts(),
                 built.latency.summary(),
                 built.loop.components(),
                 built.visits.runningFunction(),
@@ -302,8 +314,8 @@ public final class SystemEventConverter implements AutoCloseable {
         return built().history.entries();
     }
 
-    private ConverterCore built() {
-        ConverterCore built = core;
+    private ConverterShell built() {
+        ConverterShell built = shell;
         if (built == null) {
             throw new IllegalStateException("converter " + config.name() + " is not built yet");
         }

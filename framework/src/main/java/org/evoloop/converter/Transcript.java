@@ -1,66 +1,89 @@
 package org.evoloop.converter;
 
+import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.List;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;
+import org.evoloop.evolution.Step;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
+import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
  * The log of the paper's experiment, word for word, a line a message, as the SLF4J logger {@value #LOGGER}.
  *
- * <p>The lines of one event stand together, and are put into words when it has come to its end: the logger must not stand
- * in its way. What a new function says meanwhile follows after them.
+ * <p>The lines of one event stand together, and are logged by {@link #say} when it has come to its end: the logger must
+ * stand neither in its way nor in that of others. What a new function says meanwhile follows after them.
  *
- * <p>Threading: thread-safe.
+ * <p>Threading: thread-safe; only {@link #say} and {@link #notice} wait for the logger.
  */
 final class Transcript {
     static final String LOGGER = "org.evoloop.transcript";
 
     private static final Logger LOG = LoggerFactory.getLogger(LOGGER);
 
-    /** The lines of the event in the loop, and beside each what stands in its braces. */
-    private final List<String> formats = new ArrayList<>();
+    private final Object logging = new Object();
 
-    private final List<Object> arguments = new ArrayList<>();
+    /** Lines to be logged: formats, and after each what stands in its braces. */
+    private final ArrayDeque<Object> ready = new ArrayDeque<>();
+
+    /** The lines of the event in the loop. */
+    private final List<Object> lines = new ArrayList<>();
+
     private final List<String> later = new ArrayList<>();
+    private @Nullable Occurrence about;
     private boolean inEvent;
+    private boolean traced;
+
+    /** The new state whose function starts if the event comes to a good end. */
+    private @Nullable State entered;
+
     private boolean begun;
 
     /** Whether an empty line comes before the next one. */
     private boolean gap;
 
     synchronized void observed(Occurrence occurrence) {
-        // One that came to no end at all.
-        sayEvent();
+        about = occurrence;
         inEvent = true;
+        entered = null;
         gap = begun;
         keep(
                 occurrence.source().isButton()
                         ? "----   button_event : {}   -----"
                         : "----   internal_event : {}   -----",
-                occurrence.event());
+                occurrence.label());
         keep("", "");
         keep("Monitor", "");
-        keep(" inputs {} event.", occurrence.event());
+        keep(" inputs {} event.", occurrence.label());
     }
 
-    synchronized void analyzed(Decision decision) {
+    synchronized void decided(Decision decision) {
         keep("Analyze", "");
         keepStates(decision.before());
         keep(" mode: {}", mode(decision));
+        keep("Plan", "");
+        traced = decision instanceof Decision.ExistingFunction || decision instanceof Decision.Sending;
+        if (!traced || decision.steps().isEmpty()) {
+            keep(" MAPE-K loop does not send events. ", "");
+        }
+        keep("Execute", "");
+        if (!decision.steps().isEmpty() && decision.steps().get(0).byDevice()) {
+            step(decision.steps().get(0));
+        }
+        entered = decision instanceof Decision.NewFunction ? decision.after().evolved() : null;
     }
 
     /** A detour counts as new: no single function of the device does what it does. */
     private static String mode(Decision decision) {
-        if (decision instanceof Decision.NotAcceptable) {
+        if (decision instanceof Decision.NotAcceptable || decision instanceof Decision.Refused) {
             return "Not acceptable";
         }
-        if (decision instanceof Decision.Resynchronization) {
+        if (decision instanceof Decision.Resynchronization || decision instanceof Decision.Inquiry) {
             return "Resynchronize";
         }
         boolean isNew = decision instanceof Decision.NewFunction
@@ -68,24 +91,14 @@ final class Transcript {
         return isNew ? "Use new functions" : "Use existing functions";
     }
 
-    synchronized void planned(boolean anyEvents) {
-        keep("Plan", "");
-        if (!anyEvents) {
-            keep(" MAPE-K loop does not send events. ", "");
+    synchronized void step(Step step) {
+        if (traced) {
+            keep(" MAPE-K loop will send this event : {}", step.trigger());
         }
-        keep("Execute", "");
-    }
-
-    synchronized void step(Event event) {
-        keep(" MAPE-K loop will send this event : {}", event);
     }
 
     synchronized void command(Event event) {
         keep(" {} command", event);
-    }
-
-    synchronized void starts(State state) {
-        keep(" Operate existing functions for {} in the another thread", state);
     }
 
     private void keepStates(Configuration configuration) {
@@ -96,54 +109,71 @@ final class Transcript {
     /** Without a reader it costs nothing. */
     private void keep(String format, Object argument) {
         if (LOG.isInfoEnabled()) {
-            formats.add(format);
-            arguments.add(argument);
+            lines.add(format);
+            lines.add(argument);
         }
     }
 
-    private void sayEvent() {
-        for (int index = 0; index < formats.size(); index++) {
-            line(formats.get(index), arguments.get(index));
+    /** An occurrence has come to its end, or its plan was overtaken. */
+    synchronized void ended(Occurrence occurrence, Configuration now) {
+        if (!inEvent || occurrence != about) {
+            return;
         }
-        formats.clear();
-        arguments.clear();
-    }
-
-    /** The event's last lines; what was said meanwhile follows. */
-    synchronized void executed(Configuration now) {
+        if (now.evolved().equals(entered)) {
+            keep(" Operate existing functions for {} in the another thread", now.evolved());
+        }
         keepStates(now);
-        sayEvent();
+        // By index: an iterator would be garbage in every event.
+        for (int index = 0; index < lines.size(); index += 2) {
+            line(lines.get(index), lines.get(index + 1));
+        }
+        lines.clear();
         gap = true;
         inEvent = false;
-        // By index: an iterator would be garbage in every event.
         for (int index = 0; index < later.size(); index++) {
             line("{}", later.get(index));
         }
         later.clear();
     }
 
-    /** The event came to no good end. */
-    synchronized void brokenOff(Configuration now) {
-        if (inEvent) {
-            executed(now);
+    private void line(Object format, Object argument) {
+        if (gap) {
+            ready.add("");
+            ready.add("");
         }
+        ready.add(format);
+        ready.add(argument);
+        gap = false;
+        begun = true;
     }
 
     /** Something that does not belong to the event in the loop. */
-    synchronized void notice(String line) {
-        if (inEvent) {
-            later.add(line);
-        } else {
-            line("{}", line);
+    void notice(String text) {
+        synchronized (this) {
+            if (inEvent) {
+                later.add(text);
+            } else {
+                line("{}", text);
+            }
         }
+        say();
     }
 
-    private void line(String format, Object argument) {
-        if (gap) {
-            LOG.info("");
+    /** Logs what is ready. */
+    void say() {
+        synchronized (logging) {
+            while (true) {
+                String format;
+                Object argument;
+                synchronized (this) {
+                    if (ready.isEmpty()) {
+                        return;
+                    }
+                    format = (String) ready.remove();
+                    argument = ready.remove();
+                }
+                LOG.info(format, argument);
+            }
         }
-        LOG.info(format, argument);
-        gap = false;
-        begun = true;
     }
 }

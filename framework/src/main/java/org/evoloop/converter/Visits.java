@@ -1,11 +1,11 @@
 package org.evoloop.converter;
 
 import java.time.Duration;
-import java.util.HashMap;
 import java.util.Map;
-import java.util.Set;
+import org.evoloop.core.Output;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Source;
+import org.evoloop.evolution.Values;
 import org.evoloop.function.FunctionRunner;
 import org.evoloop.function.NewFunction;
 import org.evoloop.function.Visit;
@@ -14,115 +14,82 @@ import org.evoloop.loop.Failure;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.loop.MapeLoop;
 import org.evoloop.statemachine.Event;
-import org.evoloop.statemachine.State;
+import org.evoloop.statemachine.Transition;
 import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The visits of states, one after the other: the timers and the function of the current one, and what it raises.
+ * Carries out what the core says of visits: sets their timers, runs their functions, and hands to the loop what they raise.
  *
  * <p>Threading: states are entered and left by one thread at a time, under this object's lock; visits and the clock call
- * from their own threads, and only hand to the loop's queue what they raise.
+ * from their own threads.
  */
 final class Visits implements VisitHost {
     private final LoopConfig config;
     private final StateKnowledge knowledge;
-    private final MapeLoop<Occurrence, ?, ?> loop;
     private final Transcript transcript;
     private final FailureLog failures;
     private final FunctionRunner functions;
-    private volatile @Nullable Visit current;
-    private long count;
-
-    /** When the timers of the current visit fire; one that has been heard is no longer in it. */
-    private final Map<Event, Long> deadlines = new HashMap<>();
-
-    /** What runs in the current state if it is a new one: the function of the transition that led there. */
+    private @Nullable MapeLoop<Occurrence, ?, ?> loop;
+    private @Nullable Visit current;
     private NewFunction function = NewFunction.none();
 
-    Visits(
-            LoopConfig config,
-            StateKnowledge knowledge,
-            MapeLoop<Occurrence, ?, ?> loop,
-            Transcript transcript,
-            FailureLog failures) {
+    Visits(LoopConfig config, StateKnowledge knowledge, Transcript transcript, FailureLog failures) {
         this.config = config;
         this.knowledge = knowledge;
-        this.loop = loop;
         this.transcript = transcript;
         this.failures = failures;
         this.functions = new FunctionRunner(this, config.joinLimit());
     }
 
-    /** Whether an earlier visit than the current one has raised it. */
-    boolean isStale(Occurrence occurrence) {
-        Visit now = current;
-        return occurrence.visit() != Occurrence.ANY_VISIT && (now == null || occurrence.visit() != now.number());
+    /** The loop that takes what is raised; before the first visit. */
+    void attach(MapeLoop<Occurrence, ?, ?> joined) {
+        loop = joined;
     }
 
-    /**
-     * Begins a visit.
-     *
-     * @param kept names of time triggers that go on from the visit before, since a state around both is not left
-     */
-    synchronized Visit enter(State state, NewFunction toRun, Set<String> kept) {
-        Visit entered = new Visit(state, ++count, this);
+    /** Begins a visit; one that another has followed already is not begun. */
+    synchronized void enter(Output.Enter enter) {
+        Visit before = current;
+        if (before != null && before.number() >= enter.visit()) {
+            return;
+        }
+        Visit entered = new Visit(enter.state(), enter.visit(), this);
         functions.begin(entered);
         current = entered;
-        function = toRun;
-        Map<Event, Duration> timers = knowledge.timersOf(state);
-        if (timers.isEmpty() && deadlines.isEmpty()) {
-            return entered;
+        Transition by = enter.by();
+        function = by == null ? NewFunction.none() : knowledge.action(by);
+        if (enter.deadlines().isEmpty()) {
+            return;
         }
-        deadlines.keySet().removeIf(event -> !kept.contains(event.name()));
         long now = config.clock().nanoTime();
-        timers.forEach((event, delay) -> {
-            if (kept.contains(event.name()) && !deadlines.containsKey(event)) {
-                // It has been heard in an earlier visit of the state around.
-                return;
-            }
-            long deadline = deadlines.computeIfAbsent(event, key -> now + delay.toNanos());
-            entered.after(Duration.ofNanos(Math.max(0, deadline - now)), () -> fire(event, entered));
-        });
-        return entered;
+        for (Map.Entry<Event, Long> timer : enter.deadlines().entrySet()) {
+            entered.after(Duration.ofNanos(Math.max(0, timer.getValue() - now)), () -> fire(entered, timer.getKey()));
+        }
     }
 
-    private void fire(Event event, Visit raising) {
-        loop.offer(raisedBy(raising, event, Source.TIMER));
+    private void fire(Visit visit, Event event) {
+        offer(raised(visit, event, Source.TIMER));
     }
 
-    /** The event of a timer has come round. */
-    synchronized void heard(Event timer) {
-        deadlines.remove(timer);
-    }
-
-    /** Runs the function of a new state that was entered, if it has not been left meanwhile. */
-    synchronized void startFunction(@Nullable Visit entered) {
-        if (entered != null && entered == current && knowledge.models().isNew(entered.state())) {
+    /** Runs the function of the state that was entered, if it has not been left meanwhile. */
+    synchronized void start(long visit) {
+        Visit entered = current;
+        if (entered != null && entered.number() == visit) {
             functions.run(function);
         }
     }
 
-    /** Enters the current state anew, as after a start or an attempt to leave it that failed. */
-    synchronized void enterAgain() {
-        startFunction(enter(knowledge.getCurrentState(), function, Set.of()));
-    }
-
     /** Ends what runs in the current visit, whose state will be left. */
-    void endFunction() {
+    void leave() {
         functions.end();
-    }
-
-    /** Ends the current visit; no other follows until the next is entered. */
-    synchronized void leave() {
-        functions.end();
-        current = null;
     }
 
     ConverterStatus.RunningFunction runningFunction() {
         Visit running = functions.running();
         return new ConverterStatus.RunningFunction(
-                running == null ? "" : running.state().name(), functions.threadName());
+                running == null ? "" : running.state().name(),
+                functions.threadName(),
+                running == null ? "" : running.progress());
     }
 
     @Override
@@ -142,17 +109,37 @@ final class Visits implements VisitHost {
 
     @Override
     public void raise(Visit raising, Event event) throws InterruptedException {
-        loop.put(raisedBy(raising, event, Source.FUNCTION));
+        put(raised(raising, event, Source.FUNCTION));
+    }
+
+    @Override
+    public void send(Visit asking, Event event) throws InterruptedException {
+        put(new Occurrence.Asked(
+                event, Values.NONE, asking.number(), config.clock().nanoTime()));
+    }
+
+    private void put(Occurrence occurrence) throws InterruptedException {
+        MapeLoop<Occurrence, ?, ?> joined = loop;
+        if (joined != null) {
+            joined.put(occurrence);
+        }
+    }
+
+    private void offer(Occurrence occurrence) {
+        MapeLoop<Occurrence, ?, ?> joined = loop;
+        if (joined != null) {
+            joined.offer(occurrence);
+        }
     }
 
     @Override
     public void finish(Visit finishing, Event event) {
-        loop.offer(raisedBy(finishing, event, Source.FUNCTION));
+        offer(raised(finishing, event, Source.FUNCTION));
     }
 
-    private Occurrence raisedBy(Visit raising, Event event, Source source) {
-        return new Occurrence(
-                event, source, false, raising.number(), config.clock().nanoTime());
+    private Occurrence raised(Visit raising, Event event, Source source) {
+        return new Occurrence.Heard(
+                event, Values.NONE, source, raising.number(), config.clock().nanoTime());
     }
 
     @Override

@@ -34,6 +34,11 @@ public record Configuration(State original, State evolved) {
         return new Configuration(state, evolved);
     }
 
+    /** The same with the evolved system moved to {@code state}. */
+    public Configuration withEvolved(State state) {
+        return new Configuration(original, state);
+    }
+
     /** For messages: {@code (Clean, SpotWait)}. */
     @Override
     public String toString() {

@@ -2,6 +2,7 @@ package org.evoloop.evolution;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.Transition;
 import org.jspecify.annotations.Nullable;
@@ -31,6 +32,13 @@ public sealed interface Decision {
     /** Effects of the new model's transition that the converter has to see to: those that the device does not do itself. */
     default List<String> effects() {
         return List.of();
+    }
+
+    /** Where the system stands when planning begins: {@link #before}, moved on by the step that the device took itself. */
+    default Configuration start() {
+        return steps().isEmpty() || !steps().get(0).byDevice()
+                ? before()
+                : before().withOriginal(steps().get(0).target());
     }
 
     /** Whether the new model leaves its state, be it towards itself; an internal transition does not. */
@@ -78,9 +86,50 @@ public sealed interface Decision {
             this(before, after, List.of());
         }
 
+        /** The device is there already. */
+        @Override
+        public Configuration start() {
+            return before.withOriginal(after.original());
+        }
+
         @Override
         public boolean leavesState() {
             return !before.evolved().equals(after.evolved());
+        }
+    }
+
+    /**
+     * A new function has the device do an event that it knows; the new model stays in its state.
+     */
+    record Sending(Configuration before, Configuration after, List<Step> steps) implements Decision {}
+
+    /** The record is in doubt: the device is asked where it is, and what it answers is taken as found. */
+    record Inquiry(Configuration before) implements Decision {
+        @Override
+        public Configuration after() {
+            return before;
+        }
+
+        @Override
+        public List<Step> steps() {
+            return List.of();
+        }
+    }
+
+    /**
+     * A rule of an analyze component refuses the event, whatever the models say.
+     *
+     * @param reason for people
+     */
+    record Refused(Configuration before, String reason) implements Decision {
+        @Override
+        public Configuration after() {
+            return before;
+        }
+
+        @Override
+        public List<Step> steps() {
+            return List.of();
         }
     }
 
@@ -89,8 +138,12 @@ public sealed interface Decision {
      *
      * @param reason for people, with both states and the events that can be sent
      */
-    record Impossible(Configuration before, Configuration after, List<Step> steps, Transition transition, String reason)
-            implements Decision {
+    record Impossible(
+            Configuration before,
+            Configuration after,
+            List<Step> steps,
+            @Nullable Transition transition,
+            String reason) implements Decision {
 
         /** The event comes to nothing. */
         @Override
@@ -106,7 +159,7 @@ public sealed interface Decision {
                     && before.equals(that.before)
                     && after.equals(that.after)
                     && steps.equals(that.steps)
-                    && transition.equals(that.transition)
+                    && Objects.equals(transition, that.transition)
                     && reason.equals(that.reason);
         }
 

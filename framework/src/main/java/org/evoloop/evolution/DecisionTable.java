@@ -187,6 +187,11 @@ public final class DecisionTable {
         }
     }
 
+    /** The models that it decides for. */
+    public ModelPair models() {
+        return pair;
+    }
+
     /** The number of the initial situation, for the quick methods. */
     public int initial() {
         return 0;
@@ -259,6 +264,48 @@ public final class DecisionTable {
     /** The conversion remembers its searches, which is not thread-safe. */
     private synchronized Decision decideNow(Configuration at, Event event, boolean deviceActed) {
         return conversion.decide(at, event, deviceActed);
+    }
+
+    /**
+     * What {@code event} means to the new model after the device has acted on it, and maybe gone on from there: a plan
+     * begins where the device is now, in {@code at}.
+     *
+     * @param event with the guards under which it comes, see {@link #resolve}
+     * @param own the step that the device took; null if its model has none
+     * @param follow whether the new model only has to follow, without anything being sent, where both models agree on what
+     *     the device did
+     */
+    public synchronized Decision react(Configuration at, Event event, @Nullable Step own, boolean follow) {
+        return conversion.react(at, event, own, follow);
+    }
+
+    /** What it takes to have the device do {@code trigger}, which a new function asks for. */
+    public Decision ask(Configuration at, Event trigger, Predicate<String> holds) {
+        Event event = originalGuards.resolve(at.original(), trigger, holds);
+        Transition taken = event == null ? null : conversion.originalTransition(at.original(), event);
+        if (taken == null || !device.sendable().contains(trigger)) {
+            String why =
+                    taken == null ? "the device has no transition for it in " + at.original() : "nobody can send it";
+            return new Decision.Impossible(at, at, List.of(), null, "a function asks for " + trigger + ", but " + why);
+        }
+        boolean conditional = !originalGuards.conditionsOf(taken).isEmpty();
+        return new Decision.Sending(at, at.withOriginal(taken.target()), List.of(new Step(taken, false, conditional)));
+    }
+
+    /** Whether only the device itself can take {@code trigger}. */
+    public boolean isDevicesOwn(Event trigger) {
+        return conversion.isDevicesOwn(trigger);
+    }
+
+    /**
+     * The step that the device takes by itself on {@code trigger} in {@code at}; null if its model has none there.
+     *
+     * @param holds whether the condition of this text holds now; false for one that cannot be asked
+     */
+    public @Nullable Step ownStep(State at, Event trigger, Predicate<String> holds) {
+        Event event = originalGuards.resolve(at, trigger, holds);
+        Transition taken = event == null ? null : conversion.originalTransition(at, event);
+        return taken == null ? null : new Step(taken, true, false);
     }
 
     /**

@@ -89,6 +89,33 @@ final class EventConversion {
                 before, new Configuration(target, target), all, transition, effectsLeft(transition, all));
     }
 
+    /** See {@link DecisionTable#react}. */
+    Decision react(Configuration at, Event event, @Nullable Step own, boolean follow) {
+        Transition transition = pair.evolved().transition(at.evolved(), event).orElse(null);
+        if (transition == null) {
+            return new Decision.NotAcceptable(at, at, List.of());
+        }
+        State target = transition.target();
+        List<Step> done = own == null ? List.of() : List.of(own);
+        if (newStates.contains(target)) {
+            return new Decision.NewFunction(
+                    at, at.withEvolved(target), List.of(), transition, effectsLeft(transition, done));
+        }
+        if (follow && own != null && own.target().equals(target)) {
+            return new Decision.ExistingFunction(
+                    at, at.withEvolved(target), List.of(), transition, effectsLeft(transition, done));
+        }
+        Optional<List<Step>> way = planner.shortestPath(at.original(), target);
+        return way.isEmpty()
+                ? new Decision.Impossible(at, at, List.of(), transition, noWay(at.original(), event, target))
+                : new Decision.ExistingFunction(
+                        at,
+                        new Configuration(target, target),
+                        way.get(),
+                        transition,
+                        effectsLeft(transition, joined(done, way.get())));
+    }
+
     private static List<Step> joined(List<Step> first, List<Step> then) {
         if (first.isEmpty() || then.isEmpty()) {
             return first.isEmpty() ? then : first;

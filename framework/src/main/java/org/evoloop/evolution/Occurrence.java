@@ -1,51 +1,165 @@
 package org.evoloop.evolution;
 
 import java.util.Locale;
+import java.util.Set;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
-import org.jspecify.annotations.Nullable;
 
 /**
- * One occurrence of an event.
+ * Something that occurred, and that the converter has to react to.
  *
  * <p>Threading: immutable.
- *
- * @param event what occurred
- * @param source where it came from
- * @param deviceActed whether the device has already acted on it by itself, so that its state has moved before anything
- *     was decided
- * @param visit the visit of a state it belongs to, or {@link #ANY_VISIT}; an occurrence that was raised during one
- *     visit means nothing to the next
- * @param observedNanos when it was observed, in nanoseconds of the converter's monotonic clock
- * @param found the state in which the device was found; null for an ordinary event
  */
-public record Occurrence(
-        Event event,
-        Source source,
-        boolean deviceActed,
-        long visit,
-        long observedNanos,
-        @Nullable State found) {
+public sealed interface Occurrence {
     /** The visit of an occurrence that no state raised. */
-    public static final long ANY_VISIT = 0;
+    long ANY_VISIT = 0;
 
-    /** An ordinary event. */
-    public Occurrence(Event event, Source source, boolean deviceActed, long visit, long observedNanos) {
-        this(event, source, deviceActed, visit, observedNanos, null);
+    /** When it was observed, in nanoseconds of the converter's monotonic clock. */
+    long observedNanos();
+
+    /** What it is called in logs: the event, or what was found. */
+    String label();
+
+    /** Where it came from. */
+    Source source();
+
+    /**
+     * Whether it has happened at the device already, so that the device's state has moved before anything is decided. Such a
+     * fact is never refused.
+     */
+    boolean isFact();
+
+    /**
+     * The visit of a state it belongs to, or {@link #ANY_VISIT}. What was raised during one visit means nothing to the next.
+     */
+    default long visit() {
+        return ANY_VISIT;
+    }
+
+    /** What it carries besides its name. */
+    default Values values() {
+        return Values.NONE;
     }
 
     /**
-     * The device was found in {@code state}, after it was out of sight or did what its model does not know.
+     * An event: of a controller, the device, a timer or a new function.
+     *
+     * @param deviceActed whether the device has acted on it by itself
+     * @param holding the guards of the original model that held when it was observed
+     */
+    record Heard(
+            Event event,
+            Values values,
+            Source source,
+            boolean deviceActed,
+            Set<String> holding,
+            long visit,
+            long observedNanos)
+            implements Occurrence {
+
+        /** An event that has not moved the device. */
+        public Heard(Event event, Values values, Source source, long visit, long observedNanos) {
+            this(event, values, source, false, Set.of(), visit, observedNanos);
+        }
+
+        @Override
+        public String label() {
+            return event.toString();
+        }
+
+        @Override
+        public boolean isFact() {
+            return deviceActed;
+        }
+
+        /** For messages: {@code Clean (panel, the device acted)}. */
+        @Override
+        public String toString() {
+            return event + " (" + source.name().toLowerCase(Locale.ROOT)
+                    + (deviceActed ? ", the device acted" : "")
+                    + (values.isEmpty() ? "" : ", " + values) + ")";
+        }
+    }
+
+    /**
+     * The device was found in a state, after it was out of sight or did what its model does not know.
      *
      * @param state a state of the original model
      */
-    public static Occurrence found(State state, long observedNanos) {
-        return new Occurrence(new Event("found " + state), Source.DEVICE, true, ANY_VISIT, observedNanos, state);
+    record Found(State state, long observedNanos) implements Occurrence {
+        @Override
+        public String label() {
+            return "found " + state;
+        }
+
+        @Override
+        public Source source() {
+            return Source.DEVICE;
+        }
+
+        @Override
+        public boolean isFact() {
+            return true;
+        }
+
+        @Override
+        public String toString() {
+            return label();
+        }
     }
 
-    /** For messages: {@code Clean (panel, the device acted)}. */
-    @Override
-    public String toString() {
-        return event + " (" + source.name().toLowerCase(Locale.ROOT) + (deviceActed ? ", the device acted)" : ")");
+    /**
+     * A new function has the device do something that the device knows; the new model stays where it is.
+     *
+     * @param event of the original model
+     */
+    record Asked(Event event, Values values, long visit, long observedNanos) implements Occurrence {
+        @Override
+        public String label() {
+            return event.toString();
+        }
+
+        @Override
+        public Source source() {
+            return Source.FUNCTION;
+        }
+
+        @Override
+        public boolean isFact() {
+            return false;
+        }
+
+        /** For messages: {@code Clean (asked by a function)}. */
+        @Override
+        public String toString() {
+            return event + " (asked by a function)";
+        }
+    }
+
+    /**
+     * The converter no longer knows where the device is: whether an event that was sent had its effect, or what came first.
+     *
+     * @param why for people
+     */
+    record InDoubt(String why, long observedNanos) implements Occurrence {
+        @Override
+        public String label() {
+            return "in doubt";
+        }
+
+        @Override
+        public Source source() {
+            return Source.DEVICE;
+        }
+
+        @Override
+        public boolean isFact() {
+            return true;
+        }
+
+        @Override
+        public String toString() {
+            return "in doubt: " + why;
+        }
     }
 }

@@ -22,6 +22,7 @@ public final class Visit {
     private final VisitHost host;
     private final Object lock = new Object();
     private volatile boolean ended;
+    private volatile String progress = "";
 
     // Made when they are needed: most visits need neither.
     private @Nullable List<Clock.Timer> timers;
@@ -93,6 +94,29 @@ public final class Visit {
         if (isActive()) {
             host.raise(this, new Event(event));
         }
+    }
+
+    /**
+     * Has the device do {@code event}, one that its model knows where it is by then, and goes on: the event waits for its
+     * turn like all others, and the new model stays in this state. What becomes of it is told by the history. Nothing
+     * happens if the state has been left, or is left first.
+     *
+     * @throws InterruptedException if the state is left while this waits for room in the queue
+     */
+    public void send(String event) throws InterruptedException {
+        if (isActive()) {
+            host.send(this, new Event(event));
+        }
+    }
+
+    /** Says in a short line how far the function is, for whoever asks for the converter's status. */
+    public void progress(String text) {
+        progress = text;
+    }
+
+    /** What was said last of how far the function is; empty if nothing was. */
+    public String progress() {
+        return progress;
     }
 
     /**

@@ -27,6 +27,13 @@ public interface VisitHost {
     void raise(Visit visit, Event event) throws InterruptedException;
 
     /**
+     * Queues an event that the device shall do; waits while the queue is full.
+     *
+     * @throws InterruptedException if the thread is told to stop while it waits
+     */
+    void send(Visit visit, Event event) throws InterruptedException;
+
+    /**
      * Queues the last event of a visit, however full the queue: it comes once, maybe on the clock's thread, which must not
      * wait.
      */

@@ -7,17 +7,19 @@ import java.util.concurrent.atomic.AtomicLong;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The occurrences that wait before the loop, and how many came, waited, were lost and refused.
+ * A queue of a fixed capacity, first come first served; what finds it full is lost.
  *
- * <p>Threading: guarded by its {@link Sequencer}, but for {@link #isFull} and {@link #drop}: monitors that tell more than
- * there is room for must not hold up the threads that make room.
+ * <p>Threading: as {@link Intake}; monitors that tell more than there is room for must not hold up the threads that make
+ * room, so {@link #atOnce} takes no lock.
  */
-final class Backlog<O> {
+final class Backlog<O> implements Intake<O> {
     private final int capacity;
     private final ArrayDeque<O> waiting = new ArrayDeque<>();
     private final AtomicInteger size = new AtomicInteger();
     private final AtomicLong dropped = new AtomicLong();
     private final AtomicBoolean dropping = new AtomicBoolean();
+    private volatile boolean open;
+    private boolean busy;
     private int highest;
     private long taken;
     private long refused;
@@ -26,17 +28,20 @@ final class Backlog<O> {
         this.capacity = capacity;
     }
 
-    /** Whether one more may come; an idle loop has room for the one that it takes at once, even without any queue. */
-    boolean hasRoom(boolean idle) {
-        return waiting.size() < Math.max(capacity, idle ? 1 : 0);
+    @Override
+    public @Nullable Admission atOnce(O occurrence) {
+        return open && size.get() >= Math.max(capacity, 1) ? drop() : null;
     }
 
-    /** Whether there was no room a moment ago, whatever the loop is doing. */
-    boolean isFull() {
-        return size.get() >= Math.max(capacity, 1);
-    }
-
-    void add(O occurrence) {
+    @Override
+    public Admission offer(O occurrence) {
+        if (!open) {
+            refused++;
+            return Admission.REFUSED;
+        }
+        if (!hasRoom()) {
+            return drop();
+        }
         if (dropping.get()) {
             dropping.set(false);
         }
@@ -44,32 +49,49 @@ final class Backlog<O> {
         size.setRelease(waiting.size());
         taken++;
         highest = Math.max(highest, waiting.size());
+        return Admission.TAKEN;
     }
 
-    @Nullable
-    O poll() {
-        O next = waiting.poll();
+    private Admission drop() {
+        dropped.incrementAndGet();
+        boolean first = !dropping.get() && dropping.compareAndSet(false, true);
+        return first ? Admission.FIRST_DROPPED : Admission.DROPPED;
+    }
+
+    /** An idle loop has room for the one that it takes at once, even without any queue. */
+    @Override
+    public boolean hasRoom() {
+        return waiting.size() < Math.max(capacity, busy ? 0 : 1);
+    }
+
+    @Override
+    public @Nullable O next() {
+        O next = open ? waiting.poll() : null;
         size.setRelease(waiting.size());
+        busy = next != null;
         return next;
     }
 
-    void refuse() {
-        refused++;
+    @Override
+    public void ended() {
+        busy = false;
     }
 
-    void refuseAll() {
+    @Override
+    public void opened() {
+        open = true;
+    }
+
+    @Override
+    public void closed() {
+        open = false;
         refused += waiting.size();
         waiting.clear();
         size.setRelease(0);
     }
 
-    /** Counts one that is lost; true if it is the first since there was room. */
-    boolean drop() {
-        dropped.incrementAndGet();
-        return !dropping.get() && dropping.compareAndSet(false, true);
-    }
-
-    QueueStatus status() {
+    @Override
+    public QueueStatus status() {
         return new QueueStatus(waiting.size(), capacity, highest, taken, dropped.get(), refused);
     }
 }

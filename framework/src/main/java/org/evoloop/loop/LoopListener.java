@@ -13,6 +13,14 @@ public interface LoopListener<O> {
     void failed(Failure<O> failure);
 
     /**
+     * A component did not return in time, or was exchanged before it did: what it was working on has ended for the loop.
+     * Whether it still had its effect on the world outside, nobody knows.
+     */
+    default void givenUp(Failure<O> failure) {
+        failed(failure);
+    }
+
+    /**
      * The queue was full and {@code occurrence} is lost.
      *
      * @param first whether this is the first loss since there was room

@@ -1,7 +1,6 @@
 package org.evoloop.loop;
 
 import java.util.List;
-import java.util.function.Predicate;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -38,20 +37,20 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
      * @throws IllegalArgumentException if an option is out of range; the message lists all of them
      */
     public MapeLoop(LoopConfig config, LoopListener<O> listener) {
-        this(config, listener, Dispatch.toEach(), occurrence -> false);
+        this(config, listener, Dispatch.toEach(), new Backlog<>(config.queueCapacity()));
     }
 
     /**
      * @param dispatch which execute component takes a plan
-     * @param neverDropped occurrences that are queued even if the queue is full
+     * @param intake where occurrences wait for their turn
      * @throws IllegalArgumentException if an option is out of range; the message lists all of them
      */
-    public MapeLoop(LoopConfig config, LoopListener<O> listener, Dispatch<P> dispatch, Predicate<O> neverDropped) {
+    public MapeLoop(LoopConfig config, LoopListener<O> listener, Dispatch<P> dispatch, Intake<O> intake) {
         if (!config.problems().isEmpty()) {
             throw new IllegalArgumentException(String.join("; ", config.problems()));
         }
         this.config = config;
-        this.sequencer = new Sequencer<>(config, listener, neverDropped);
+        this.sequencer = new Sequencer<>(config, listener, intake);
         this.roster = new Roster<>(config, dispatch, sequencer);
     }
 
@@ -284,14 +283,6 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
             throw new IllegalStateException("the loop " + config.name() + " has threads; they take the steps");
         }
         return sequencer.step();
-    }
-
-    /**
-     * Whether the occurrence that is in the loop is with this component now; false for one that comes back late to an
-     * occurrence that was given up.
-     */
-    public boolean hasTurn(Component component) {
-        return sequencer.hasTurn(component);
     }
 
     /** Where the loop is in its life. */

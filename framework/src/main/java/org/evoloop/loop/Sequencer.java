@@ -4,7 +4,6 @@ import java.time.Duration;
 import java.util.concurrent.TimeoutException;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
-import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -18,13 +17,12 @@ final class Sequencer<O> {
 
     private final LoopConfig config;
     private final LoopListener<O> listener;
-    private final Predicate<O> neverDropped;
     private final ReentrantLock lock = new ReentrantLock();
     private final Condition opened = lock.newCondition();
     private final Condition quiet = lock.newCondition();
     private final Condition room = lock.newCondition();
 
-    private final Backlog<O> backlog;
+    private final Intake<O> intake;
     private volatile LoopState state = LoopState.NEW;
     private volatile boolean everOpen;
     private boolean paused;
@@ -42,11 +40,10 @@ final class Sequencer<O> {
     /** Whose slot was filled under the lock; woken when that is given back. */
     private @Nullable StageWorker<?> given;
 
-    Sequencer(LoopConfig config, LoopListener<O> listener, Predicate<O> neverDropped) {
+    Sequencer(LoopConfig config, LoopListener<O> listener, Intake<O> intake) {
         this.config = config;
         this.listener = listener;
-        this.neverDropped = neverDropped;
-        this.backlog = new Backlog<>(config.queueCapacity());
+        this.intake = intake;
     }
 
     private void acquire() {
@@ -90,28 +87,20 @@ final class Sequencer<O> {
 
     /** Queues an occurrence; false if the loop is closed, or the queue full and the occurrence one that may be lost. */
     boolean offer(O offered) {
-        if (state == LoopState.RUNNING && backlog.isFull() && !neverDropped.test(offered)) {
-            listener.dropped(offered, backlog.drop());
-            return false;
-        }
-        boolean first;
-        acquire();
-        try {
-            if (state != LoopState.RUNNING) {
-                backlog.refuse();
-                return false;
-            }
-            if (backlog.hasRoom(busy == null) || neverDropped.test(offered)) {
-                backlog.add(offered);
+        Intake.Admission admission = intake.atOnce(offered);
+        if (admission == null) {
+            acquire();
+            try {
+                admission = intake.offer(offered);
                 begin();
-                return true;
+            } finally {
+                release();
             }
-            first = backlog.drop();
-        } finally {
-            release();
         }
-        listener.dropped(offered, first);
-        return false;
+        if (admission == Intake.Admission.DROPPED || admission == Intake.Admission.FIRST_DROPPED) {
+            listener.dropped(offered, admission == Intake.Admission.FIRST_DROPPED);
+        }
+        return admission == Intake.Admission.TAKEN;
     }
 
     /** Queues an occurrence, waiting for room if it must; false if the loop closes meanwhile. */
@@ -119,16 +108,12 @@ final class Sequencer<O> {
         lock.lockInterruptibly();
         try {
             // Without threads nobody would make room.
-            while (config.threads() && state == LoopState.RUNNING && !backlog.hasRoom(busy == null)) {
+            while (config.threads() && state == LoopState.RUNNING && !intake.hasRoom()) {
                 room.await();
             }
-            if (state != LoopState.RUNNING) {
-                backlog.refuse();
-                return false;
-            }
-            backlog.add(offered);
+            Intake.Admission admission = intake.offer(offered);
             begin();
-            return true;
+            return admission == Intake.Admission.TAKEN;
         } finally {
             release();
         }
@@ -139,7 +124,7 @@ final class Sequencer<O> {
         StageWorker<O> first = analyze;
         boolean mayBegin =
                 busy == null && !breakingOff && !paused && state == LoopState.RUNNING && (config.threads() || stepping);
-        O next = mayBegin && first != null ? backlog.poll() : null;
+        O next = mayBegin && first != null ? intake.next() : null;
         if (next != null && first != null) {
             room.signal();
             cycle++;
@@ -186,6 +171,7 @@ final class Sequencer<O> {
     private void endCycle() {
         busy = null;
         occurrence = null;
+        intake.ended();
         quiet.signalAll();
         begin();
         if (busy == null) {
@@ -207,7 +193,8 @@ final class Sequencer<O> {
 
     private void goOn(@Nullable Worker worker, @Nullable Failure<O> failure) {
         if (failure != null && worker != null) {
-            report(worker, failure);
+            worker.countFailure(failure.toString());
+            listener.givenUp(failure);
             acquire();
             try {
                 breakingOff = false;
@@ -235,10 +222,7 @@ final class Sequencer<O> {
     }
 
     void report(Worker worker, String phase, long inCycle, @Nullable O about, Throwable cause) {
-        report(worker, new Failure<>(worker.component().name(), phase, inCycle, about, cause));
-    }
-
-    private void report(Worker worker, Failure<O> failure) {
+        Failure<O> failure = new Failure<>(worker.component().name(), phase, inCycle, about, cause);
         worker.countFailure(failure.toString());
         listener.failed(failure);
     }
@@ -329,9 +313,10 @@ final class Sequencer<O> {
             room.signalAll();
             if (next == LoopState.RUNNING) {
                 everOpen = true;
+                intake.opened();
                 opened.signalAll();
             } else {
-                backlog.refuseAll();
+                intake.closed();
             }
             begin();
         } finally {
@@ -383,11 +368,6 @@ final class Sequencer<O> {
         return worked;
     }
 
-    boolean hasTurn(Component component) {
-        StageWorker<?> worker = busy;
-        return worker != null && worker.component() == component;
-    }
-
     LoopState state() {
         return state;
     }
@@ -395,7 +375,7 @@ final class Sequencer<O> {
     QueueStatus queueStatus() {
         acquire();
         try {
-            return backlog.status();
+            return intake.status();
         } finally {
             release();
         }

@@ -20,10 +20,10 @@ import org.junit.jupiter.api.Test;
 /** The console as programs use it: lines in, lines out. */
 class ConsoleTest {
     private static final String FRESH_COMPONENTS = """
-            monitor     WallSwitch       ended    no thread
-            analyze     DecisionAnalyze  ended    no thread
-            plan        DecisionPlan     ended    no thread
-            execute     Lamp             ended    no thread
+            monitor     WallSwitch    ended    no thread
+            analyze     EventAnalyze  ended    no thread
+            plan        EventPlan     ended    no thread
+            execute     Lamp          ended    no thread
             """;
 
     private final LampConverter lamp =
@@ -68,7 +68,7 @@ class ConsoleTest {
         String component = "{\"name\":\"%s\",\"role\":\"%s\",\"thread\":\"\",\"activity\":\"ended\","
                 + "\"failures\":0,\"lastFailure\":\"\"}";
         assertThat(out.text())
-                .isEqualTo("{\"name\":\"lamp\",\"loop\":\"running\",\"originalState\":\"off\",\"newState\":\"off\","
+                .isEqualTo("{\"name\":\"lamp\",\"loop\":\"running\",\"originalState\":\"off\",\"newState\":\"off\",\"doubt\":\"\","
                         + "\"queue\":{\"depth\":0,\"capacity\":8,\"highest\":0,"
                         + "\"taken\":0,\"dropped\":0,\"refused\":0},"
                         + "\"events\":{\"handled\":0,\"ignored\":0,\"stale\":0,\"failed\":0},"
@@ -76,10 +76,10 @@ class ConsoleTest {
                         + "\"percentile99Nanos\":0},"
                         + "\"components\":["
                         + component.formatted("WallSwitch", "monitor") + ","
-                        + component.formatted("DecisionAnalyze", "analyze") + ","
-                        + component.formatted("DecisionPlan", "plan") + ","
+                        + component.formatted("EventAnalyze", "analyze") + ","
+                        + component.formatted("EventPlan", "plan") + ","
                         + component.formatted("Lamp", "execute") + "],"
-                        + "\"function\":{\"state\":\"\",\"thread\":\"\"},"
+                        + "\"function\":{\"state\":\"\",\"thread\":\"\",\"progress\":\"\"},"
                         + "\"link\":{\"up\":false,\"text\":\"\"}}" + System.lineSeparator());
     }
 
@@ -105,7 +105,7 @@ class ConsoleTest {
         assertThat(err.lines())
                 .containsExactly(
                         "error: no spare is named Nothing; there are spareSwitch, otherSwitch",
-                        "error: no component is named Nobody; there are WallSwitch, DecisionAnalyze, DecisionPlan, Lamp");
+                        "error: no component is named Nobody; there are WallSwitch, EventAnalyze, EventPlan, Lamp");
     }
 
     @Test

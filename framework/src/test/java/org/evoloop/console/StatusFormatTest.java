@@ -18,6 +18,7 @@ class StatusFormatTest {
             "robot",
             LoopState.RUNNING,
             new Configuration(new State("On"), new State("Move")),
+            "",
             new QueueStatus(2, 8, 5, 40, 1, 3),
             new ConverterStatus.EventCounts(30, 4, 2, 1),
             new ConverterStatus.ConversionTime(33, 180_499, 999_499, 12_340_000),
@@ -36,7 +37,7 @@ class StatusFormatTest {
                             ComponentStatus.Activity.STUCK,
                             2,
                             "Motors.execute: \"no\\answer\"\t\u00e9")),
-            new ConverterStatus.RunningFunction("Move", "function-Move-7"),
+            new ConverterStatus.RunningFunction("Move", "function-Move-7", ""),
             new ConverterStatus.Link(true, "/dev/ttyUSB0"));
 
     @Test
@@ -62,15 +63,16 @@ class StatusFormatTest {
     @Test
     void asJson() {
         assertThat(StatusJson.of(BUSY))
-                .startsWith("{\"name\":\"robot\",\"loop\":\"running\",\"originalState\":\"On\",\"newState\":\"Move\","
-                        + "\"queue\":{\"depth\":2,\"capacity\":8,\"highest\":5,"
-                        + "\"taken\":40,\"dropped\":1,\"refused\":3},"
-                        + "\"events\":{\"handled\":30,\"ignored\":4,\"stale\":2,\"failed\":1},"
-                        + "\"conversionTime\":{\"events\":33,\"lastNanos\":180499,\"medianNanos\":999499,"
-                        + "\"percentile99Nanos\":12340000},\"components\":[")
+                .startsWith(
+                        "{\"name\":\"robot\",\"loop\":\"running\",\"originalState\":\"On\",\"newState\":\"Move\",\"doubt\":\"\","
+                                + "\"queue\":{\"depth\":2,\"capacity\":8,\"highest\":5,"
+                                + "\"taken\":40,\"dropped\":1,\"refused\":3},"
+                                + "\"events\":{\"handled\":30,\"ignored\":4,\"stale\":2,\"failed\":1},"
+                                + "\"conversionTime\":{\"events\":33,\"lastNanos\":180499,\"medianNanos\":999499,"
+                                + "\"percentile99Nanos\":12340000},\"components\":[")
                 .contains("\"activity\":\"stuck\",\"failures\":2,"
                         + "\"lastFailure\":\"Motors.execute: \\\"no\\\\answer\\\"\\u0009\\u00e9\"}]")
-                .endsWith("\"function\":{\"state\":\"Move\",\"thread\":\"function-Move-7\"},"
+                .endsWith("\"function\":{\"state\":\"Move\",\"thread\":\"function-Move-7\",\"progress\":\"\"},"
                         + "\"link\":{\"up\":true,\"text\":\"/dev/ttyUSB0\"}}");
     }
 

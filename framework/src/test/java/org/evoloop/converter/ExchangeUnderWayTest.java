@@ -12,8 +12,7 @@ import java.time.Duration;
 import java.util.Set;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicBoolean;
-import org.evoloop.converter.HistoryEntry.Outcome;
-import org.evoloop.evolution.Decision;
+import org.evoloop.core.Outcome;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.function.NewFunction;
 import org.evoloop.loop.ComponentStatus;
@@ -103,9 +102,9 @@ class ExchangeUnderWayTest {
     @Test
     void aDeafAnalyzeThatWasExchangedCannotMixUpTheEventsOfItsSuccessor() throws InterruptedException {
         CountDownLatch returned = new CountDownLatch(1);
-        DecisionAnalyze deaf = new DecisionAnalyze() {
+        EventAnalyze deaf = new EventAnalyze() {
             @Override
-            protected @Nullable Decision analyze(Occurrence occurrence) {
+            protected @Nullable Analysis analyze(Occurrence occurrence) {
                 hanging.countDown();
                 awaitDeaf(atLast);
                 try {
@@ -123,13 +122,13 @@ class ExchangeUnderWayTest {
             await(hanging);
             CountDownLatch analyzed = new CountDownLatch(1);
             CountDownLatch planning = new CountDownLatch(1);
-            robot.converter.exchange(deaf.name(), new DecisionAnalyze() {
+            robot.converter.exchange(deaf.name(), new EventAnalyze() {
                 @Override
-                protected @Nullable Decision analyze(Occurrence occurrence) {
-                    Decision decision = super.analyze(occurrence);
+                protected @Nullable Analysis analyze(Occurrence occurrence) {
+                    Analysis analysis = super.analyze(occurrence);
                     analyzed.countDown();
                     awaitDeaf(planning);
-                    return decision;
+                    return analysis;
                 }
             });
             assertThat(robot.awaitHistory(1).outcome()).isEqualTo(Outcome.FAILED);
@@ -139,7 +138,7 @@ class ExchangeUnderWayTest {
             await(returned);
             planning.countDown();
 
-            assertThat(robot.awaitHistory(2).occurrence().event().name()).isEqualTo("Clean");
+            assertThat(robot.awaitHistory(2).occurrence().label()).isEqualTo("Clean");
             assertThat(robot.states()).isEqualTo(at("On", "On"));
         }
     }
@@ -150,9 +149,9 @@ class ExchangeUnderWayTest {
             hanging.countDown();
             atLast.await();
         })) {
-            assertThatThrownBy(() -> robot.converter.addPlan(new DecisionPlan() {}))
+            assertThatThrownBy(() -> robot.converter.addPlan(new EventPlan() {}))
                     .isInstanceOf(IllegalStateException.class)
-                    .hasMessageContaining("there is a component of the role PLAN already, DecisionPlan");
+                    .hasMessageContaining("there is a component of the role PLAN already, EventPlan");
             assertThat(robot.awaitHistory(4).outcome()).isEqualTo(Outcome.FAILED);
             robot.press("Spot");
             assertThat(robot.awaitHistory(5).outcome()).isEqualTo(Outcome.IGNORED);
@@ -244,7 +243,7 @@ class ExchangeUnderWayTest {
     @Test
     void theOnlyComponentOfARoleIsExchangedNotRemoved() {
         try (LiveRobot robot = new LiveRobot(NewFunction.none())) {
-            for (String needed : new String[] {"DecisionAnalyze", "DecisionPlan", "Device"}) {
+            for (String needed : new String[] {"EventAnalyze", "EventPlan", "Device"}) {
                 assertThatThrownBy(() -> robot.converter.remove(needed))
                         .isInstanceOf(IllegalStateException.class)
                         .hasMessageContaining("exchange it instead");

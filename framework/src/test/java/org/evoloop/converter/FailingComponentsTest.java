@@ -13,8 +13,7 @@ import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.atomic.AtomicReference;
-import org.evoloop.converter.HistoryEntry.Outcome;
-import org.evoloop.evolution.Decision;
+import org.evoloop.core.Outcome;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.function.NewFunction;
 import org.evoloop.loop.ComponentStatus.Activity;
@@ -105,7 +104,7 @@ class FailingComponentsTest {
     }
 
     @Test
-    void anExecuteThatReturnsLateChangesNothingAnyMore() throws InterruptedException {
+    void anExecuteThatReturnsLateTellsWhereTheDeviceIs() throws InterruptedException {
         CountDownLatch hanging = new CountDownLatch(1);
         CountDownLatch atLast = new CountDownLatch(1);
         try (LiveRobot robot = new LiveRobot(NewFunction.none(), 8, made -> {
@@ -123,14 +122,14 @@ class FailingComponentsTest {
             robot.awaitHistory(4);
             assertThat(robot.component("Deaf").activity()).isEqualTo(Activity.STUCK);
             robot.press("Clean");
-            assertThat(robot.awaitHistory(5).detail()).contains("is stuck").contains("exchange it");
+            assertThat(robot.awaitHistory(6).detail()).contains("is stuck").contains("exchange it");
 
             robot.sent.clear();
             atLast.countDown();
             assertThat(take(robot.sent)).isEqualTo("Deaf:Spot");
             until(() -> robot.component("Deaf").activity() == Activity.WAITING);
-            assertThat(robot.states()).isEqualTo(at("On", "SpotWait"));
-            assertThat(robot.converter.history()).hasSize(5);
+            assertThat(robot.states()).isEqualTo(at("Spot", "SpotWait"));
+            assertThat(robot.converter.history()).hasSize(6);
         }
     }
 
@@ -176,11 +175,11 @@ class FailingComponentsTest {
         CountDownLatch atLast = new CountDownLatch(1);
         CountDownLatch secondRuns = new CountDownLatch(1);
         CountDownLatch secondMayEnd = new CountDownLatch(1);
-        DecisionAnalyze slow = new DecisionAnalyze() {
+        EventAnalyze slow = new EventAnalyze() {
             private int calls;
 
             @Override
-            protected @Nullable Decision analyze(Occurrence occurrence) {
+            protected @Nullable Analysis analyze(Occurrence occurrence) {
                 if (++calls == 1) {
                     hanging.countDown();
                     awaitDeaf(atLast);

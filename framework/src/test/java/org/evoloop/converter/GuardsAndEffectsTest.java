@@ -11,6 +11,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.function.Consumer;
+import org.evoloop.core.Outcome;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.evolution.Step;
 import org.evoloop.function.NewFunction;
@@ -127,7 +128,7 @@ class GuardsAndEffectsTest {
                 knowledge -> bind(knowledge, "hot"));
         press("press");
         assertThat(press("wait")).isEqualTo("(On, On)");
-        assertThat(last().outcome()).isEqualTo(HistoryEntry.Outcome.IGNORED);
+        assertThat(last().outcome()).isEqualTo(Outcome.IGNORED);
         holding.add("hot");
         assertThat(press("wait")).isEqualTo("(Off, Off)");
     }
@@ -141,7 +142,7 @@ class GuardsAndEffectsTest {
                     throw new IllegalStateException("no thermometer");
                 }));
         assertThat(press("press")).isEqualTo("(Off, Off)");
-        assertThat(last().outcome()).isEqualTo(HistoryEntry.Outcome.FAILED);
+        assertThat(last().outcome()).isEqualTo(Outcome.FAILED);
         assertThat(last().detail()).contains("no thermometer");
     }
 
@@ -186,7 +187,7 @@ class GuardsAndEffectsTest {
         });
         assertThat(press("press")).isEqualTo("(On, On)");
         assertThat(log).containsExactly("sent press", "blink");
-        assertThat(last().outcome()).isEqualTo(HistoryEntry.Outcome.FAILED);
+        assertThat(last().outcome()).isEqualTo(Outcome.FAILED);
         assertThat(last().detail()).isEqualTo("Device.effect beep: no buzzer");
     }
 
@@ -237,7 +238,7 @@ class GuardsAndEffectsTest {
         });
         press("glow");
         assertThat(press("up")).isEqualTo("(Off, Warm)");
-        assertThat(last().outcome()).isEqualTo(HistoryEntry.Outcome.FAILED);
+        assertThat(last().outcome()).isEqualTo(Outcome.FAILED);
         assertThat(last().detail())
                 .contains("the guards of the original model do not let Off --press [dark]--> On be taken now");
         holding.add("dark");

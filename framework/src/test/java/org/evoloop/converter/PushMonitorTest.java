@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.LinkedBlockingQueue;
@@ -82,7 +83,7 @@ class PushMonitorTest {
     private MapeLoop<Occurrence, Occurrence, Occurrence> built() {
         LoopConfig config = LoopConfig.defaults("pushed", clock).withQueueCapacity(EVENTS);
         MapeLoop<Occurrence, Occurrence, Occurrence> loop = new MapeLoop<>(config, new Strict());
-        monitor.attach(config, loop);
+        monitor.attach(config, loop, Set::of);
         loop.addMonitor(monitor);
         loop.addAnalyze(new Analyze<>("Analyze") {
             @Override
@@ -99,7 +100,7 @@ class PushMonitorTest {
         loop.addExecute(new Execute<>("Execute") {
             @Override
             protected void execute(Occurrence occurrence) {
-                handled.add(occurrence.event().name());
+                handled.add(occurrence.label());
             }
         });
         loop.build();

@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.evoloop.converter.Robot.at;
 
 import java.time.Duration;
-import org.evoloop.converter.HistoryEntry.Outcome;
+import org.evoloop.core.Outcome;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.statemachine.State;
 import org.junit.jupiter.api.AfterEach;
@@ -89,7 +89,7 @@ class ResynchronizationTest {
         long before = robot.clock.nanoTime();
         robot.clock.advance(Duration.ofMillis(1));
         robot.controller("Clean");
-        robot.converter.offer(Occurrence.found(new State("Off"), before));
+        robot.converter.offer(new Occurrence.Found(new State("Off"), before));
         robot.converter.step();
         assertThat(robot.states()).isEqualTo(at("On", "On"));
         assertThat(robot.last().outcome()).isEqualTo(Outcome.STALE);

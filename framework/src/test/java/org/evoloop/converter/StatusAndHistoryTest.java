@@ -7,7 +7,7 @@ import java.io.IOException;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
-import org.evoloop.converter.HistoryEntry.Outcome;
+import org.evoloop.core.Outcome;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.loop.Component.Role;
 import org.evoloop.loop.ComponentStatus;
@@ -141,13 +141,13 @@ class StatusAndHistoryTest {
         assertThat(status.queue()).isEqualTo(new QueueStatus(1, 8, 1, 3, 0, 0));
         assertThat(status.events()).isEqualTo(new ConverterStatus.EventCounts(2, 0, 0, 0));
         assertThat(status.conversionTime()).isEqualTo(new ConverterStatus.ConversionTime(2, 0, 0, 0));
-        assertThat(status.function()).isEqualTo(new ConverterStatus.RunningFunction("Move", ""));
+        assertThat(status.function()).isEqualTo(new ConverterStatus.RunningFunction("Move", "", ""));
         assertThat(status.link()).isEqualTo(new ConverterStatus.Link(false, ""));
         assertThat(status.components())
                 .containsExactly(
                         new ComponentStatus("Panel", Role.MONITOR, "", Activity.ENDED, 0, ""),
-                        new ComponentStatus("DecisionAnalyze", Role.ANALYZE, "", Activity.ENDED, 0, ""),
-                        new ComponentStatus("DecisionPlan", Role.PLAN, "", Activity.ENDED, 0, ""),
+                        new ComponentStatus("EventAnalyze", Role.ANALYZE, "", Activity.ENDED, 0, ""),
+                        new ComponentStatus("EventPlan", Role.PLAN, "", Activity.ENDED, 0, ""),
                         new ComponentStatus("Device", Role.EXECUTE, "", Activity.ENDED, 0, ""));
     }
 

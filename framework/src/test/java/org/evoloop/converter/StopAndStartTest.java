@@ -13,7 +13,7 @@ import java.util.Set;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
-import org.evoloop.converter.HistoryEntry.Outcome;
+import org.evoloop.core.Outcome;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Step;
 import org.evoloop.function.NewFunction;
@@ -69,26 +69,31 @@ class StopAndStartTest {
             assertThat(robot.awaitHistory(1).outcome()).isEqualTo(Outcome.FAILED);
             assertThat(robot.converter.status().function().state()).isEmpty();
             assertThat(robot.heard).contains("Device released");
+            assertThat(robot.converter.status().doubt()).contains("nobody knows whether Clean had its effect");
             mayGo.countDown();
             assertThat(take(robot.sent)).isEqualTo("Device:Clean");
-            assertThat(robot.states()).isEqualTo(at("Off", "Off"));
+            robot.awaitStates("On", "Off");
+            assertThat(robot.converter.status().doubt()).isEmpty();
         }
     }
 
     @Test
-    void whatHappensWhileTheLoopIsClosedIsRefusedAndNeverComesLater() {
+    void whileTheLoopIsClosedControllersAreRefusedAndTheRecordFollowsTheDevice() {
         try (LiveRobot robot = new LiveRobot(NewFunction.none())) {
             robot.press("Clean");
             robot.converter.stop();
             robot.panel.press("Clean");
             robot.panel.pressed("Clean", true);
             robot.panel.pressed("Spot", true);
-            until(() -> robot.converter.status().queue().refused() == 3);
+            robot.awaitStates("Clean", "On");
+            until(() -> robot.converter.status().queue().depth() == 2);
+            assertThat(robot.converter.status().queue().refused()).isEqualTo(1);
 
             robot.converter.start();
-            robot.press("Clean");
+            robot.awaitHistory(3);
             assertThat(robot.states()).isEqualTo(at("Clean", "Clean"));
-            assertThat(robot.converter.history()).hasSize(2);
+            robot.press("Clean");
+            assertThat(robot.states()).isEqualTo(at("Clean", "SpotWait"));
         }
     }
 
@@ -108,12 +113,12 @@ class StopAndStartTest {
             assertThat(take(life)).isEqualTo("begins");
             robot.converter.stop();
             assertThat(take(life)).startsWith("is ");
-            assertThat(robot.converter.status().function()).isEqualTo(new ConverterStatus.RunningFunction("", ""));
+            assertThat(robot.converter.status().function()).isEqualTo(new ConverterStatus.RunningFunction("", "", ""));
 
             robot.converter.start();
             assertThat(take(life)).isEqualTo("begins");
             assertThat(robot.converter.status().function())
-                    .isEqualTo(new ConverterStatus.RunningFunction("Move", "function-Move-4"));
+                    .isEqualTo(new ConverterStatus.RunningFunction("Move", "function-Move-4", ""));
         }
     }
 

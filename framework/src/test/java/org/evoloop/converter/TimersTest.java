@@ -11,8 +11,7 @@ import java.util.Set;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicReference;
-import org.evoloop.converter.HistoryEntry.Outcome;
-import org.evoloop.evolution.Decision;
+import org.evoloop.core.Outcome;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Step;
@@ -48,7 +47,7 @@ class TimersTest {
             robot.panel.press("endSpot");
             robot.awaitStates("On", "On");
             assertThat(robot.converter.history())
-                    .extracting(entry -> entry.occurrence().event().name())
+                    .extracting(entry -> entry.occurrence().label())
                     .doesNotContain("timeout");
         }
     }
@@ -59,10 +58,10 @@ class TimersTest {
         CountDownLatch queued = new CountDownLatch(1);
         AtomicReference<String> held = new AtomicReference<>("");
         try (LiveRobot robot = new LiveRobot(NewFunction.none(), 8, made -> {
-            made.converter.addAnalyze(new DecisionAnalyze() {
+            made.converter.addAnalyze(new EventAnalyze() {
                 @Override
-                protected @Nullable Decision analyze(Occurrence occurrence) {
-                    if (occurrence.event().name().equals(held.get())) {
+                protected @Nullable Analysis analyze(Occurrence occurrence) {
+                    if (occurrence.label().equals(held.get())) {
                         analyzing.countDown();
                         awaitDeaf(queued);
                     }
@@ -81,7 +80,7 @@ class TimersTest {
 
             HistoryEntry stale = robot.awaitHistory(5);
             assertThat(stale.outcome()).isEqualTo(Outcome.STALE);
-            assertThat(stale.occurrence().event().name()).isEqualTo("timeout");
+            assertThat(stale.occurrence().label()).isEqualTo("timeout");
             assertThat(stale.detail()).isEqualTo("the state that raised it has been left");
             assertThat(robot.states()).isEqualTo(at("Spot", "Spot"));
         }
@@ -93,10 +92,10 @@ class TimersTest {
         CountDownLatch advanced = new CountDownLatch(1);
         AtomicReference<String> held = new AtomicReference<>("");
         try (LiveRobot robot = new LiveRobot(NewFunction.none(), 1, made -> {
-            made.converter.addAnalyze(new DecisionAnalyze() {
+            made.converter.addAnalyze(new EventAnalyze() {
                 @Override
-                protected @Nullable Decision analyze(Occurrence occurrence) {
-                    if (occurrence.event().name().equals(held.get())) {
+                protected @Nullable Analysis analyze(Occurrence occurrence) {
+                    if (occurrence.label().equals(held.get())) {
                         analyzing.countDown();
                         awaitDeaf(advanced);
                     }

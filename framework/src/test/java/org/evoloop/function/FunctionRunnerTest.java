@@ -32,6 +32,11 @@ class FunctionRunnerTest {
         }
 
         @Override
+        public void send(Visit visit, Event event) {
+            throw new AssertionError(visit + " asks for " + event);
+        }
+
+        @Override
         public void raise(Visit visit, Event event) {}
 
         @Override

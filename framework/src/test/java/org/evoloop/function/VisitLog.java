@@ -47,6 +47,11 @@ final class VisitLog implements VisitHost {
     }
 
     @Override
+    public void send(Visit visit, Event event) {
+        throw new AssertionError(visit + " asks for " + event);
+    }
+
+    @Override
     public void raise(Visit visit, Event event) throws InterruptedException {
         events.put("raised " + event);
     }

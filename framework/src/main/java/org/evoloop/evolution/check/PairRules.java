@@ -1,6 +1,7 @@
 package org.evoloop.evolution.check;
 
 import java.util.ArrayList;
+import java.util.Objects;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
@@ -89,7 +90,7 @@ final class PairRules {
     private void impossible(Turn turn, Decision.Impossible decision, boolean problem) {
         findings.add(new Finding(
                 problem ? Rule.NO_PATH : Rule.HAZARD,
-                new Element.OfTransition(Element.Side.NEW, decision.transition()),
+                new Element.OfTransition(Element.Side.NEW, Objects.requireNonNull(decision.transition())),
                 "in " + decision.before() + (turn.deviceActed() ? ", when the device has acted on it by itself, " : " ")
                         + decision.reason(),
                 problem

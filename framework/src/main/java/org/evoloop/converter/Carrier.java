@@ -1,0 +1,177 @@
+package org.evoloop.converter;
+
+import java.util.List;
+import org.evoloop.core.Output;
+import org.evoloop.evolution.Occurrence;
+import org.evoloop.evolution.Step;
+import org.evoloop.evolution.Values;
+import org.evoloop.loop.Execute;
+import org.evoloop.loop.Failure;
+import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.State;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Carries out what the core asks for: on the threads of the execute components, one at a time, and for what belongs to no
+ * occurrence on the thread of whoever opens, closes or gives up.
+ */
+final class Carrier {
+    private final CoreDriver driver;
+    private final Visits visits;
+    private final Bindings bindings;
+    private final FailureLog failures;
+    private final Transcript transcript;
+    private volatile List<EventExecute> executes = List.of();
+
+    /** Those of the loop, in the order in which they are asked. */
+    private volatile List<Execute<ChangePlan>> senders = List.of();
+
+    Carrier(CoreDriver driver, Visits visits, Bindings bindings, FailureLog failures, Transcript transcript) {
+        this.driver = driver;
+        this.visits = visits;
+        this.bindings = bindings;
+        this.failures = failures;
+        this.transcript = transcript;
+    }
+
+    /** From now on these send. */
+    void use(List<EventExecute> present) {
+        executes = List.copyOf(present);
+    }
+
+    List<EventExecute> executes() {
+        return executes;
+    }
+
+    /** Which execute component goes on with {@code plan}; null if it has been carried out. */
+    @Nullable
+    Execute<ChangePlan> next(ChangePlan plan, List<Execute<ChangePlan>> inOrder, @Nullable Execute<ChangePlan> last) {
+        senders = inOrder;
+        if (last == null) {
+            return senderOf(firstToSend(plan), inOrder);
+        }
+        Output.Directive directive = driver.next(plan);
+        if (directive instanceof Output.Send send) {
+            return senderOf(send.step().trigger(), inOrder);
+        }
+        return directive == null ? null : inOrder.get(inOrder.indexOf(last) + 1);
+    }
+
+    private static @Nullable Event firstToSend(ChangePlan plan) {
+        // By index, here and on: an iterator would be garbage in every event.
+        for (int index = 0; index < plan.steps().size(); index++) {
+            Step step = plan.steps().get(index);
+            if (!step.byDevice()) {
+                return step.trigger();
+            }
+        }
+        return null;
+    }
+
+    private static Execute<ChangePlan> senderOf(@Nullable Event event, List<Execute<ChangePlan>> inOrder) {
+        for (int index = 0; event != null && index < inOrder.size(); index++) {
+            if (inOrder.get(index) instanceof EventExecute sender
+                    && sender.events().contains(event)) {
+                return inOrder.get(index);
+            }
+        }
+        return inOrder.get(0);
+    }
+
+    /** Carries {@code plan} out as far as {@code execute} can. */
+    void carryOut(ChangePlan plan, EventExecute execute) throws Exception {
+        long number = driver.takeUp(plan);
+        Exception unsettled = null;
+        for (Output.Directive next = driver.next(number); next != null; next = driver.next(number)) {
+            if (next instanceof Output.Send send) {
+                if (!canSend(send.step(), execute)) {
+                    return;
+                }
+                driver.done(next);
+                send(number, send.step(), plan.occurrence().values(), execute);
+            } else if (next instanceof Output.Run run) {
+                driver.done(next);
+                driver.ran(number, run(run.effect(), plan.occurrence(), execute));
+            } else if (next instanceof Output.Locate) {
+                State state = execute.locate().map(State::new).orElse(null);
+                if (state == null && senders.indexOf(execute) < senders.size() - 1) {
+                    return;
+                }
+                driver.done(next);
+                driver.located(number, state);
+            } else if (next instanceof Output.Settle settle) {
+                driver.done(next);
+                transcript.say();
+                try {
+                    execute.settled(settle.now());
+                } catch (Exception cause) {
+                    unsettled = cause;
+                }
+            } else {
+                driver.done(next);
+                visit(next);
+            }
+        }
+        transcript.say();
+        if (unsettled != null) {
+            throw unsettled;
+        }
+    }
+
+    private boolean canSend(Step step, EventExecute execute) {
+        if (execute.events().contains(step.trigger())) {
+            return true;
+        }
+        for (Execute<ChangePlan> other : senders) {
+            if (other instanceof EventExecute sender && sender.events().contains(step.trigger())) {
+                return false;
+            }
+        }
+        throw new IllegalStateException("no execute component can send " + step.trigger() + " any more");
+    }
+
+    private void send(long number, Step step, Values values, EventExecute execute) throws Exception {
+        execute.awaitReady(step);
+        if (!driver.rules().table().isOpen(step, bindings.with(values))) {
+            throw new IllegalStateException("the guards of the original model do not let " + step + " be taken now");
+        }
+        if (driver.announce(number)) {
+            execute.perform(number, step, values);
+        }
+    }
+
+    /** Returns what went wrong; the device has obeyed, so nothing keeps the other effects from being run. */
+    private String run(String effect, Occurrence occurrence, EventExecute execute) throws InterruptedException {
+        try {
+            bindings.run(effect, occurrence.values());
+            return "";
+        } catch (InterruptedException stop) {
+            throw stop;
+        } catch (Exception cause) {
+            Failure<Occurrence> failure = new Failure<>(execute.name(), "effect " + effect, 0, occurrence, cause);
+            failures.log(failure);
+            return failure.toString();
+        }
+    }
+
+    /** Carries out what belongs to no occurrence in progress: visits begin or end. */
+    void carryOut() {
+        for (Output.Directive next = driver.next(CoreDriver.NOBODY);
+                next != null;
+                next = driver.next(CoreDriver.NOBODY)) {
+            driver.done(next);
+            visit(next);
+        }
+        transcript.say();
+    }
+
+    private void visit(Output.Directive directive) {
+        if (directive instanceof Output.Leave) {
+            visits.leave();
+        } else if (directive instanceof Output.Enter enter) {
+            visits.enter(enter);
+        } else if (directive instanceof Output.Start start) {
+            visits.start(start.visit());
+        }
+    }
+}

@@ -1,0 +1,26 @@
+package org.evoloop.converter;
+
+import org.evoloop.evolution.Configuration;
+import org.evoloop.evolution.Occurrence;
+import org.evoloop.loop.Failure;
+
+/**
+ * Hears what a converter does, see {@link SystemEventConverter#addListener}.
+ *
+ * <p>Threading: called on one thread of the converter that does nothing else, one call at a time and in the order in which
+ * things happened; in a converter without threads on the thread that takes the steps. One that throws is logged.
+ */
+public interface ConverterListener {
+
+    /** An occurrence has come to its end, and this is what became of it. */
+    default void ended(HistoryEntry entry) {}
+
+    /** The current states have changed. */
+    default void moved(Configuration before, Configuration after) {}
+
+    /** A component has failed. */
+    default void failed(Failure<Occurrence> failure) {}
+
+    /** Whether the record of the device is in doubt has changed; {@code why} is empty if it no longer is. */
+    default void doubted(String why) {}
+}

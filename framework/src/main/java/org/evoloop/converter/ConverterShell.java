@@ -1,0 +1,177 @@
+package org.evoloop.converter;
+
+import java.util.List;
+import org.evoloop.core.Outcome;
+import org.evoloop.core.Output;
+import org.evoloop.core.Rules;
+import org.evoloop.core.Tally;
+import org.evoloop.evolution.Configuration;
+import org.evoloop.evolution.Decision;
+import org.evoloop.evolution.DecisionTable;
+import org.evoloop.evolution.Occurrence;
+import org.evoloop.loop.Failure;
+import org.evoloop.loop.LoopConfig;
+import org.evoloop.loop.LoopListener;
+import org.evoloop.loop.MapeLoop;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * What stands around the core of a converter that runs: the loop that brings its inputs, those who carry its directives
+ * out, and the books that are kept of what it says.
+ *
+ * <p>Threading: the loop calls it for one event at a time; whoever drives the core tells it what the core says.
+ */
+final class ConverterShell implements LoopListener<Occurrence>, CoreDriver.Listener {
+    private static final Logger LOG = LoggerFactory.getLogger(SystemEventConverter.class);
+
+    private final LoopConfig config;
+    private final Transcript transcript = new Transcript();
+    private final FailureLog failures = new FailureLog();
+    final StateKnowledge knowledge;
+    final History history;
+    final LatencyWindow latency = new LatencyWindow();
+    final MapeLoop<Occurrence, Analysis, ChangePlan> loop;
+    final Visits visits;
+    final CoreDriver driver;
+    final Carrier carrier;
+    final Listeners listeners;
+
+    ConverterShell(LoopConfig config, StateKnowledge knowledge, DecisionTable table, Listeners listeners) {
+        this.config = config;
+        this.knowledge = knowledge;
+        this.listeners = listeners;
+        this.history = new History(config.clock());
+        this.driver = new CoreDriver(
+                new Rules(table, knowledge::timersOf, config.queueCapacity()),
+                config.clock(),
+                knowledge.bindings(),
+                this);
+        this.visits = new Visits(config, knowledge, transcript, failures);
+        this.carrier = new Carrier(driver, visits, knowledge.bindings(), failures, transcript);
+        this.loop = new MapeLoop<>(config, this, carrier::next, driver);
+        visits.attach(loop);
+        knowledge.attach(driver);
+    }
+
+    /** From the next event on, decides by {@code table}. */
+    void use(DecisionTable table, List<EventExecute> present) {
+        driver.use(table);
+        carrier.use(present);
+    }
+
+    /** Opens the loop, after every execute component has seen to what the device needs in the current state. */
+    void start() {
+        for (EventExecute execute : carrier.executes()) {
+            try {
+                execute.settled(driver.configuration());
+            } catch (Exception cause) {
+                failed(execute, "settled", cause);
+            }
+        }
+        loop.start(carrier::carryOut);
+    }
+
+    /** Ends the current visit and lets go of the device; the loop is closed. */
+    void release() {
+        driver.release();
+        carrier.carryOut();
+        for (EventExecute execute : carrier.executes()) {
+            try {
+                execute.released();
+            } catch (Exception cause) {
+                failed(execute, "released", cause);
+            }
+        }
+    }
+
+    /** Outside of the loop, on the thread of whoever opens or closes it. */
+    private void failed(EventExecute execute, String phase, Exception cause) {
+        if (cause instanceof InterruptedException) {
+            Thread.currentThread().interrupt();
+        } else {
+            report(new Failure<>(execute.name(), phase, 0, null, cause));
+        }
+    }
+
+    private void report(Failure<Occurrence> failure) {
+        failures.log(failure);
+        listeners.failed(failure);
+    }
+
+    ConverterStatus.EventCounts counts() {
+        Tally tally = driver.tally();
+        return new ConverterStatus.EventCounts(tally.handled(), tally.ignored(), tally.stale(), tally.failed());
+    }
+
+    // LoopListener
+
+    @Override
+    public void failed(Failure<Occurrence> failure) {
+        ends(failure, false);
+    }
+
+    @Override
+    public void givenUp(Failure<Occurrence> failure) {
+        ends(failure, true);
+    }
+
+    private void ends(Failure<Occurrence> failure, boolean givenUp) {
+        report(failure);
+        if (failure.occurrence() != null) {
+            driver.failed(failure.toString(), givenUp);
+            carrier.carryOut();
+        }
+    }
+
+    @Override
+    public void dropped(Occurrence occurrence, boolean first) {
+        if (first) {
+            LOG.warn(
+                    "the queue of {} events is full: {} is lost; what follows is counted and shown by status",
+                    config.queueCapacity(),
+                    occurrence);
+        }
+    }
+
+    // What the core says
+
+    @Override
+    public void heard(Output output) {
+        if (output instanceof Output.Begin begin) {
+            transcript.observed(begin.pending().occurrence());
+        } else if (output instanceof Output.Decided decided) {
+            transcript.decided(decided.decision());
+            latency.record(decided.waitedNanos());
+        } else if (output instanceof Output.Send send) {
+            transcript.step(send.step());
+        } else if (output instanceof Output.Took took) {
+            transcript.command(took.step().trigger());
+        } else if (output instanceof Output.Ended ended) {
+            record(ended);
+        } else if (output instanceof Output.Overtaken overtaken) {
+            transcript.ended(overtaken.occurrence(), driver.configuration());
+        } else if (output instanceof Output.Dropped dropped) {
+            Configuration now = driver.configuration();
+            history.record(dropped.occurrence(), now, now, Outcome.DROPPED, null, "the queue was full");
+            listeners.ended(history);
+        } else if (output instanceof Output.Moved moved) {
+            listeners.moved(moved.before(), moved.after());
+        } else if (output instanceof Output.Doubted doubted) {
+            if (!doubted.why().isEmpty()) {
+                LOG.warn("the state of the device is in doubt: {}", doubted.why());
+            }
+            listeners.doubted(doubted.why());
+        }
+    }
+
+    private void record(Output.Ended ended) {
+        if (ended.decision() instanceof Decision.Impossible impossible) {
+            LOG.warn("{} in {}: {}", ended.occurrence(), ended.before(), impossible.reason());
+        }
+        transcript.ended(ended.occurrence(), ended.after());
+        history.record(
+                ended.occurrence(), ended.before(), ended.after(), ended.outcome(), ended.decision(), ended.detail());
+        listeners.ended(history);
+    }
+}

@@ -1,0 +1,62 @@
+package org.evoloop.converter;
+
+import org.evoloop.evolution.Configuration;
+import org.evoloop.evolution.Decision;
+import org.evoloop.evolution.Occurrence;
+import org.evoloop.loop.Analyze;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Finds out what an occurrence means in the current states: not acceptable, an existing function, or a new function. A
+ * converter has one without being told. Extend it to watch decisions, to refine them, or to refuse events by a rule of your
+ * own: a child lock, say, refuses the controller's events at night.
+ *
+ * <pre>{@code
+ * protected Analysis analyze(Occurrence occurrence) {
+ *     return isNight() && occurrence.source().isButton()
+ *             ? refuse(occurrence, "child lock")
+ *             : super.analyze(occurrence);
+ * }
+ * }</pre>
+ *
+ * <p>A fact, which the device has acted on, can be refused too; then the record of the device has followed it all the same.
+ */
+public class EventAnalyze extends Analyze<Occurrence, Analysis> {
+    private volatile @Nullable CoreDriver driver;
+
+    /** A component that is called like its class. */
+    public EventAnalyze() {}
+
+    /** @param name what the console calls it, unique within a converter */
+    public EventAnalyze(String name) {
+        super(name);
+    }
+
+    final void attach(CoreDriver joined) {
+        driver = joined;
+    }
+
+    /**
+     * The analysis; null for an occurrence that is no longer in the loop, since this component did not return in time.
+     */
+    @Override
+    protected @Nullable Analysis analyze(Occurrence occurrence) {
+        CoreDriver attached = driver;
+        Decision decision = attached == null ? null : attached.decide(occurrence);
+        return decision == null ? null : new Analysis(occurrence, decision);
+    }
+
+    /** Where device and evolved system are. @throws IllegalStateException if this is not part of a converter */
+    protected final Configuration configuration() {
+        CoreDriver attached = driver;
+        if (attached == null) {
+            throw new IllegalStateException(name() + " is not part of a converter");
+        }
+        return attached.configuration();
+    }
+
+    /** An analysis by which nothing comes of {@code occurrence}; the history tells the reason. */
+    protected final Analysis refuse(Occurrence occurrence, String reason) {
+        return new Analysis(occurrence, new Decision.Refused(configuration(), reason));
+    }
+}

@@ -1,0 +1,24 @@
+package org.evoloop.converter;
+
+import org.evoloop.loop.Plan;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Turns an analysis into the list of events to send and at most one new function to start. A converter has one without
+ * being told; extend it to watch plans.
+ */
+public class EventPlan extends Plan<Analysis, ChangePlan> {
+    /** A component that is called like its class. */
+    public EventPlan() {}
+
+    /** @param name what the console calls it, unique within a converter */
+    public EventPlan(String name) {
+        super(name);
+    }
+
+    /** The plan; null if nothing is to be done. */
+    @Override
+    protected @Nullable ChangePlan plan(Analysis analysis) {
+        return new ChangePlan(analysis.occurrence(), analysis.decision());
+    }
+}

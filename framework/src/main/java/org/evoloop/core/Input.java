@@ -1,0 +1,67 @@
+package org.evoloop.core;
+
+import org.evoloop.evolution.Decision;
+import org.evoloop.evolution.Occurrence;
+import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.State;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What the {@link Core} is told. Times are nanoseconds of the converter's monotonic clock; {@code number} is that of the
+ * occurrence, as {@link Output.Begin} told it: what comes for another one than that in progress is ignored, since it was
+ * given up.
+ *
+ * <p>Threading: immutable.
+ */
+public sealed interface Input {
+
+    /** The converter is opened: it takes controllers' events, and the current state is entered anew. */
+    record Opened(long atNanos) implements Input {}
+
+    /** The converter is closed to all but facts. The occurrence in progress may still come to its end. */
+    record Closing() implements Input {}
+
+    /** Nothing is in progress any more: what runs in the current state ends. */
+    record Closed() implements Input {}
+
+    /** Something occurred. A fact moves the original model at once; all else waits for its turn. */
+    record Observed(Occurrence occurrence) implements Input {}
+
+    /** A timer of a visit has run down. */
+    record TimerDue(long visit, Event event, long atNanos) implements Input {}
+
+    /** Nothing is in progress, and the next occurrence may begin. */
+    record Ready(long atNanos) implements Input {}
+
+    /** The occurrence in progress was analyzed and planned. */
+    record Planned(long number, Decision decision, long atNanos) implements Input {}
+
+    /** Analyze or plan has nothing to do about it. */
+    record Dismissed(long number) implements Input {}
+
+    /** The device is ready for the step that was asked for, and the step is about to be sent. */
+    record Sending(long number, long atNanos) implements Input {}
+
+    /**
+     * The step that was being sent has had its effect.
+     *
+     * @param inOrder whether the adapter vouches that everything the device did by itself before this effect, and nothing
+     *     that it did after, was told before this
+     */
+    record Sent(long number, boolean inOrder, long atNanos) implements Input {}
+
+    /** An effect of the new model was run; {@code failure} says what went wrong and is empty if nothing did. */
+    record EffectRun(long number, String failure, long atNanos) implements Input {}
+
+    /** The device was asked where it is; {@code state} is null if that cannot be told. */
+    record Located(long number, @Nullable State state, long atNanos) implements Input {}
+
+    /** A component failed with it; a step that was being sent had no effect. */
+    record Failed(long number, String reason, long atNanos) implements Input {}
+
+    /** A component was given up with it; whether a step that was being sent had its effect, nobody knows. */
+    record GivenUp(long number, String reason, long atNanos) implements Input {}
+
+    /** Models or components have changed: from now on these rules count. */
+    record Changed(Rules rules, long atNanos) implements Input {}
+}

@@ -1,0 +1,106 @@
+package org.evoloop.core;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.List;
+import java.util.function.Predicate;
+import org.evoloop.evolution.Occurrence;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The occurrences that wait for their turn, first come first served, and how many came and went.
+ *
+ * <p>Events of controllers are lost when as many wait as there is room for. What has happened already, and what a timer or
+ * a function raises, is lost only when {@value #MOST_FACTS} more wait.
+ */
+final class Line {
+    /** So many may wait beyond the capacity if they must not be lost. */
+    static final int MOST_FACTS = 1024;
+
+    private final ArrayDeque<Pending> waiting = new ArrayDeque<>();
+    private final Counts counts;
+
+    /** Whether something was lost since there was room. */
+    private boolean losing;
+
+    Line(Collection<Pending> waiting, Counts counts, boolean losing) {
+        this.waiting.addAll(waiting);
+        this.counts = counts;
+        this.losing = losing;
+    }
+
+    /** Whether one more event of a controller may wait; if nothing is in progress it need not wait at all. */
+    boolean hasRoom(int capacity, boolean idle) {
+        return waiting.size() < Math.max(capacity, idle ? 1 : 0);
+    }
+
+    boolean hasRoomForFacts(int capacity) {
+        return waiting.size() < capacity + MOST_FACTS;
+    }
+
+    void add(Pending pending) {
+        waiting.add(pending);
+        losing = false;
+        counts.queued(waiting.size());
+    }
+
+    void addFirst(Pending pending) {
+        waiting.addFirst(pending);
+        counts.highest(waiting.size());
+    }
+
+    /** Notes that one was lost; true if it is the first since there was room. */
+    boolean lose() {
+        boolean first = !losing;
+        losing = true;
+        return first;
+    }
+
+    /** The first that may have its turn; null if none may. */
+    @Nullable
+    Pending next(Predicate<Occurrence> deferred) {
+        Pending first = waiting.peek();
+        if (first == null || !deferred.test(first.occurrence())) {
+            return waiting.poll();
+        }
+        for (Pending pending : waiting) {
+            if (!deferred.test(pending.occurrence())) {
+                waiting.remove(pending);
+                return pending;
+            }
+        }
+        return null;
+    }
+
+    /** Takes out all but facts, which have happened. */
+    List<Pending> withoutFacts() {
+        List<Pending> refused = new ArrayList<>();
+        waiting.removeIf(pending -> !pending.hasHappened() && refused.add(pending));
+        return refused;
+    }
+
+    /** Whether the first was begun before, and overtaken. */
+    boolean isRetryNext() {
+        Pending first = waiting.peek();
+        return first != null && first.attempts() > 0;
+    }
+
+    /** Whether a doubt waits to be settled. */
+    boolean holdsDoubt() {
+        Pending first = waiting.peek();
+        return first != null && first.occurrence() instanceof Occurrence.InDoubt;
+    }
+
+    int size() {
+        return waiting.size();
+    }
+
+    boolean isLosing() {
+        return losing;
+    }
+
+    List<Pending> waiting() {
+        return List.copyOf(waiting);
+    }
+}

@@ -1,0 +1,72 @@
+package org.evoloop.core;
+
+import java.time.Duration;
+import java.util.Map;
+import java.util.function.Predicate;
+import org.evoloop.evolution.Configuration;
+import org.evoloop.evolution.Decision;
+import org.evoloop.evolution.DecisionTable;
+import org.evoloop.evolution.Occurrence;
+import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.State;
+
+/**
+ * What a {@link Core} goes by: the models with their decisions, the timers of states, and the room in its queue.
+ *
+ * <p>Threading: immutable; {@code timers} must be a pure function.
+ *
+ * @param timers what is raised by itself in a state, and after how long
+ * @param queueCapacity how many events may wait behind the one in progress
+ */
+public record Rules(DecisionTable table, Timers timers, int queueCapacity) {
+
+    /** The timers of states. */
+    @FunctionalInterface
+    public interface Timers {
+        /** Every event that is raised by itself in {@code state}, and after how long. */
+        Map<Event, Duration> of(State state);
+    }
+
+    /**
+     * What an occurrence means when it has its turn: a pure function.
+     *
+     * @param at where device and evolved system are
+     * @param steps how many steps have been sent so far
+     * @param holds whether the guard of this text holds now
+     */
+    public Decision decide(Configuration at, long steps, Pending pending, Predicate<String> holds) {
+        Occurrence occurrence = pending.occurrence();
+        State from = pending.from();
+        if (occurrence instanceof Occurrence.Heard heard) {
+            return from == null
+                    ? table.decide(at, table.resolve(at, heard.event(), holds), false)
+                    : follow(at, at.withOriginal(from), heard.event(), pending, steps == pending.stepsBefore(), holds);
+        }
+        if (occurrence instanceof Occurrence.Found) {
+            return table.find(from == null ? at : at.withOriginal(from), at.original());
+        }
+        if (occurrence instanceof Occurrence.Asked asked) {
+            return table.ask(at, asked.event(), holds);
+        }
+        return new Decision.Inquiry(at);
+    }
+
+    /** What a fact means to the new model: that is in the table, unless the device has gone on since. */
+    private Decision follow(
+            Configuration at,
+            Configuration before,
+            Event event,
+            Pending pending,
+            boolean byItself,
+            Predicate<String> holds) {
+        Decision known = table.decide(before, table.resolve(before, event, holds), true);
+        return known.start().equals(at)
+                ? known
+                : table.react(at, table.resolve(at, event, holds), pending.own(), byItself);
+    }
+
+    /** The same with other decisions. */
+    public Rules with(DecisionTable newTable) {
+        return new Rules(newTable, timers, queueCapacity);
+    }
+}

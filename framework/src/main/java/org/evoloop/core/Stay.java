@@ -1,0 +1,99 @@
+package org.evoloop.core;
+
+import java.time.Duration;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.State;
+import org.evoloop.statemachine.Transition;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The visit of the current state: what began with it, and when its timers are due.
+ */
+final class Stay {
+    private long number;
+    private boolean over;
+    private @Nullable Transition by;
+
+    /** One that has been heard is no longer in it. */
+    private final Map<Event, Long> deadlines;
+
+    Stay(long number, boolean over, @Nullable Transition by, Map<Event, Long> deadlines) {
+        this.number = number;
+        this.over = over;
+        this.by = by;
+        this.deadlines = new LinkedHashMap<>(deadlines);
+    }
+
+    /** No visit has begun yet. */
+    Stay() {
+        this(0, true, null, Map.of());
+    }
+
+    long number() {
+        return number;
+    }
+
+    /** Whether what ran in it has ended, so that another must begin. */
+    boolean isOver() {
+        return over;
+    }
+
+    @Nullable
+    Transition by() {
+        return by;
+    }
+
+    boolean isCurrent(long visit) {
+        return visit == number && number > 0;
+    }
+
+    void leave(List<Output> out) {
+        if (!over) {
+            over = true;
+            out.add(new Output.Leave(number));
+        }
+    }
+
+    /**
+     * Begins another visit.
+     *
+     * @param kept names of time triggers that go on from the visit before, since a state around both is not left
+     */
+    void enter(
+            State state, @Nullable Transition leading, Set<String> kept, Rules rules, long atNanos, List<Output> out) {
+        number++;
+        over = false;
+        by = leading;
+        Map<Event, Duration> timers = rules.timers().of(state);
+        if (!timers.isEmpty() || !deadlines.isEmpty()) {
+            deadlines.keySet().removeIf(event -> !kept.contains(event.name()));
+            timers.forEach((event, delay) -> {
+                // One that is kept but gone has been heard in an earlier visit of the state around.
+                if (!kept.contains(event.name())) {
+                    deadlines.put(event, atNanos + delay.toNanos());
+                }
+            });
+        }
+        out.add(new Output.Enter(number, state, leading, inOrder()));
+    }
+
+    /** When the timers are due, in the order in which they were set. */
+    Map<Event, Long> inOrder() {
+        return deadlines.isEmpty() ? Map.of() : Collections.unmodifiableMap(new LinkedHashMap<>(deadlines));
+    }
+
+    /** Whether a timer of this visit is due; it must not have been heard. */
+    boolean isDue(Event event, long atNanos) {
+        Long deadline = deadlines.get(event);
+        return deadline != null && deadline - atNanos <= 0;
+    }
+
+    void heard(Event timer) {
+        deadlines.remove(timer);
+    }
+}
