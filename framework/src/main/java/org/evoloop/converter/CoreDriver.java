@@ -112,7 +112,7 @@ final class CoreDriver implements Intake<Occurrence> {
     public synchronized void ended() {
         Pending pending = begun;
         if (pending != null) {
-            tell(new Input.Dismissed(pending.number()));
+            tell(new Input.Dismissed(pending.number(), clock.nanoTime()));
         }
     }
 

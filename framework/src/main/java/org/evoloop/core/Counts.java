@@ -11,8 +11,6 @@ final class Counts {
     private long queued;
     private int highest;
 
-    Counts() {}
-
     Counts(Tally tally) {
         outcomes[placeOf(Outcome.HANDLED)] = tally.handled();
         outcomes[placeOf(Outcome.IGNORED)] = tally.ignored();

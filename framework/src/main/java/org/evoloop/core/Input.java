@@ -37,7 +37,7 @@ public sealed interface Input {
     record Planned(long number, Decision decision, long atNanos) implements Input {}
 
     /** Analyze or plan has nothing to do about it. */
-    record Dismissed(long number) implements Input {}
+    record Dismissed(long number, long atNanos) implements Input {}
 
     /** The device is ready for the step that was asked for, and the step is about to be sent. */
     record Sending(long number, long atNanos) implements Input {}

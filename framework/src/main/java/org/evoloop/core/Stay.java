@@ -29,11 +29,6 @@ final class Stay {
         this.deadlines = new LinkedHashMap<>(deadlines);
     }
 
-    /** No visit has begun yet. */
-    Stay() {
-        this(0, true, null, Map.of());
-    }
-
     long number() {
         return number;
     }

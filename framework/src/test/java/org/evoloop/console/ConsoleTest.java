@@ -68,19 +68,20 @@ class ConsoleTest {
         String component = "{\"name\":\"%s\",\"role\":\"%s\",\"thread\":\"\",\"activity\":\"ended\","
                 + "\"failures\":0,\"lastFailure\":\"\"}";
         assertThat(out.text())
-                .isEqualTo("{\"name\":\"lamp\",\"loop\":\"running\",\"originalState\":\"off\",\"newState\":\"off\",\"doubt\":\"\","
-                        + "\"queue\":{\"depth\":0,\"capacity\":8,\"highest\":0,"
-                        + "\"taken\":0,\"dropped\":0,\"refused\":0},"
-                        + "\"events\":{\"handled\":0,\"ignored\":0,\"stale\":0,\"failed\":0},"
-                        + "\"conversionTime\":{\"events\":0,\"lastNanos\":0,\"medianNanos\":0,"
-                        + "\"percentile99Nanos\":0},"
-                        + "\"components\":["
-                        + component.formatted("WallSwitch", "monitor") + ","
-                        + component.formatted("EventAnalyze", "analyze") + ","
-                        + component.formatted("EventPlan", "plan") + ","
-                        + component.formatted("Lamp", "execute") + "],"
-                        + "\"function\":{\"state\":\"\",\"thread\":\"\",\"progress\":\"\"},"
-                        + "\"link\":{\"up\":false,\"text\":\"\"}}" + System.lineSeparator());
+                .isEqualTo(
+                        "{\"name\":\"lamp\",\"loop\":\"running\",\"originalState\":\"off\",\"newState\":\"off\",\"doubt\":\"\","
+                                + "\"queue\":{\"depth\":0,\"capacity\":8,\"highest\":0,"
+                                + "\"taken\":0,\"dropped\":0,\"refused\":0},"
+                                + "\"events\":{\"handled\":0,\"ignored\":0,\"stale\":0,\"failed\":0},"
+                                + "\"conversionTime\":{\"events\":0,\"lastNanos\":0,\"medianNanos\":0,"
+                                + "\"percentile99Nanos\":0},"
+                                + "\"components\":["
+                                + component.formatted("WallSwitch", "monitor") + ","
+                                + component.formatted("EventAnalyze", "analyze") + ","
+                                + component.formatted("EventPlan", "plan") + ","
+                                + component.formatted("Lamp", "execute") + "],"
+                                + "\"function\":{\"state\":\"\",\"thread\":\"\",\"progress\":\"\"},"
+                                + "\"link\":{\"up\":false,\"text\":\"\"}}" + System.lineSeparator());
     }
 
     @Test

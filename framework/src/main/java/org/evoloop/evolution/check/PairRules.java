@@ -1,9 +1,9 @@
 package org.evoloop.evolution.check;
 
 import java.util.ArrayList;
-import java.util.Objects;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Objects;
 import java.util.Set;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;

@@ -1,14 +1,14 @@
 package org.evoloop.study;
 
 import java.util.Objects;
-import org.evoloop.converter.DecisionAnalyze;
-import org.evoloop.evolution.Decision;
+import org.evoloop.converter.Analysis;
+import org.evoloop.converter.EventAnalyze;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.time.ManualClock;
 import org.jspecify.annotations.Nullable;
 
 /** The framework's decision, taking a random conversion time. */
-final class RandomAnalyze extends DecisionAnalyze {
+final class RandomAnalyze extends EventAnalyze {
     private final ManualClock clock;
     private final RandomTimes times;
     private final Point point;
@@ -23,7 +23,7 @@ final class RandomAnalyze extends DecisionAnalyze {
     }
 
     @Override
-    protected @Nullable Decision analyze(Occurrence occurrence) {
+    protected @Nullable Analysis analyze(Occurrence occurrence) {
         current = occurrence;
         if (point.mechanism() == Point.Mechanism.SERIAL) {
             clock.advance(device.untilReady());

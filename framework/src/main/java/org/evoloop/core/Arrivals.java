@@ -1,0 +1,150 @@
+package org.evoloop.core;
+
+import org.evoloop.evolution.Decision;
+import org.evoloop.evolution.Occurrence;
+import org.evoloop.evolution.Source;
+import org.evoloop.evolution.Step;
+import org.evoloop.evolution.Values;
+import org.evoloop.statemachine.State;
+import org.jspecify.annotations.Nullable;
+
+/** How occurrences come in, wait, and get their turn. */
+final class Arrivals {
+    private static final String OVERTAKEN = "the device has been sent an event since";
+
+    private final Ledger ledger;
+
+    Arrivals(Ledger ledger) {
+        this.ledger = ledger;
+    }
+
+    /** Takes an occurrence. */
+    void observe(Occurrence occurrence) {
+        if (occurrence instanceof Occurrence.Found found) {
+            find(found);
+        } else if (occurrence instanceof Occurrence.Heard heard
+                && (heard.deviceActed()
+                        || ledger.rules.table().isDevicesOwn(heard.event().trigger()))) {
+            follow(heard);
+        } else if (ledger.open) {
+            enqueue(occurrence, null, null);
+        } else {
+            ledger.counts.observe();
+            ledger.refused(occurrence);
+        }
+    }
+
+    /** The device has acted: the record follows at once, whatever waits or is on its way. */
+    private void follow(Occurrence.Heard fact) {
+        State from = ledger.place.at().original();
+        Step own = ledger.rules.table().ownStep(from, fact.event(), fact.holding()::contains);
+        Work current = ledger.work;
+        if (current != null && (current.sending() || current.decision() instanceof Decision.Inquiry)) {
+            ledger.work = current.acted(fact.event());
+        }
+        if (own != null) {
+            ledger.place.moveDevice(own.target(), ledger.out);
+        }
+        enqueue(fact, from, own);
+    }
+
+    private void find(Occurrence.Found found) {
+        if (!ledger.isDevicesState(found.state())) {
+            endAtOnce(found, Outcome.FAILED, found.state() + " is not a state of the device's model");
+        } else if (ledger.place.isOld(found)) {
+            endAtOnce(found, Outcome.STALE, OVERTAKEN);
+        } else if (ledger.work != null && ledger.work.sending()) {
+            // Whether it is older than the step's effect is known when that has been told.
+            enqueue(found, null, null);
+        } else if (ledger.place.isNoNews(found)) {
+            ledger.settleDoubt();
+        } else {
+            State from = ledger.place.at().original();
+            ledger.place.moveDevice(found.state(), ledger.out);
+            ledger.settleDoubt();
+            enqueue(found, from, null);
+        }
+    }
+
+    private void endAtOnce(Occurrence occurrence, Outcome outcome, String detail) {
+        ledger.counts.observe();
+        ledger.ended(occurrence, ledger.place.at(), outcome, null, detail);
+    }
+
+    /** Takes what a timer of the current visit raises. */
+    void timerDue(Input.TimerDue due) {
+        if (ledger.open
+                && ledger.stay.isCurrent(due.visit())
+                && !ledger.stay.isOver()
+                && ledger.stay.isDue(due.event(), due.atNanos())) {
+            enqueue(
+                    new Occurrence.Heard(due.event(), Values.NONE, Source.TIMER, due.visit(), due.atNanos()),
+                    null,
+                    null);
+        }
+    }
+
+    private void enqueue(Occurrence occurrence, @Nullable State from, @Nullable Step own) {
+        long number = ledger.counts.observe();
+        boolean hasHappened = from != null || occurrence.isFact();
+        boolean mayBeLost = !hasHappened && occurrence.source().isButton();
+        int capacity = ledger.rules.queueCapacity();
+        if (mayBeLost ? ledger.line.hasRoom(capacity, ledger.work == null) : ledger.line.hasRoomForFacts(capacity)) {
+            ledger.line.add(new Pending(number, occurrence, from, own, ledger.place.steps(), 0));
+            ledger.out.add(new Output.Queued(occurrence));
+        } else {
+            ledger.followOwed |= hasHappened;
+            ledger.counts.end(Outcome.DROPPED);
+            ledger.out.add(new Output.Dropped(occurrence, ledger.line.lose()));
+        }
+    }
+
+    /** Gives the next occurrence its turn if nothing is in progress; those that come to nothing end at once. */
+    void begin(long atNanos) {
+        while (ledger.work == null && ledger.open) {
+            Pending next = ledger.line.next(occurrence -> false);
+            if (next == null && ledger.followOwed) {
+                next = owedFinding(atNanos);
+            }
+            if (next == null) {
+                return;
+            }
+            giveTurn(next);
+        }
+    }
+
+    /** In place of the facts that were lost: the new model is put where the device is. */
+    private Pending owedFinding(long atNanos) {
+        ledger.followOwed = false;
+        State there = ledger.place.at().original();
+        return new Pending(
+                ledger.counts.observe(), new Occurrence.Found(there, atNanos), there, null, ledger.place.steps(), 0);
+    }
+
+    private void giveTurn(Pending pending) {
+        Occurrence occurrence = pending.occurrence();
+        Pending next = pending;
+        if (occurrence.visit() != Occurrence.ANY_VISIT && !ledger.stay.isCurrent(occurrence.visit())) {
+            ledger.ended(occurrence, ledger.place.at(), Outcome.STALE, null, "the state that raised it has been left");
+            return;
+        }
+        if (occurrence instanceof Occurrence.InDoubt && ledger.place.doubt() == null) {
+            ledger.ended(occurrence, ledger.place.at(), Outcome.HANDLED, null, Conversion.FOUND_MEANWHILE);
+            return;
+        }
+        if (occurrence instanceof Occurrence.Found found && pending.from() == null) {
+            if (ledger.place.isOld(found) || ledger.place.isNoNews(found)) {
+                ledger.ended(found, ledger.place.at(), Outcome.STALE, null, OVERTAKEN);
+                return;
+            }
+            next = new Pending(pending.number(), found, ledger.place.at().original(), null, ledger.place.steps(), 0);
+            ledger.place.moveDevice(found.state(), ledger.out);
+            ledger.settleDoubt();
+        }
+        if (occurrence instanceof Occurrence.Heard heard && heard.source() == Source.TIMER) {
+            ledger.stay.heard(heard.event());
+        }
+        ledger.work = Work.begin(next);
+        ledger.out.add(new Output.Begin(next));
+    }
+}
