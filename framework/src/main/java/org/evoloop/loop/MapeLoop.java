@@ -162,6 +162,15 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
      * @throws IllegalStateException if a component is missing or this was done before; the message names all problems
      */
     public void build() {
+        build(LoopState.STOPPED);
+    }
+
+    /** The same, and opens the loop before any monitor is asked, so that nothing of what one tells is refused. */
+    public void buildAndStart() {
+        build(LoopState.RUNNING);
+    }
+
+    private void build(LoopState first) {
         synchronized (admin) {
             List<String> problems = roster.problems();
             if (sequencer.state() != LoopState.NEW) {
@@ -170,7 +179,7 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
             if (!problems.isEmpty()) {
                 throw new IllegalStateException("loop " + config.name() + ": " + String.join("; ", problems));
             }
-            sequencer.become(LoopState.STOPPED);
+            sequencer.become(first);
             roster.workers().forEach(Worker::start);
         }
     }
@@ -242,11 +251,11 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
     /**
      * Queues what a monitor of this loop has to tell, on the caller's thread instead of the monitor's.
      *
-     * @return false if that has to be left to the monitor: the loop has no threads or has not been opened yet, or the
-     *     monitor is not part of it
+     * @return false if that has to be left to the monitor: the loop has no threads or is not built yet, or the monitor
+     *     is not part of it
      */
     public boolean tell(Monitor<O> monitor, O occurrence) {
-        if (!config.threads() || !sequencer.hasBeenOpened() || roster.workerOf(monitor) == null) {
+        if (!config.threads() || sequencer.state() == LoopState.NEW || roster.workerOf(monitor) == null) {
             return false;
         }
         sequencer.offer(occurrence);
@@ -292,6 +301,11 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
      */
     public boolean hasTurn(Component component) {
         return sequencer.hasTurn(component);
+    }
+
+    /** Whether {@code monitor} is part of this loop. */
+    public boolean has(Monitor<O> monitor) {
+        return roster.workerOf(monitor) != null;
     }
 
     /** Where the loop is in its life. */

@@ -26,7 +26,6 @@ final class MonitorWorker<O> extends Worker {
 
     @Override
     void work() throws InterruptedException {
-        sequencer.awaitFirstOpening();
         if (!observe()) {
             clock.sleep(Duration.ofMillis(pauseMillis));
             pauseMillis = Math.min(2 * pauseMillis, LONGEST_PAUSE_MILLIS);

@@ -20,13 +20,11 @@ final class Sequencer<O> {
     private final LoopListener<O> listener;
     private final Predicate<O> neverDropped;
     private final ReentrantLock lock = new ReentrantLock();
-    private final Condition opened = lock.newCondition();
     private final Condition quiet = lock.newCondition();
     private final Condition room = lock.newCondition();
 
     private final Backlog<O> backlog;
     private volatile LoopState state = LoopState.NEW;
-    private volatile boolean everOpen;
     private boolean paused;
     private boolean breakingOff;
     private boolean stepping;
@@ -67,25 +65,6 @@ final class Sequencer<O> {
         if (next != null) {
             next.wake();
         }
-    }
-
-    /** Waits until the loop has been opened for the first time. */
-    void awaitFirstOpening() throws InterruptedException {
-        if (everOpen) {
-            return;
-        }
-        lock.lockInterruptibly();
-        try {
-            while (!everOpen) {
-                opened.await();
-            }
-        } finally {
-            release();
-        }
-    }
-
-    boolean hasBeenOpened() {
-        return everOpen;
     }
 
     /** Queues an occurrence; false if the loop is closed, or the queue full and the occurrence one that may be lost. */
@@ -321,16 +300,13 @@ final class Sequencer<O> {
         return interrupted;
     }
 
-    /** Moves to another state; waiting monitors and putters look again. The change itself is up to the caller. */
+    /** Moves to another state; waiting putters look again. The change itself is up to the caller. */
     void become(LoopState next) {
         acquire();
         try {
             state = next;
             room.signalAll();
-            if (next == LoopState.RUNNING) {
-                everOpen = true;
-                opened.signalAll();
-            } else {
+            if (next != LoopState.RUNNING) {
                 backlog.refuseAll();
             }
             begin();

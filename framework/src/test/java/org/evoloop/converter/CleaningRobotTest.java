@@ -243,7 +243,7 @@ class CleaningRobotTest {
         robot.panel("Clean", true).panel("Spot", false);
         robot.converter.stop();
         assertThat(robot.moves).containsExactly("starts", "ends");
-        robot.controller("Clean");
+        robot.panel("Clean", true);
         assertThat(robot.converter.status().queue().refused()).isEqualTo(1);
 
         robot.converter.start();

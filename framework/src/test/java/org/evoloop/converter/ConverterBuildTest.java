@@ -23,7 +23,7 @@ class ConverterBuildTest {
     private final SystemEventConverter converter = new SystemEventConverter(
             LoopConfig.defaults("robot", new ManualClock()).withoutThreads());
 
-    private static final class Device extends EventExecute {
+    static final class Device extends EventExecute {
         private final Set<String> sendable;
 
         Device(String... sendable) {

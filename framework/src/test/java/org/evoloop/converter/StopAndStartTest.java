@@ -80,10 +80,9 @@ class StopAndStartTest {
         try (LiveRobot robot = new LiveRobot(NewFunction.none())) {
             robot.press("Clean");
             robot.converter.stop();
-            robot.panel.press("Clean");
             robot.panel.pressed("Clean", true);
             robot.panel.pressed("Spot", true);
-            until(() -> robot.converter.status().queue().refused() == 3);
+            until(() -> robot.converter.status().queue().refused() == 2);
 
             robot.converter.start();
             robot.press("Clean");
