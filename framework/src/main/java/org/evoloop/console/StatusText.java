@@ -11,6 +11,7 @@ import org.evoloop.converter.ConverterStatus;
 import org.evoloop.converter.ConverterStatus.ConversionTime;
 import org.evoloop.converter.HistoryEntry;
 import org.evoloop.loop.ComponentStatus;
+import org.jspecify.annotations.Nullable;
 
 /** What a converter tells of itself, for people. */
 final class StatusText {
@@ -73,8 +74,8 @@ final class StatusText {
         return function.state() + (function.thread().isEmpty() ? ", no thread" : ", thread " + function.thread());
     }
 
-    private static String link(ConverterStatus.Link link) {
-        if (!link.up() && link.text().isEmpty()) {
+    private static String link(ConverterStatus.@Nullable Link link) {
+        if (link == null) {
             return "none";
         }
         return (link.up() ? "up" : "down") + (link.text().isEmpty() ? "" : ", " + link.text());

@@ -292,9 +292,7 @@ public final class SystemEventConverter implements AutoCloseable {
                 built.latency.summary(),
                 built.loop.components(),
                 built.visits.runningFunction(),
-                device == null
-                        ? new ConverterStatus.Link(false, "")
-                        : new ConverterStatus.Link(device.isUp(), device.describe()));
+                device == null ? null : new ConverterStatus.Link(device.isUp(), device.describe()));
     }
 
     /** The last events and what became of them, oldest first. */

@@ -82,7 +82,7 @@ class ConsoleTest {
                         + component.formatted("DecisionPlan", "plan") + ","
                         + component.formatted("Lamp", "execute") + "],"
                         + "\"function\":{\"state\":\"\",\"thread\":\"\"},"
-                        + "\"link\":{\"up\":false,\"text\":\"\"}}" + System.lineSeparator());
+                        + "\"link\":null}" + System.lineSeparator());
     }
 
     @Test
