@@ -20,8 +20,6 @@ import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.Transition;
 import org.jspecify.annotations.Nullable;
-import org.slf4j.Logger;
-import org.slf4j.LoggerFactory;
 
 /**
  * What the components of a converter do together: decide, plan, carry out, and keep the books.
@@ -29,8 +27,6 @@ import org.slf4j.LoggerFactory;
  * <p>Threading: the loop calls it for one event at a time; a full queue is told by whoever found it full.
  */
 final class ConverterCore implements LoopListener<Occurrence> {
-    private static final Logger LOG = LoggerFactory.getLogger(SystemEventConverter.class);
-
     private final LoopConfig config;
     private final Transcript transcript = new Transcript();
     private final FailureLog failures = new FailureLog();
@@ -136,7 +132,7 @@ final class ConverterCore implements LoopListener<Occurrence> {
 
     private boolean isNoNews(State found, Configuration before) {
         if (!knowledge.models().original().hasState(found)) {
-            LOG.warn("the device was found in {}, which is not a state of its model", found);
+            failures.warn("the device was found in " + found + ", which is not a state of its model");
             return true;
         }
         return found.equals(before.original());
@@ -248,7 +244,7 @@ final class ConverterCore implements LoopListener<Occurrence> {
     private void record(Conversion conversion, Configuration after) {
         Decision decision = conversion.decision();
         if (decision instanceof Decision.Impossible impossible) {
-            LOG.warn("{} in {}: {}", conversion.occurrence(), decision.before(), impossible.reason());
+            failures.warn(conversion.occurrence() + " in " + decision.before() + ": " + impossible.reason());
         }
         boolean failed = decision instanceof Decision.Impossible
                 || !conversion.failedEffects().isEmpty();
@@ -291,10 +287,8 @@ final class ConverterCore implements LoopListener<Occurrence> {
         Configuration now = knowledge.configuration();
         history.record(occurrence, now, now, Outcome.DROPPED, null, "the queue was full");
         if (first) {
-            LOG.warn(
-                    "the queue of {} events is full: {} is lost; what follows is counted and shown by status",
-                    config.queueCapacity(),
-                    occurrence);
+            failures.warn("the queue of " + config.queueCapacity()
+                    + " events is full, and events are lost; status counts them, history names them");
         }
     }
 }

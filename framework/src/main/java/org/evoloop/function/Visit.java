@@ -118,7 +118,10 @@ public final class Visit {
         after(delay, () -> finish(event));
     }
 
-    /** Runs {@code task} on the clock's thread, where it must not wait, after {@code delay}, unless the state is left first. */
+    /**
+     * Runs {@code task} on the clock's thread, where it must not wait, after {@code delay}, unless the state is left first.
+     * What it throws is reported like what the function throws.
+     */
     public void after(Duration delay, Runnable task) {
         synchronized (lock) {
             if (isActive()) {
@@ -126,7 +129,7 @@ public final class Visit {
                 timers = all;
                 all.add(host.clock().schedule(delay, () -> {
                     if (isActive()) {
-                        task.run();
+                        contained(task);
                     }
                 }));
             }
@@ -153,7 +156,7 @@ public final class Visit {
                 return;
             }
         }
-        runEnding(ending);
+        contained(ending);
     }
 
     /** Calls {@code function} and delivers its last event. */
@@ -205,13 +208,14 @@ public final class Visit {
             toCancel.forEach(Clock.Timer::cancel);
         }
         if (toRun != null) {
-            toRun.forEach(this::runEnding);
+            toRun.forEach(this::contained);
         }
     }
 
-    private void runEnding(Runnable ending) {
+    /** A task that throws concerns neither the clock's thread nor whoever leaves the state. */
+    private void contained(Runnable task) {
         try {
-            ending.run();
+            task.run();
         } catch (Throwable cause) {
             host.failed(this, cause);
         }

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 
 /** The paper's scenario, step by step under a manual clock. */
 class CleaningRobotTest {
-    private final TranscriptLines transcript = new TranscriptLines();
+    private final LoggedLines transcript = new LoggedLines(Transcript.LOGGER);
     private final Robot robot = new Robot();
 
     @AfterEach
