@@ -77,6 +77,13 @@ final class ConverterCore implements LoopListener<Occurrence> {
         loop.start(visits::enterAgain);
     }
 
+    /** Whether the caller is a component, a function or the clock, for which nobody must wait who was called by them. */
+    boolean ownsCurrentThread() {
+        return loop.ownsCurrentThread()
+                || visits.ownsCurrentThread()
+                || config.clock().ownsCurrentThread();
+    }
+
     /** Ends the current visit and lets go of the device; the loop is closed. */
     void release() {
         visits.leave();

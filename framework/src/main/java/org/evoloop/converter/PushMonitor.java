@@ -1,5 +1,6 @@
 package org.evoloop.converter;
 
+import java.util.Objects;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -43,6 +44,7 @@ public class PushMonitor extends EventMonitor {
 
     /** Tells an occurrence. What is told while the converter is stopped is refused, and counted by {@code status}. */
     protected final void push(Occurrence occurrence) {
+        Objects.requireNonNull(occurrence, "the occurrence is null");
         if (behind.get() > 0 || !tell(occurrence)) {
             behind.incrementAndGet();
             pushed.add(occurrence);

@@ -119,6 +119,10 @@ final class Visits implements VisitHost {
         current = null;
     }
 
+    boolean ownsCurrentThread() {
+        return functions.ownsCurrentThread();
+    }
+
     ConverterStatus.RunningFunction runningFunction() {
         Visit running = functions.running();
         return new ConverterStatus.RunningFunction(

@@ -1,5 +1,7 @@
 package org.evoloop.loop;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.List;
 import java.util.function.Predicate;
 import org.slf4j.Logger;
@@ -101,12 +103,20 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
         if (sequencer.state() == LoopState.EXITED) {
             throw new IllegalStateException("the loop " + config.name() + " has ended");
         }
+        if (ownsCurrentThread()) {
+            throw new IllegalStateException("a loop cannot be changed from its own thread "
+                    + Thread.currentThread().getName() + "; hand the change to another thread");
+        }
+    }
+
+    /** Whether the caller is the thread of one of the components. */
+    public boolean ownsCurrentThread() {
         for (Worker worker : roster.workers()) {
             if (worker.ownsCurrentThread()) {
-                throw new IllegalStateException("a loop cannot be changed from its own thread " + worker.threadName()
-                        + "; hand the change to another thread");
+                return true;
             }
         }
+        return false;
     }
 
     /**
@@ -221,10 +231,19 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
 
     /**
      * Ends the loop and its threads. Waits for each up to the join limit and names in the log any that does not end.
-     * Idempotent; an interrupt of the caller does not cut it short.
+     * Idempotent; an interrupt of the caller does not cut it short. Called by a component it returns at once, and the loop
+     * ends when that component has returned.
      */
     @Override
     public void close() {
+        if (ownsCurrentThread()) {
+            Threads.start("mapek-" + config.name() + "-close", this::end);
+        } else {
+            end();
+        }
+    }
+
+    private void end() {
         synchronized (admin) {
             if (sequencer.state() != LoopState.EXITED) {
                 sequencer.become(LoopState.EXITED);
@@ -245,7 +264,7 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
 
     /** Queues an occurrence as if a monitor had told it; false if it was refused or dropped. */
     public boolean offer(O occurrence) {
-        return sequencer.offer(occurrence);
+        return sequencer.offer(requireNonNull(occurrence, "the occurrence is null"));
     }
 
     /**
@@ -274,11 +293,22 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
     /**
      * Asks one monitor once and queues what it tells, on the caller's thread: the step of a monitor in a loop without
      * threads.
+     *
+     * @throws IllegalStateException if the loop has threads
+     * @throws IllegalArgumentException if {@code monitor} is not part of the loop
      */
     public void observe(Monitor<O> monitor) throws InterruptedException {
+        requireStepped();
         MonitorWorker<O> worker = roster.workerOf(monitor);
-        if (worker != null) {
-            worker.observe();
+        if (worker == null) {
+            throw new IllegalArgumentException(monitor.name() + " is not part of the loop " + config.name());
+        }
+        worker.observe();
+    }
+
+    private void requireStepped() {
+        if (config.threads()) {
+            throw new IllegalStateException("the loop " + config.name() + " has threads; they take the steps");
         }
     }
 
@@ -287,11 +317,10 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
      * without threads.
      *
      * @return false if nothing waited or the loop is closed
+     * @throws IllegalStateException if the loop has threads
      */
     public boolean step() {
-        if (config.threads()) {
-            throw new IllegalStateException("the loop " + config.name() + " has threads; they take the steps");
-        }
+        requireStepped();
         return sequencer.step();
     }
 

@@ -268,8 +268,10 @@ final class Sequencer<O> {
             if (late != null) {
                 failure = giveUp(
                         late,
-                        "was interrupted: it did not return within "
-                                + config.joinLimit().toMillis() + " ms");
+                        config.threads()
+                                ? "was interrupted: it did not return within "
+                                        + config.joinLimit().toMillis() + " ms"
+                                : "was given up: the loop was changed by what it called");
             }
             change.run();
         } finally {
