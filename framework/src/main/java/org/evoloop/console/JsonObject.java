@@ -1,6 +1,7 @@
 package org.evoloop.console;
 
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A JSON object in the making; its text is one line.
@@ -22,8 +23,9 @@ final class JsonObject {
         return putText(key, Boolean.toString(value));
     }
 
-    JsonObject put(String key, JsonObject value) {
-        return putText(key, value.toString());
+    /** @param value null is written as such */
+    JsonObject put(String key, @Nullable JsonObject value) {
+        return putText(key, String.valueOf(value));
     }
 
     JsonObject put(String key, List<JsonObject> values) {

@@ -3,6 +3,7 @@ package org.evoloop.console;
 import java.util.Locale;
 import org.evoloop.converter.ConverterStatus;
 import org.evoloop.loop.ComponentStatus;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The status of a converter for programs: one line of JSON. Every key is always there:
@@ -17,7 +18,7 @@ import org.evoloop.loop.ComponentStatus;
  *       activity} (waiting, working, stuck, ended), {@code failures}, {@code lastFailure}
  *   <li>{@code doubt}: why the original state may be wrong, empty if it is sure
  *   <li>{@code function}: {@code state}, {@code thread}, {@code progress}, all empty if no new function runs
- *   <li>{@code link}: {@code up}, {@code text}, false and empty if the converter was told of none
+ *   <li>{@code link}: {@code up}, {@code text}; {@code null} if the converter was told of none
  * </ul>
  */
 final class StatusJson {
@@ -64,12 +65,12 @@ final class StatusJson {
                                 .put("state", status.function().state())
                                 .put("thread", status.function().thread())
                                 .put("progress", status.function().progress()))
-                .put(
-                        "link",
-                        new JsonObject()
-                                .put("up", status.link().up())
-                                .put("text", status.link().text()))
+                .put("link", link(status.link()))
                 .toString();
+    }
+
+    private static @Nullable JsonObject link(ConverterStatus.@Nullable Link link) {
+        return link == null ? null : new JsonObject().put("up", link.up()).put("text", link.text());
     }
 
     private static JsonObject component(ComponentStatus component) {

@@ -11,6 +11,7 @@ import org.evoloop.converter.ConverterStatus;
 import org.evoloop.converter.ConverterStatus.ConversionTime;
 import org.evoloop.converter.HistoryEntry;
 import org.evoloop.loop.ComponentStatus;
+import org.jspecify.annotations.Nullable;
 
 /** What a converter tells of itself, for people. */
 final class StatusText {
@@ -78,8 +79,8 @@ final class StatusText {
                 + (function.progress().isEmpty() ? "" : ": " + function.progress());
     }
 
-    private static String link(ConverterStatus.Link link) {
-        if (!link.up() && link.text().isEmpty()) {
+    private static String link(ConverterStatus.@Nullable Link link) {
+        if (link == null) {
             return "none";
         }
         return (link.up() ? "up" : "down") + (link.text().isEmpty() ? "" : ", " + link.text());

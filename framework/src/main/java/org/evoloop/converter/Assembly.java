@@ -4,8 +4,10 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.DecisionTable;
@@ -14,6 +16,7 @@ import org.evoloop.evolution.ModelPair;
 import org.evoloop.loop.Component;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.ModelException;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The components of a converter by name, and what they can do together with its models.
@@ -44,6 +47,11 @@ final class Assembly {
             changed.add(component.name().equals(name) ? next : component);
         }
         return changed;
+    }
+
+    /** The component {@code name}, which there must be. */
+    Component require(String name) {
+        return Objects.requireNonNull(components.get(name));
     }
 
     /** A copy without the component {@code name}. */
@@ -90,24 +98,27 @@ final class Assembly {
     DecisionTable decisions(StateKnowledge knowledge) {
         ModelPair pair = knowledge.models();
         List<String> problems = new ArrayList<>();
-        Set<Event> sendable = new HashSet<>();
+        Map<Event, EventExecute> senders = new LinkedHashMap<>();
         for (EventExecute execute : executes()) {
-            sendable.addAll(execute.events());
             requireOriginal(pair, execute.name() + " can send", execute.events(), problems);
+            for (Event event : execute.events()) {
+                EventExecute other = senders.putIfAbsent(event, execute);
+                if (other != null) {
+                    problems.add(other.name() + " and " + execute.name() + " can both send " + event
+                            + "; let one of them do it");
+                }
+            }
         }
         Set<Event> spontaneous = new HashSet<>();
         for (Component component : all()) {
             if (component instanceof EventMonitor monitor) {
-                Set<Event> events = new HashSet<>();
-                for (String name : monitor.spontaneousEvents()) {
-                    events.add(new Event(name));
-                }
+                Set<Event> events = named(monitor.name() + ".spontaneousEvents()", monitor.spontaneousEvents());
                 spontaneous.addAll(events);
                 requireOriginal(pair, monitor.name() + " names as the device's own", events, problems);
             }
         }
-        DecisionTable table =
-                DecisionTable.compile(pair, knowledge.bindings().refine(new DeviceEvents(sendable, spontaneous)));
+        DecisionTable table = DecisionTable.compile(
+                pair, knowledge.bindings().refine(new DeviceEvents(senders.keySet(), spontaneous)));
         for (Decision.Impossible impossible : table.problems()) {
             problems.add("no plan in " + impossible.before() + ": " + impossible.reason());
         }
@@ -117,6 +128,26 @@ final class Assembly {
                     + pair.evolved().name() + "' asks for:\n  " + String.join("\n  ", problems));
         }
         return table;
+    }
+
+    /**
+     * The events that a component has named.
+     *
+     * @param who the method that has
+     * @throws ModelException if it has named none at all, or one without a name
+     */
+    static Set<Event> named(String who, @Nullable Set<String> names) {
+        if (names == null) {
+            throw new ModelException(who + " is null; return Set.of() if there are none");
+        }
+        Set<Event> events = new LinkedHashSet<>();
+        for (String name : names) {
+            if (name == null || name.isBlank()) {
+                throw new ModelException(who + " holds an event without a name");
+            }
+            events.add(new Event(name));
+        }
+        return events;
     }
 
     private static void requireOriginal(ModelPair pair, String who, Set<Event> events, List<String> problems) {

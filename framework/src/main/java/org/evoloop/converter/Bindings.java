@@ -1,5 +1,7 @@
 package org.evoloop.converter;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -16,6 +18,7 @@ import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.Transition;
+import org.jspecify.annotations.Nullable;
 
 /**
  * What the names in the models stand for, and which ways through the device's states are welcome.
@@ -33,12 +36,15 @@ final class Bindings implements Predicate<String> {
         this.pair = pair;
     }
 
-    void guard(String text, Predicate<Values> condition) {
-        guards.put(text, condition);
+    /** Returns what was bound before. */
+    @Nullable
+    Predicate<Values> guard(String text, Predicate<Values> condition) {
+        return guards.put(requireNonNull(text, "the text of a guard is null"), condition);
     }
 
-    void effect(String text, Effect.OfEvent effect) {
-        effects.put(text, effect);
+    /** Returns what was bound before. */
+    Effect.@Nullable OfEvent effect(String text, Effect.OfEvent effect) {
+        return effects.put(requireNonNull(text, "the text of an effect is null"), effect);
     }
 
     void cost(String event, int cost) {

@@ -13,8 +13,6 @@ import org.evoloop.loop.Failure;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.loop.LoopListener;
 import org.evoloop.loop.MapeLoop;
-import org.slf4j.Logger;
-import org.slf4j.LoggerFactory;
 
 /**
  * What stands around the core of a converter that runs: the loop that brings its inputs, those who carry its directives
@@ -23,8 +21,6 @@ import org.slf4j.LoggerFactory;
  * <p>Threading: the loop calls it for one event at a time; whoever drives the core tells it what the core says.
  */
 final class ConverterShell implements LoopListener<Occurrence>, CoreDriver.Listener {
-    private static final Logger LOG = LoggerFactory.getLogger(SystemEventConverter.class);
-
     private final LoopConfig config;
     private final Transcript transcript = new Transcript();
     private final FailureLog failures = new FailureLog();
@@ -70,6 +66,13 @@ final class ConverterShell implements LoopListener<Occurrence>, CoreDriver.Liste
             }
         }
         loop.start(carrier::carryOut);
+    }
+
+    /** Whether the caller is a component, a function or the clock, for which nobody must wait who was called by them. */
+    boolean ownsCurrentThread() {
+        return loop.ownsCurrentThread()
+                || visits.ownsCurrentThread()
+                || config.clock().ownsCurrentThread();
     }
 
     /** Ends the current visit and lets go of the device; the loop is closed. */
@@ -127,10 +130,8 @@ final class ConverterShell implements LoopListener<Occurrence>, CoreDriver.Liste
     @Override
     public void dropped(Occurrence occurrence, boolean first) {
         if (first) {
-            LOG.warn(
-                    "the queue of {} events is full: {} is lost; what follows is counted and shown by status",
-                    config.queueCapacity(),
-                    occurrence);
+            failures.warn("the queue of " + config.queueCapacity()
+                    + " events is full, and events are lost; status counts them, history names them");
         }
     }
 
@@ -159,7 +160,7 @@ final class ConverterShell implements LoopListener<Occurrence>, CoreDriver.Liste
             listeners.moved(moved.before(), moved.after());
         } else if (output instanceof Output.Doubted doubted) {
             if (!doubted.why().isEmpty()) {
-                LOG.warn("the state of the device is in doubt: {}", doubted.why());
+                failures.warn("the state of the device is in doubt: " + doubted.why());
             }
             listeners.doubted(doubted.why());
         }
@@ -167,7 +168,7 @@ final class ConverterShell implements LoopListener<Occurrence>, CoreDriver.Liste
 
     private void record(Output.Ended ended) {
         if (ended.decision() instanceof Decision.Impossible impossible) {
-            LOG.warn("{} in {}: {}", ended.occurrence(), ended.before(), impossible.reason());
+            failures.warn(ended.occurrence() + " in " + ended.before() + ": " + impossible.reason());
         }
         transcript.ended(ended.occurrence(), ended.after());
         history.record(

@@ -5,6 +5,7 @@ import org.evoloop.evolution.Configuration;
 import org.evoloop.loop.ComponentStatus;
 import org.evoloop.loop.LoopState;
 import org.evoloop.loop.QueueStatus;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A picture of a converter at one moment.
@@ -20,7 +21,7 @@ import org.evoloop.loop.QueueStatus;
  * @param conversionTime how long conversions take
  * @param components every component and its thread
  * @param function the new function that runs
- * @param link the connection to the device
+ * @param link the connection to the device; null if the converter was told of none
  */
 public record ConverterStatus(
         String name,
@@ -32,7 +33,7 @@ public record ConverterStatus(
         ConversionTime conversionTime,
         List<ComponentStatus> components,
         RunningFunction function,
-        Link link) {
+        @Nullable Link link) {
 
     /** How many events had which outcome, see {@link Outcome}. */
     public record EventCounts(long handled, long ignored, long stale, long failed) {}
@@ -54,6 +55,6 @@ public record ConverterStatus(
      */
     public record RunningFunction(String state, String thread, String progress) {}
 
-    /** The connection, see {@link DeviceLink}; down with an empty text if the converter was told of none. */
+    /** The connection, see {@link DeviceLink}. */
     public record Link(boolean up, String text) {}
 }

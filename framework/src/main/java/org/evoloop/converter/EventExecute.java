@@ -133,11 +133,8 @@ public abstract class EventExecute extends Execute<ChangePlan> {
     final Set<Event> events() {
         Set<Event> known = events;
         if (known == null) {
-            Set<Event> named = new HashSet<>();
-            for (String name : sendableEvents()) {
-                named.add(new Event(name));
-            }
-            known = Collections.unmodifiableSet(named);
+            known = Collections.unmodifiableSet(
+                    new HashSet<>(Assembly.named(name() + ".sendableEvents()", sendableEvents())));
             events = known;
         }
         return known;

@@ -6,6 +6,7 @@ import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Source;
 import org.evoloop.evolution.Values;
 import org.evoloop.loop.LoopConfig;
+import org.evoloop.loop.LoopState;
 import org.evoloop.loop.MapeLoop;
 import org.evoloop.loop.Monitor;
 import org.evoloop.statemachine.Event;
@@ -42,6 +43,26 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
     final boolean tell(Occurrence occurrence) {
         MapeLoop<Occurrence, ?, ?> joined = loop;
         return joined != null && joined.tell(this, occurrence);
+    }
+
+    /**
+     * Refuses {@code pressed} while nothing is converted.
+     *
+     * @throws IllegalStateException if the converter is not running
+     */
+    final void requireRunning(Occurrence pressed) {
+        MapeLoop<Occurrence, ?, ?> joined = loop;
+        LoopConfig attached = config;
+        if (joined == null || attached == null || !joined.has(this)) {
+            throw new IllegalStateException(
+                    name() + " is not part of a converter that was built, so " + pressed.label() + " is refused");
+        }
+        if (joined.state() != LoopState.RUNNING) {
+            joined.offer(pressed);
+            throw new IllegalStateException("the converter " + attached.name() + " is "
+                    + (joined.state() == LoopState.EXITED ? "closed" : "stopped") + ", so " + pressed.label()
+                    + " is refused" + (joined.state() == LoopState.EXITED ? "" : "; start it first"));
+        }
     }
 
     /** Whether this monitor has a thread of its own; without, {@link #getEvent} must not wait. */

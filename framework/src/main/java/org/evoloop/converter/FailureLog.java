@@ -7,7 +7,7 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Logs failures so that one that happens again and again cannot flood the log: the first, the second, the fourth, the
+ * Logs failures and warnings so that one that happens again and again cannot flood the log: the first, the second, the fourth, the
  * eighth, and so on.
  *
  * <p>Threading: thread-safe.
@@ -20,14 +20,25 @@ final class FailureLog {
 
     void log(Failure<?> failure) {
         long count = count(failure.toString());
-        if (Long.bitCount(count) != 1) {
-            return;
-        }
-        String times = count == 1 ? "" : " (" + count + " times)";
         if (count == 1 && isBug(failure.cause())) {
             LOG.error("{}", failure, failure.cause());
         } else {
-            LOG.warn("{}{}", failure, times);
+            warn(failure.toString(), count);
+        }
+    }
+
+    /**
+     * The same for what is no failure of a component.
+     *
+     * @param what the same text each time that the same happens
+     */
+    void warn(String what) {
+        warn(what, count(what));
+    }
+
+    private static void warn(String what, long count) {
+        if (Long.bitCount(count) == 1) {
+            LOG.warn("{}{}", what, count == 1 ? "" : " (" + count + " times)");
         }
     }
 

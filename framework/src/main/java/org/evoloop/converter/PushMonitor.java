@@ -1,5 +1,6 @@
 package org.evoloop.converter;
 
+import java.util.Objects;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -10,7 +11,7 @@ import org.jspecify.annotations.Nullable;
  * A monitor whose events come from other threads: a console, a driver's callback, a web server.
  *
  * <p>Threading: {@link #push} and {@link #press} may be called from any thread and never wait. Once the loop has been
- * opened they tell it directly, since the monitor's own thread would have to be woken first; what one thread pushes stays
+ * built they tell it directly, since the monitor's own thread would have to be woken first; what one thread pushes stays
  * in order.
  */
 public class PushMonitor extends EventMonitor {
@@ -29,13 +30,21 @@ public class PushMonitor extends EventMonitor {
         super(name);
     }
 
-    /** A control of the controller was operated. */
+    /**
+     * A control of the controller was operated.
+     *
+     * @throws IllegalStateException if the converter is not running, or this monitor is not part of one: the press is
+     *     refused
+     */
     public final void press(String event) {
-        push(fromController(event));
+        Occurrence pressed = fromController(event);
+        requireRunning(pressed);
+        push(pressed);
     }
 
-    /** Tells an occurrence. */
+    /** Tells an occurrence. What is told while the converter is stopped is refused, and counted by {@code status}. */
     protected final void push(Occurrence occurrence) {
+        Objects.requireNonNull(occurrence, "the occurrence is null");
         if (behind.get() > 0 || !tell(occurrence)) {
             behind.incrementAndGet();
             pushed.add(occurrence);

@@ -1,12 +1,16 @@
 package org.evoloop.converter;
 
+import static java.util.Objects.requireNonNull;
+
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.BooleanSupplier;
 import java.util.function.Predicate;
@@ -19,6 +23,7 @@ import org.evoloop.loop.Knowledge;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.Transition;
+import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -37,11 +42,16 @@ public class StateKnowledge extends Knowledge {
 
     private final Map<Ends, NewFunction> actions = new HashMap<>();
     private final Bindings bindings;
+
+    /** What was registered more than once, a line each. */
+    private final Set<String> repeated = new LinkedHashSet<>();
+
+    private boolean registered;
     private volatile @Nullable CoreDriver driver;
 
     /** @throws org.evoloop.statemachine.ModelException if the pair violates Condition 1 or 2 */
     public StateKnowledge(ModelPair pair) {
-        pair.requireValid();
+        requireNonNull(pair, "the models are null").requireValid();
         this.pair = pair;
         this.bindings = new Bindings(pair);
     }
@@ -58,9 +68,24 @@ public class StateKnowledge extends Knowledge {
     /** Registers the functions and timers of new states; called once, when the converter is built. */
     protected void registerNewFunctions() {}
 
+    /** The same, once, however often the converter's building is tried. */
+    final void register() {
+        if (!registered) {
+            registerNewFunctions();
+            registered = true;
+        }
+    }
+
     /** Runs {@code function} whenever the new state {@code state} is entered. */
     protected final void function(String state, NewFunction function) {
-        functions.put(new State(state), function);
+        requireNonNull(function, "the function of " + state + " is null; NewFunction.none() does nothing");
+        noteIfRepeated("a function", state, functions.put(new State(state), function));
+    }
+
+    private void noteIfRepeated(String what, String where, @Nullable Object before) {
+        if (before != null) {
+            repeated.add(what + " is registered twice for " + where + "; keep one");
+        }
     }
 
     /**
@@ -74,7 +99,8 @@ public class StateKnowledge extends Knowledge {
             ofState = new LinkedHashMap<>();
             timers.put(during, ofState);
         }
-        ofState.put(new Event(event), delay);
+        requireNonNull(delay, "the delay of " + event + " in " + state + " is null");
+        noteIfRepeated("a timer", event + " in " + state, ofState.put(new Event(event), delay));
         allTimers.clear();
     }
 
@@ -86,12 +112,14 @@ public class StateKnowledge extends Knowledge {
      * @param text as drawn, without brackets
      */
     protected final void guard(String text, BooleanSupplier condition) {
-        bindings.guard(text, values -> condition.getAsBoolean());
+        requireNonNull(condition, "the guard " + text + " is null");
+        guard(text, values -> condition.getAsBoolean());
     }
 
     /** The same for a guard that looks at what the event carries. */
     protected final void guard(String text, Predicate<Values> condition) {
-        bindings.guard(text, condition);
+        requireNonNull(condition, "the guard " + text + " is null");
+        noteIfRepeated("a guard", text, bindings.guard(text, condition));
     }
 
     /**
@@ -103,12 +131,14 @@ public class StateKnowledge extends Knowledge {
      * @param text as drawn
      */
     protected final void effect(String text, Effect action) {
-        bindings.effect(text, values -> action.run());
+        requireNonNull(action, "the effect " + text + " is null");
+        effect(text, values -> action.run());
     }
 
     /** The same for an effect that looks at what the event carries. */
     protected final void effect(String text, Effect.OfEvent action) {
-        bindings.effect(text, action);
+        requireNonNull(action, "the effect " + text + " is null");
+        noteIfRepeated("an effect", text, bindings.effect(text, action));
     }
 
     /**
@@ -136,7 +166,9 @@ public class StateKnowledge extends Knowledge {
      * @param event the incoming event; with its guards, as in {@code press [hot]}, if only that transition is meant
      */
     public final void putTransition(String source, String target, NewFunction action, String event) {
-        actions.put(new Ends(new State(source), event, new State(target)), action);
+        Ends ends = new Ends(new State(source), requireNonNull(event, "the event is null"), new State(target));
+        requireNonNull(action, "the action of " + ends + " is null; NewFunction.none() does nothing");
+        noteIfRepeated("an action", ends.toString(), actions.put(ends, action));
     }
 
     /** The transition of the new model that {@code event} triggers in {@code source}, with its function. */
@@ -215,7 +247,7 @@ public class StateKnowledge extends Knowledge {
 
     /** What is wrong with what was registered, a line each. */
     final List<String> problems() {
-        List<String> problems = new ArrayList<>();
+        List<String> problems = new ArrayList<>(repeated);
         for (State state : functions.keySet()) {
             if (!pair.evolved().hasState(state)) {
                 problems.add("a function is registered for " + state + ", which is not a state of the new model");
@@ -229,10 +261,18 @@ public class StateKnowledge extends Knowledge {
                 if (!pair.evolved().hasTrigger(ofState.getKey(), timer.getKey())) {
                     problems.add("a timer " + what + ", where the new model has no transition for it");
                 }
-                if (timer.getValue().isNegative()) {
-                    problems.add("the timer that " + what + " has the negative delay " + timer.getValue());
+                if (timer.getKey().timeTrigger().isPresent()) {
+                    problems.add("a timer " + what + ", which the new model does by itself; register none");
                 }
             }
+        }
+        for (State state : pair.evolved().states()) {
+            timersOf(state).forEach((event, delay) -> {
+                if (delay.isNegative() || delay.compareTo(Clock.LONGEST) > 0) {
+                    problems.add("the timer that raises " + event + " in " + state + " has the delay " + delay
+                            + ", allowed is 0 to " + Clock.LONGEST.toDays() + " days");
+                }
+            });
         }
         for (Ends ends : actions.keySet()) {
             if (!isDrawn(ends)) {

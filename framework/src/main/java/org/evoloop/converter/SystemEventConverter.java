@@ -1,5 +1,7 @@
 package org.evoloop.converter;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.LinkedHashMap;
@@ -13,6 +15,7 @@ import org.evoloop.evolution.Occurrence;
 import org.evoloop.loop.Component;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.loop.LoopState;
+import org.evoloop.loop.Threads;
 import org.evoloop.statemachine.ModelException;
 import org.jspecify.annotations.Nullable;
 
@@ -35,6 +38,7 @@ import org.jspecify.annotations.Nullable;
  */
 public final class SystemEventConverter implements AutoCloseable {
     private final LoopConfig config;
+    private final Belongings belongings;
     private final Map<String, Supplier<? extends Component>> spares = new LinkedHashMap<>();
     private final Listeners listeners;
     private Assembly assembly = new Assembly();
@@ -44,7 +48,8 @@ public final class SystemEventConverter implements AutoCloseable {
 
     /** @param config its options; they are checked by {@link #build} */
     public SystemEventConverter(LoopConfig config) {
-        this.config = config;
+        this.config = requireNonNull(config, "the converter's config is null");
+        this.belongings = new Belongings(config.name());
         this.listeners = new Listeners(config);
     }
 
@@ -75,6 +80,7 @@ public final class SystemEventConverter implements AutoCloseable {
 
     /** Sets the knowledge, before {@link #build}. @throws IllegalStateException if there is one already */
     public synchronized void addKnowledge(StateKnowledge stateKnowledge) {
+        requireNonNull(stateKnowledge, "the knowledge is null");
         if (knowledge != null) {
             throw new IllegalStateException("there is knowledge already, " + knowledge.name());
         }
@@ -88,23 +94,43 @@ public final class SystemEventConverter implements AutoCloseable {
 
     /** Tells what connects the device, for {@link #status}. */
     public synchronized void addLink(DeviceLink deviceLink) {
-        link = deviceLink;
+        link = requireNonNull(deviceLink, "the link is null");
     }
 
-    /** Keeps a component at hand for {@link #exchange(String, String)}, under a name of its own. */
+    /**
+     * Keeps a component at hand for {@link #exchange(String, String)}, under a name of its own.
+     *
+     * @throws IllegalStateException if the name is taken
+     */
     public synchronized void addSpare(String name, Supplier<? extends Component> spare) {
-        spares.put(name, spare);
+        requireNonNull(name, "the name of a spare is null");
+        requireNonNull(spare, "the spare " + name + " is null");
+        if (spares.putIfAbsent(name, spare) != null) {
+            throw new IllegalStateException("there is a spare named " + name + " already");
+        }
     }
 
     private void add(Component component) {
+        requireNonNull(component, "the component is null");
         ConverterShell built = shell;
         Assembly changed = assembly.with(component);
         if (built != null) {
             DecisionTable table = changed.decisions(built.knowledge);
-            join(built, component);
+            taking(component, () -> join(built, component));
             built.use(table, changed.executes());
         }
         assembly = changed;
+    }
+
+    /** Takes {@code component} for {@code change}; gives it back if that is refused. */
+    private void taking(Component component, Runnable change) {
+        belongings.take(component);
+        try {
+            change.run();
+        } catch (RuntimeException refused) {
+            belongings.giveBack(component);
+            throw refused;
+        }
     }
 
     /**
@@ -112,7 +138,7 @@ public final class SystemEventConverter implements AutoCloseable {
      * thread.
      *
      * @throws ModelException if models and components do not fit; the message lists all problems
-     * @throws IllegalStateException if something is missing or this was done before
+     * @throws IllegalStateException if something is missing or belongs to another converter, or this was done before
      * @throws IllegalArgumentException if an option is out of range; the message lists all of them
      */
     public synchronized void build() {
@@ -136,7 +162,31 @@ public final class SystemEventConverter implements AutoCloseable {
         if (!assembly.has(Component.Role.PLAN)) {
             assembly.add(new EventPlan());
         }
-        known.registerNewFunctions();
+        takeAll(known);
+        try {
+            shell = build(known);
+        } catch (RuntimeException refused) {
+            belongings.giveBackAll(null);
+            throw refused;
+        }
+    }
+
+    private void takeAll(StateKnowledge known) {
+        List<String> problems = new ArrayList<>();
+        String another = "make one for each converter";
+        belongings.take(config.clock(), "its clock", another, problems);
+        belongings.take(known, known.name(), another, problems);
+        for (Component component : assembly.all()) {
+            belongings.take(component, component.name(), another, problems);
+        }
+        if (!problems.isEmpty()) {
+            belongings.giveBackAll(null);
+            throw new IllegalStateException("converter " + config.name() + ": " + String.join("; ", problems));
+        }
+    }
+
+    private ConverterShell build(StateKnowledge known) {
+        known.register();
         List<String> problems = new ArrayList<>(known.problems());
         DecisionTable table = null;
         try {
@@ -153,7 +203,7 @@ public final class SystemEventConverter implements AutoCloseable {
             join(built, component);
         }
         built.loop.build();
-        shell = built;
+        return built;
     }
 
     private void join(ConverterShell built, Component component) {
@@ -201,9 +251,21 @@ public final class SystemEventConverter implements AutoCloseable {
         }
     }
 
-    /** Ends the converter and its threads, see {@link org.evoloop.loop.MapeLoop#close}. Idempotent. */
+    /**
+     * Ends the converter and its threads, see {@link org.evoloop.loop.MapeLoop#close}. Idempotent. Called by a component, a
+     * function or a task of a visit it returns at once, and the converter ends when its caller has returned.
+     */
     @Override
-    public synchronized void close() {
+    public void close() {
+        ConverterShell built = shell;
+        if (built != null && config.threads() && built.ownsCurrentThread()) {
+            Threads.start("converter-" + config.name() + "-close", this::end);
+        } else {
+            end();
+        }
+    }
+
+    private synchronized void end() {
         ConverterShell built = shell;
         if (built != null) {
             boolean wasRunning = built.loop.state() == LoopState.RUNNING;
@@ -211,6 +273,7 @@ public final class SystemEventConverter implements AutoCloseable {
             if (wasRunning) {
                 built.release();
             }
+            belongings.giveBackAll(built.knowledge);
         }
         listeners.close();
     }
@@ -229,6 +292,7 @@ public final class SystemEventConverter implements AutoCloseable {
                 ? changed.decisions(built.knowledge)
                 : built.driver.rules().table();
         built.loop.remove(name);
+        belongings.giveBack(assembly.require(name));
         assembly = changed;
         built.use(table, changed.executes());
     }
@@ -241,11 +305,15 @@ public final class SystemEventConverter implements AutoCloseable {
      */
     public synchronized void exchange(String name, Component next) {
         ConverterShell built = built();
+        requireNonNull(next, "what shall take the place of " + name + " is null");
         built.loop.requireExchangeable(name, next);
         Assembly changed = assembly.with(name, next);
-        attach(built, next);
         DecisionTable table = changed.decisions(built.knowledge);
-        built.loop.exchange(name, next);
+        taking(next, () -> {
+            attach(built, next);
+            built.loop.exchange(name, next);
+        });
+        belongings.giveBack(assembly.require(name));
         assembly = changed;
         built.use(table, changed.executes());
     }
@@ -262,7 +330,7 @@ public final class SystemEventConverter implements AutoCloseable {
             throw new IllegalArgumentException("no spare is named " + spare + "; there are "
                     + (spares.isEmpty() ? "none" : String.join(", ", spares.keySet())));
         }
-        exchange(name, supplier.get());
+        exchange(name, requireNonNull(supplier.get(), "the spare " + spare + " is null"));
     }
 
     /** The names of the spares, in the order in which they were added. */
@@ -275,7 +343,12 @@ public final class SystemEventConverter implements AutoCloseable {
         return built().loop.offer(occurrence);
     }
 
-    /** The step of a monitor in a converter without threads: asks it once and queues what it tells. */
+    /**
+     * The step of a monitor in a converter without threads: asks it once and queues what it tells.
+     *
+     * @throws IllegalStateException if the converter has threads, which ask its monitors
+     * @throws IllegalArgumentException if {@code monitor} is none of this converter
+     */
     public void observe(EventMonitor monitor) throws InterruptedException {
         built().loop.observe(monitor);
     }
@@ -304,9 +377,7 @@ public final class SystemEventConverter implements AutoCloseable {
                 built.latency.summary(),
                 built.loop.components(),
                 built.visits.runningFunction(),
-                device == null
-                        ? new ConverterStatus.Link(false, "")
-                        : new ConverterStatus.Link(device.isUp(), device.describe()));
+                device == null ? null : new ConverterStatus.Link(device.isUp(), device.describe()));
     }
 
     /** The last events and what became of them, oldest first. */

@@ -84,6 +84,10 @@ final class Visits implements VisitHost {
         functions.end();
     }
 
+    boolean ownsCurrentThread() {
+        return functions.ownsCurrentThread();
+    }
+
     ConverterStatus.RunningFunction runningFunction() {
         Visit running = functions.running();
         return new ConverterStatus.RunningFunction(

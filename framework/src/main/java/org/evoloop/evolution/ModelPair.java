@@ -2,6 +2,7 @@ package org.evoloop.evolution;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.ModelException;
 import org.evoloop.statemachine.State;
@@ -17,6 +18,12 @@ import org.evoloop.statemachine.StateMachine;
  * @param evolved what device and converter shall do together
  */
 public record ModelPair(StateMachine original, StateMachine evolved) {
+
+    /** @throws NullPointerException if one of them is null; the message says which */
+    public ModelPair {
+        Objects.requireNonNull(original, "the original model is null");
+        Objects.requireNonNull(evolved, "the new model is null");
+    }
 
     /** Something of the original model that the new model lacks, against Definition IV.1 of the paper. */
     public sealed interface Violation {

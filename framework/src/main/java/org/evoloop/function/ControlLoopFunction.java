@@ -43,10 +43,9 @@ public abstract class ControlLoopFunction<O, A, P> implements NewFunction {
     public final void run(Visit visit) throws Exception {
         MapeLoop<O, A, P> loop = new MapeLoop<>(config(visit), new Listener(visit));
         assemble(loop, visit);
-        loop.build();
         visit.onEnd(loop::close);
         try {
-            loop.start();
+            loop.buildAndStart();
         } catch (IllegalStateException closed) {
             // The state was left meanwhile, which has closed the loop.
             if (visit.isActive()) {

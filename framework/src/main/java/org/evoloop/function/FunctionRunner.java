@@ -64,7 +64,7 @@ public final class FunctionRunner {
         }
         ending.end();
         Thread own = thread;
-        if (own != null && own != Thread.currentThread()) {
+        if (own != null && !ownsCurrentThread()) {
             own.interrupt();
             if (!Threads.join(own, joinLimit)) {
                 LOG.warn(
@@ -77,6 +77,11 @@ public final class FunctionRunner {
         hasFunction = false;
         thread = null;
         visit = null;
+    }
+
+    /** Whether the caller is the function's own thread. */
+    public boolean ownsCurrentThread() {
+        return thread == Thread.currentThread();
     }
 
     /** The visit whose function runs or has left timers and listeners behind; null if the state needs none. */

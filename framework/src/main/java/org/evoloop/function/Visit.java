@@ -1,5 +1,7 @@
 package org.evoloop.function;
 
+import static java.util.Objects.requireNonNull;
+
 import java.time.Duration;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
@@ -63,8 +65,13 @@ public final class Visit {
         return !ended;
     }
 
-    /** Waits until the state is left, which a function's own thread learns by an interrupt. */
+    /**
+     * Waits until the state is left, which a function's own thread learns by an interrupt.
+     *
+     * @throws IllegalStateException in a converter without threads, which would wait for itself
+     */
     public void awaitEnd() throws InterruptedException {
+        requireThreads("awaitEnd", "onEnd");
         synchronized (lock) {
             while (!ended) {
                 lock.wait();
@@ -72,9 +79,23 @@ public final class Visit {
         }
     }
 
-    /** Waits for {@code duration}. @throws InterruptedException if the state is left first */
+    /**
+     * Waits for {@code duration}.
+     *
+     * @throws InterruptedException if the state is left first
+     * @throws IllegalStateException in a converter without threads, and in a task of the clock, which would wait for itself
+     * @throws IllegalArgumentException if {@code duration} is negative, or longer than {@link Clock#LONGEST}
+     */
     public void sleep(Duration duration) throws InterruptedException {
+        requireThreads("sleep", "after or finishAfter");
         host.clock().sleep(duration);
+    }
+
+    private void requireThreads(String method, String instead) {
+        if (!threads()) {
+            throw new IllegalStateException(
+                    "visit." + method + " would wait for ever: the converter has no threads; use " + instead);
+        }
     }
 
     /**
@@ -142,15 +163,22 @@ public final class Visit {
         after(delay, () -> finish(event));
     }
 
-    /** Runs {@code task} on the clock's thread, where it must not wait, after {@code delay}, unless the state is left first. */
+    /**
+     * Runs {@code task} on the clock's thread, where it must not wait, after {@code delay}, unless the state is left first.
+     * What it throws is reported like what the function throws.
+     *
+     * @throws IllegalArgumentException if {@code delay} is negative, or longer than {@link Clock#LONGEST}
+     */
     public void after(Duration delay, Runnable task) {
+        Clock.requireDelay(requireNonNull(delay, "the delay is null"));
+        requireNonNull(task, "the task is null");
         synchronized (lock) {
             if (isActive()) {
                 List<Clock.Timer> all = timers == null ? new ArrayList<>() : timers;
                 timers = all;
                 all.add(host.clock().schedule(delay, () -> {
                     if (isActive()) {
-                        task.run();
+                        contained(task);
                     }
                 }));
             }
@@ -169,6 +197,7 @@ public final class Visit {
      * end by itself: nothing interrupts it.
      */
     public void onEnd(Runnable ending) {
+        requireNonNull(ending, "the ending is null");
         synchronized (lock) {
             if (isActive()) {
                 Deque<Runnable> all = endings == null ? new ArrayDeque<>() : endings;
@@ -177,7 +206,7 @@ public final class Visit {
                 return;
             }
         }
-        runEnding(ending);
+        contained(ending);
     }
 
     /** Calls {@code function} and delivers its last event. */
@@ -229,13 +258,14 @@ public final class Visit {
             toCancel.forEach(Clock.Timer::cancel);
         }
         if (toRun != null) {
-            toRun.forEach(this::runEnding);
+            toRun.forEach(this::contained);
         }
     }
 
-    private void runEnding(Runnable ending) {
+    /** A task that throws concerns neither the clock's thread nor whoever leaves the state. */
+    private void contained(Runnable task) {
         try {
-            ending.run();
+            task.run();
         } catch (Throwable cause) {
             host.failed(this, cause);
         }

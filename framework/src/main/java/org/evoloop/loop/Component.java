@@ -1,5 +1,7 @@
 package org.evoloop.loop;
 
+import java.util.Objects;
+
 /**
  * What a loop is made of. Each component that is part of a loop has a thread of its own, from the moment it becomes part
  * until it leaves or the loop ends; its methods are called on that thread only, so a component needs no locks for what
@@ -21,6 +23,7 @@ public abstract sealed class Component permits Monitor, Analyze, Plan, Execute {
 
     /** @param name unique within a loop; empty for the name of the class */
     Component(String name) {
+        Objects.requireNonNull(name, "the name of a component is null");
         String ownName = getClass().getSimpleName();
         this.name = !name.isEmpty() ? name : ownName.isEmpty() ? "anonymous" : ownName;
     }

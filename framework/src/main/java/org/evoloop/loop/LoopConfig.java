@@ -1,5 +1,7 @@
 package org.evoloop.loop;
 
+import static java.util.Objects.requireNonNull;
+
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
@@ -14,8 +16,8 @@ import org.evoloop.time.Clock;
  * @param clock the time of back-off and limits
  * @param queueCapacity how many occurrences may wait behind the one that is in the loop, 0 to 1,000,000; with 0 a loop
  *     that is busy loses what comes, and an idle one takes it
- * @param stepLimit how long an analyze, plan or execute component may work on one occurrence before it is interrupted, at
- *     least 1 ms, in the clock's time
+ * @param stepLimit how long an analyze, plan or execute component may work on one occurrence before it is interrupted, 1 ms
+ *     to {@link Clock#LONGEST}, in the clock's time
  * @param joinLimit how long to wait for a thread that was told to stop, 1 ms to 1 min, in real time
  * @param waiting how a component's thread waits for its turn
  * @param threads false for a loop without threads, which is driven by {@link MapeLoop#observe} and {@link MapeLoop#step}
@@ -28,6 +30,15 @@ public record LoopConfig(
         Duration joinLimit,
         WaitStrategy waiting,
         boolean threads) {
+
+    /** @throws NullPointerException if anything is null; the message says what */
+    public LoopConfig {
+        requireNonNull(name, "the name of a loop is null");
+        requireNonNull(clock, "the clock of a loop is null");
+        requireNonNull(stepLimit, "stepLimit is null");
+        requireNonNull(joinLimit, "joinLimit is null");
+        requireNonNull(waiting, "waiting is null");
+    }
 
     /** 8 waiting occurrences, 30 s a step, 2 s to stop, with threads. */
     public static LoopConfig defaults(String name, Clock clock) {
@@ -66,8 +77,8 @@ public record LoopConfig(
         if (queueCapacity < 0 || queueCapacity > 1_000_000) {
             found.add("queueCapacity is " + queueCapacity + ", allowed is 0 to 1000000");
         }
-        if (stepLimit.compareTo(Duration.ofMillis(1)) < 0) {
-            found.add("stepLimit is " + stepLimit + ", allowed is at least 1 ms");
+        if (stepLimit.compareTo(Duration.ofMillis(1)) < 0 || stepLimit.compareTo(Clock.LONGEST) > 0) {
+            found.add("stepLimit is " + stepLimit + ", allowed is 1 ms to " + Clock.LONGEST.toDays() + " days");
         }
         if (joinLimit.compareTo(Duration.ofMillis(1)) < 0 || joinLimit.compareTo(Duration.ofMinutes(1)) > 0) {
             found.add("joinLimit is " + joinLimit + ", allowed is 1 ms to 1 min");

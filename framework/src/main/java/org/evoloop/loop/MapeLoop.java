@@ -1,5 +1,7 @@
 package org.evoloop.loop;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.List;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -100,12 +102,20 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
         if (sequencer.state() == LoopState.EXITED) {
             throw new IllegalStateException("the loop " + config.name() + " has ended");
         }
+        if (ownsCurrentThread()) {
+            throw new IllegalStateException("a loop cannot be changed from its own thread "
+                    + Thread.currentThread().getName() + "; hand the change to another thread");
+        }
+    }
+
+    /** Whether the caller is the thread of one of the components. */
+    public boolean ownsCurrentThread() {
         for (Worker worker : roster.workers()) {
             if (worker.ownsCurrentThread()) {
-                throw new IllegalStateException("a loop cannot be changed from its own thread " + worker.threadName()
-                        + "; hand the change to another thread");
+                return true;
             }
         }
+        return false;
     }
 
     /**
@@ -161,6 +171,15 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
      * @throws IllegalStateException if a component is missing or this was done before; the message names all problems
      */
     public void build() {
+        build(LoopState.STOPPED);
+    }
+
+    /** The same, and opens the loop before any monitor is asked, so that nothing of what one tells is refused. */
+    public void buildAndStart() {
+        build(LoopState.RUNNING);
+    }
+
+    private void build(LoopState first) {
         synchronized (admin) {
             List<String> problems = roster.problems();
             if (sequencer.state() != LoopState.NEW) {
@@ -169,7 +188,7 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
             if (!problems.isEmpty()) {
                 throw new IllegalStateException("loop " + config.name() + ": " + String.join("; ", problems));
             }
-            sequencer.become(LoopState.STOPPED);
+            sequencer.become(first);
             roster.workers().forEach(Worker::start);
         }
     }
@@ -211,10 +230,19 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
 
     /**
      * Ends the loop and its threads. Waits for each up to the join limit and names in the log any that does not end.
-     * Idempotent; an interrupt of the caller does not cut it short.
+     * Idempotent; an interrupt of the caller does not cut it short. Called by a component it returns at once, and the loop
+     * ends when that component has returned.
      */
     @Override
     public void close() {
+        if (ownsCurrentThread()) {
+            Threads.start("mapek-" + config.name() + "-close", this::end);
+        } else {
+            end();
+        }
+    }
+
+    private void end() {
         synchronized (admin) {
             if (sequencer.state() != LoopState.EXITED) {
                 sequencer.become(LoopState.EXITED);
@@ -235,17 +263,17 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
 
     /** Queues an occurrence as if a monitor had told it; false if it was refused or dropped. */
     public boolean offer(O occurrence) {
-        return sequencer.offer(occurrence);
+        return sequencer.offer(requireNonNull(occurrence, "the occurrence is null"));
     }
 
     /**
      * Queues what a monitor of this loop has to tell, on the caller's thread instead of the monitor's.
      *
-     * @return false if that has to be left to the monitor: the loop has no threads or has not been opened yet, or the
-     *     monitor is not part of it
+     * @return false if that has to be left to the monitor: the loop has no threads or is not built yet, or the monitor
+     *     is not part of it
      */
     public boolean tell(Monitor<O> monitor, O occurrence) {
-        if (!config.threads() || !sequencer.hasBeenOpened() || roster.workerOf(monitor) == null) {
+        if (!config.threads() || sequencer.state() == LoopState.NEW || roster.workerOf(monitor) == null) {
             return false;
         }
         sequencer.offer(occurrence);
@@ -264,11 +292,22 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
     /**
      * Asks one monitor once and queues what it tells, on the caller's thread: the step of a monitor in a loop without
      * threads.
+     *
+     * @throws IllegalStateException if the loop has threads
+     * @throws IllegalArgumentException if {@code monitor} is not part of the loop
      */
     public void observe(Monitor<O> monitor) throws InterruptedException {
+        requireStepped();
         MonitorWorker<O> worker = roster.workerOf(monitor);
-        if (worker != null) {
-            worker.observe();
+        if (worker == null) {
+            throw new IllegalArgumentException(monitor.name() + " is not part of the loop " + config.name());
+        }
+        worker.observe();
+    }
+
+    private void requireStepped() {
+        if (config.threads()) {
+            throw new IllegalStateException("the loop " + config.name() + " has threads; they take the steps");
         }
     }
 
@@ -277,12 +316,16 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
      * without threads.
      *
      * @return false if nothing waited or the loop is closed
+     * @throws IllegalStateException if the loop has threads
      */
     public boolean step() {
-        if (config.threads()) {
-            throw new IllegalStateException("the loop " + config.name() + " has threads; they take the steps");
-        }
+        requireStepped();
         return sequencer.step();
+    }
+
+    /** Whether {@code monitor} is part of this loop. */
+    public boolean has(Monitor<O> monitor) {
+        return roster.workerOf(monitor) != null;
     }
 
     /** Where the loop is in its life. */

@@ -6,9 +6,9 @@ import org.jspecify.annotations.Nullable;
  * Superclass of monitors: they wait for something to occur and tell it. A loop may have several; what one of them tells
  * stays in order.
  *
- * <p>Threading: {@link #getEvent} is called again and again on the monitor's own thread, from when the loop is opened for the
- * first time. It is called while the loop is closed again, too: what the monitor tells then is refused, and so cannot be
- * taken for news when the loop opens once more.
+ * <p>Threading: {@link #getEvent} is called again and again on the monitor's own thread, from when the loop is built. It is
+ * called while the loop is closed, too: what the monitor tells then is refused, and so cannot be taken for news when the
+ * loop opens.
  *
  * @param <O> an occurrence, what {@link Analyze} takes
  */

@@ -1,6 +1,7 @@
 package org.evoloop.loop;
 
 import java.time.Duration;
+import java.util.concurrent.locks.LockSupport;
 import org.evoloop.time.Clock;
 
 /**
@@ -12,10 +13,19 @@ final class MonitorWorker<O> extends Worker {
     private static final long FIRST_PAUSE_MILLIS = 100;
     private static final long LONGEST_PAUSE_MILLIS = 5000;
 
+    /** A monitor that takes this long has waited for something. */
+    private static final long WAITS_NANOS = 100_000;
+
+    private static final int PATIENCE = 1000;
+    private static final long REST_NANOS = 10_000_000;
+
     private final Monitor<O> monitor;
     private final Sequencer<O> sequencer;
     private final Clock clock;
     private long pauseMillis = FIRST_PAUSE_MILLIS;
+
+    /** How often in a row it has returned null at once. */
+    private long idle;
 
     MonitorWorker(Monitor<O> monitor, LoopConfig config, Sequencer<O> sequencer) {
         super(monitor, config);
@@ -26,7 +36,6 @@ final class MonitorWorker<O> extends Worker {
 
     @Override
     void work() throws InterruptedException {
-        sequencer.awaitFirstOpening();
         if (!observe()) {
             clock.sleep(Duration.ofMillis(pauseMillis));
             pauseMillis = Math.min(2 * pauseMillis, LONGEST_PAUSE_MILLIS);
@@ -36,10 +45,16 @@ final class MonitorWorker<O> extends Worker {
     /** Asks the monitor once, on the caller's thread; false if it failed. */
     boolean observe() throws InterruptedException {
         try {
+            long asked = System.nanoTime();
             O occurrence = monitor.getEvent();
-            if (occurrence == null || !sequencer.offer(occurrence)) {
-                // It polls, or tells more than there is room for; at least it shall not starve the others.
-                giveWay();
+            if (occurrence == null) {
+                rest(System.nanoTime() - asked);
+            } else {
+                idle = 0;
+                if (!sequencer.offer(occurrence)) {
+                    // It tells more than there is room for; at least it shall not starve the others.
+                    giveWay();
+                }
             }
             pauseMillis = FIRST_PAUSE_MILLIS;
             return true;
@@ -49,6 +64,28 @@ final class MonitorWorker<O> extends Worker {
             sequencer.report(this, "getEvent", 0, null, cause);
             return false;
         }
+    }
+
+    /**
+     * Before a monitor is asked again that had nothing to tell: one that waits by itself need not rest, and one that does
+     * not shall not keep a processor busy.
+     */
+    private void rest(long waitedNanos) {
+        idle = waitedNanos < WAITS_NANOS ? idle + 1 : 0;
+        if (idle <= PATIENCE || !hasThread()) {
+            giveWay();
+            return;
+        }
+        if (idle == PATIENCE + 1) {
+            sequencer.report(
+                    this,
+                    "getEvent",
+                    0,
+                    null,
+                    new Exception(
+                            "returns null for ever and does not wait; from here on it is asked every 10 ms only"));
+        }
+        LockSupport.parkNanos(this, REST_NANOS);
     }
 
     @Override

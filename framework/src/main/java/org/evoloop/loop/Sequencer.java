@@ -18,13 +18,11 @@ final class Sequencer<O> {
     private final LoopConfig config;
     private final LoopListener<O> listener;
     private final ReentrantLock lock = new ReentrantLock();
-    private final Condition opened = lock.newCondition();
     private final Condition quiet = lock.newCondition();
     private final Condition room = lock.newCondition();
 
     private final Intake<O> intake;
     private volatile LoopState state = LoopState.NEW;
-    private volatile boolean everOpen;
     private boolean paused;
     private boolean breakingOff;
     private boolean stepping;
@@ -64,25 +62,6 @@ final class Sequencer<O> {
         if (next != null) {
             next.wake();
         }
-    }
-
-    /** Waits until the loop has been opened for the first time. */
-    void awaitFirstOpening() throws InterruptedException {
-        if (everOpen) {
-            return;
-        }
-        lock.lockInterruptibly();
-        try {
-            while (!everOpen) {
-                opened.await();
-            }
-        } finally {
-            release();
-        }
-    }
-
-    boolean hasBeenOpened() {
-        return everOpen;
     }
 
     /** Queues an occurrence; false if the loop is closed, or the queue full and the occurrence one that may be lost. */
@@ -273,8 +252,10 @@ final class Sequencer<O> {
             if (late != null) {
                 failure = giveUp(
                         late,
-                        "was interrupted: it did not return within "
-                                + config.joinLimit().toMillis() + " ms");
+                        config.threads()
+                                ? "was interrupted: it did not return within "
+                                        + config.joinLimit().toMillis() + " ms"
+                                : "was given up: the loop was changed by what it called");
             }
             change.run();
         } finally {
@@ -305,16 +286,14 @@ final class Sequencer<O> {
         return interrupted;
     }
 
-    /** Moves to another state; waiting monitors and putters look again. The change itself is up to the caller. */
+    /** Moves to another state; waiting putters look again. The change itself is up to the caller. */
     void become(LoopState next) {
         acquire();
         try {
             state = next;
             room.signalAll();
             if (next == LoopState.RUNNING) {
-                everOpen = true;
                 intake.opened();
-                opened.signalAll();
             } else {
                 intake.closed();
             }

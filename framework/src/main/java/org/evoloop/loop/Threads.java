@@ -6,6 +6,13 @@ import java.time.Duration;
 public final class Threads {
     private Threads() {}
 
+    /** Runs {@code task} on a daemon thread of its own. */
+    public static void start(String name, Runnable task) {
+        Thread thread = new Thread(task, name);
+        thread.setDaemon(true);
+        thread.start();
+    }
+
     /**
      * Waits for {@code thread} to end. An interrupt of the caller does not cut the wait short; its flag is restored.
      *

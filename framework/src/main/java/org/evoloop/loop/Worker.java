@@ -59,6 +59,10 @@ abstract class Worker implements Runnable {
         return component;
     }
 
+    final boolean hasThread() {
+        return thread != null;
+    }
+
     final void start() {
         if (thread != null) {
             thread.start();
@@ -100,7 +104,7 @@ abstract class Worker implements Runnable {
     /** Gives a component that was interrupted a moment to return, so that what comes next does not find it stuck. */
     final void letReturn() {
         long deadline = System.nanoTime() + RETURN_NANOS;
-        while (stuck && System.nanoTime() < deadline) {
+        while (thread != null && stuck && System.nanoTime() < deadline) {
             giveWay();
         }
     }

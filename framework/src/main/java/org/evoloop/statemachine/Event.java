@@ -2,6 +2,7 @@ package org.evoloop.statemachine;
 
 import java.time.Duration;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 
@@ -20,7 +21,7 @@ public record Event(String name, List<String> guards) implements Comparable<Even
 
     /** @throws ModelException if {@code name} is blank */
     public Event {
-        if (name.isBlank()) {
+        if (Objects.requireNonNull(name, "the name of an event is null").isBlank()) {
             throw new ModelException("an event has no name; give it one");
         }
         guards = List.copyOf(guards);

@@ -1,5 +1,6 @@
 package org.evoloop.statemachine;
 
+import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -14,7 +15,7 @@ public record State(String name) implements Comparable<State> {
 
     /** @throws ModelException if {@code name} is blank */
     public State {
-        if (name.isBlank()) {
+        if (Objects.requireNonNull(name, "the name of a state is null").isBlank()) {
             throw new ModelException("a state has no name; give it one");
         }
     }

@@ -11,6 +11,22 @@ import java.util.concurrent.CountDownLatch;
  */
 public interface Clock extends AutoCloseable {
 
+    /** The longest delay that a clock takes: a century. */
+    Duration LONGEST = Duration.ofDays(36_500);
+
+    /**
+     * {@code delay}, if it is one that a clock takes.
+     *
+     * @throws IllegalArgumentException if it is negative, or longer than {@link #LONGEST}
+     */
+    static Duration requireDelay(Duration delay) {
+        if (delay.isNegative() || delay.compareTo(LONGEST) > 0) {
+            throw new IllegalArgumentException(
+                    "the delay is " + delay + ", allowed is 0 to " + LONGEST.toDays() + " days");
+        }
+        return delay;
+    }
+
     /** Nanoseconds since some moment; never goes back. Only differences mean something. */
     long nanoTime();
 
@@ -20,7 +36,7 @@ public interface Clock extends AutoCloseable {
     /**
      * Runs {@code task} once, {@code delay} from now, on the clock's own thread. It must be short and not throw.
      *
-     * @param delay not negative
+     * @throws IllegalArgumentException if {@code delay} is negative, or longer than {@link #LONGEST}
      */
     Timer schedule(Duration delay, Runnable task);
 
@@ -28,8 +44,12 @@ public interface Clock extends AutoCloseable {
      * Waits for {@code duration} of this clock's time.
      *
      * @throws InterruptedException if the thread is told to stop first
+     * @throws IllegalStateException if the caller is a task of this clock, which would wait for itself
      */
     default void sleep(Duration duration) throws InterruptedException {
+        if (ownsCurrentThread()) {
+            throw new IllegalStateException("a task of the clock cannot wait for the clock; schedule what comes after");
+        }
         CountDownLatch over = new CountDownLatch(1);
         Timer timer = schedule(duration, over::countDown);
         try {
@@ -38,6 +58,9 @@ public interface Clock extends AutoCloseable {
             timer.cancel();
         }
     }
+
+    /** Whether the caller is a task of this clock. */
+    boolean ownsCurrentThread();
 
     /** Ends the clock's thread; tasks that are not due yet never run. Idempotent. */
     @Override

@@ -16,6 +16,9 @@ public final class ManualClock implements Clock {
     private long nowNanos;
     private long scheduled;
 
+    /** On which a task runs. */
+    private volatile @Nullable Thread working;
+
     private static final class Task implements Comparable<Task> {
         final long dueNanos;
         final long order;
@@ -46,7 +49,7 @@ public final class ManualClock implements Clock {
 
     @Override
     public synchronized Timer schedule(Duration delay, Runnable action) {
-        Task task = new Task(nowNanos + delay.toNanos(), scheduled++, action);
+        Task task = new Task(nowNanos + Clock.requireDelay(delay).toNanos(), scheduled++, action);
         tasks.add(task);
         return () -> cancel(task);
     }
@@ -59,7 +62,13 @@ public final class ManualClock implements Clock {
     public void advance(Duration duration) {
         long until = nanoTime() + duration.toNanos();
         for (Task due = pollDue(until); due != null; due = pollDue(until)) {
-            due.action.run();
+            Thread before = working;
+            working = Thread.currentThread();
+            try {
+                due.action.run();
+            } finally {
+                working = before;
+            }
         }
         synchronized (this) {
             nowNanos = until;
@@ -78,6 +87,11 @@ public final class ManualClock implements Clock {
     /** How many tasks wait for their time; for tests that look for timers left behind. */
     public synchronized int pendingTasks() {
         return tasks.size();
+    }
+
+    @Override
+    public boolean ownsCurrentThread() {
+        return working == Thread.currentThread();
     }
 
     /** Forgets all tasks. */

@@ -5,6 +5,7 @@ import java.time.Instant;
 import java.util.concurrent.ScheduledFuture;
 import java.util.concurrent.ScheduledThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The machine's clock, optionally running faster: at speed 20 a second of this clock lasts 50 ms.
@@ -16,6 +17,7 @@ public final class SystemClock implements Clock {
     private final long originNanos = System.nanoTime();
     private final Instant originWall = Instant.now();
     private final ScheduledThreadPoolExecutor timers;
+    private volatile @Nullable Thread own;
 
     /** The machine's clock as it is. */
     public SystemClock() {
@@ -34,6 +36,7 @@ public final class SystemClock implements Clock {
         timers = new ScheduledThreadPoolExecutor(1, task -> {
             Thread thread = new Thread(task, "evoloop-clock");
             thread.setDaemon(true);
+            own = thread;
             return thread;
         });
         timers.setRemoveOnCancelPolicy(true);
@@ -52,8 +55,14 @@ public final class SystemClock implements Clock {
 
     @Override
     public Timer schedule(Duration delay, Runnable task) {
-        ScheduledFuture<?> pending = timers.schedule(task, Math.round(delay.toNanos() / speed), TimeUnit.NANOSECONDS);
+        ScheduledFuture<?> pending =
+                timers.schedule(task, Math.round(Clock.requireDelay(delay).toNanos() / speed), TimeUnit.NANOSECONDS);
         return () -> pending.cancel(false);
+    }
+
+    @Override
+    public boolean ownsCurrentThread() {
+        return own == Thread.currentThread();
     }
 
     @Override

@@ -46,10 +46,12 @@ class ConsoleTest {
     }
 
     @Test
-    void startAndStopOpenAndCloseTheLoopWithoutAWord() {
+    void startAndStopOpenAndCloseTheLoopAndWhoeverPressesMeanwhileIsTold() {
         run("switch", "start", "switch", "stop", "switch", "status");
 
-        assertThat(err.text()).isEmpty();
+        assertThat(err.lines())
+                .containsOnly("error: the converter lamp is stopped, so switch is refused; start it first")
+                .hasSize(2);
         assertThat(out.text()).isEqualTo("""
                         converter   lamp, stopped
                         states      original on, new on
@@ -81,7 +83,7 @@ class ConsoleTest {
                                 + component.formatted("EventPlan", "plan") + ","
                                 + component.formatted("Lamp", "execute") + "],"
                                 + "\"function\":{\"state\":\"\",\"thread\":\"\",\"progress\":\"\"},"
-                                + "\"link\":{\"up\":false,\"text\":\"\"}}" + System.lineSeparator());
+                                + "\"link\":null}" + System.lineSeparator());
     }
 
     @Test
@@ -165,7 +167,7 @@ class ConsoleTest {
 
     @Test
     void aCommandThatFailsTellsItsMessageAndNoStackTrace() {
-        Console console = console(input("state", "argument", "model", "io", "bug", "switch"));
+        Console console = console(input("state", "argument", "model", "io", "bug", "list"));
         console.addCommand(failing("state", new IllegalStateException("not now")));
         console.addCommand(failing("argument", new IllegalArgumentException("not that")));
         console.addCommand(failing("model", new ModelException("not so")));

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 
 /** The paper's scenario, step by step under a manual clock. */
 class CleaningRobotTest {
-    private final TranscriptLines transcript = new TranscriptLines();
+    private final LoggedLines transcript = new LoggedLines(Transcript.LOGGER);
     private final Robot robot = new Robot();
 
     @AfterEach
@@ -243,8 +243,9 @@ class CleaningRobotTest {
         robot.panel("Clean", true).panel("Spot", false);
         robot.converter.stop();
         assertThat(robot.moves).containsExactly("starts", "ends");
-        robot.controller("Clean");
-        assertThat(robot.converter.status().queue().refused()).isEqualTo(1);
+        robot.panel("Clean", true);
+        assertThat(robot.states()).as("what the device does while stopped is known").isEqualTo(at("Clean", "Move"));
+        assertThat(robot.converter.status().queue().refused()).isZero();
 
         robot.converter.start();
         assertThat(robot.moves).containsExactly("starts", "ends", "starts");

@@ -23,7 +23,7 @@ class ConverterBuildTest {
     private final SystemEventConverter converter = new SystemEventConverter(
             LoopConfig.defaults("robot", new ManualClock()).withoutThreads());
 
-    private static final class Device extends EventExecute {
+    static final class Device extends EventExecute {
         private final Set<String> sendable;
 
         Device(String... sendable) {
@@ -149,7 +149,7 @@ class ConverterBuildTest {
                                 "a function is registered for Dance, which is not a state of the new model",
                                 "a function is registered for Clean, but the device itself has that state",
                                 "a timer raises timeout in Clean, where the new model has no transition for it",
-                                "the timer that raises timeout in SpotWait has the negative delay PT-1S",
+                                "the timer that raises timeout in SpotWait has the delay PT-1S, allowed is 0 to 36500 days",
                                 "an action is registered for On --Spot--> Dance, which the new model does not have",
                                 "an action is registered for On --Clean--> Clean, but its target is a state of the "
                                         + "device",

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 
 /** The device was out of sight, and is found where nobody expected it. */
 class ResynchronizationTest {
-    private final TranscriptLines transcript = new TranscriptLines();
+    private final LoggedLines transcript = new LoggedLines(Transcript.LOGGER);
     private final Robot robot = new Robot();
 
     @AfterEach

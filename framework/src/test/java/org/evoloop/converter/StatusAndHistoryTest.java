@@ -142,7 +142,7 @@ class StatusAndHistoryTest {
         assertThat(status.events()).isEqualTo(new ConverterStatus.EventCounts(2, 0, 0, 0));
         assertThat(status.conversionTime()).isEqualTo(new ConverterStatus.ConversionTime(2, 0, 0, 0));
         assertThat(status.function()).isEqualTo(new ConverterStatus.RunningFunction("Move", "", ""));
-        assertThat(status.link()).isEqualTo(new ConverterStatus.Link(false, ""));
+        assertThat(status.link()).isNull();
         assertThat(status.components())
                 .containsExactly(
                         new ComponentStatus("Panel", Role.MONITOR, "", Activity.ENDED, 0, ""),

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test;
 
 /** When the transcript says what. */
 class TranscriptTest {
-    private final TranscriptLines transcript = new TranscriptLines();
+    private final LoggedLines transcript = new LoggedLines(Transcript.LOGGER);
     private final List<String> saidBeforeTheCommandLeft = new ArrayList<>();
     private final PushMonitor panel = new PushMonitor();
     private final SystemEventConverter converter = new SystemEventConverter(

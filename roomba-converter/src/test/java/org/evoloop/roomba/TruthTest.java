@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Random;
+import org.evoloop.loop.LoopState;
 import org.evoloop.roomba.link.MemoryLink;
 import org.evoloop.roomba.oi.Button;
 import org.evoloop.roomba.oi.Opcode;
@@ -150,8 +151,8 @@ class TruthTest {
             case ROBOT_CLEAN -> stepped.robotPress(Button.CLEAN);
             case ROBOT_SPOT -> stepped.robotPress(Button.SPOT);
             case ROBOT_DOCK -> stepped.robotPress(Button.DOCK);
-            case CONTROLLER_CLEAN -> stepped.press(RobotEvents.CLEAN);
-            case CONTROLLER_SPOT -> stepped.press(RobotEvents.SPOT);
+            case CONTROLLER_CLEAN -> pressIfRunning(stepped, RobotEvents.CLEAN);
+            case CONTROLLER_SPOT -> pressIfRunning(stepped, RobotEvents.SPOT);
             case LIFT -> stepped.robot.lift();
             case SET_DOWN -> stepped.robot.setDown();
             case DOCK -> stepped.robot.dock();
@@ -185,6 +186,13 @@ class TruthTest {
             case SILENCE -> stepped.disturb(null);
             case MOMENT -> stepped.advance(Duration.ofMillis(40));
             case WHILE -> stepped.advance(Duration.ofSeconds(6));
+        }
+    }
+
+    /** A converter that is stopped refuses the press. */
+    private static void pressIfRunning(SteppedRoomba stepped, String event) {
+        if (stepped.roomba.converter().status().loop() == LoopState.RUNNING) {
+            stepped.press(event);
         }
     }
 }

@@ -1,0 +1,74 @@
+package org.evoloop.converter;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.WeakHashMap;
+import org.evoloop.loop.Component;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What belongs to one converter and must not belong to another: its components and its clock until it is closed, its
+ * knowledge for good, since that has moved on.
+ *
+ * <p>Threading: thread-safe.
+ */
+final class Belongings {
+    /** The names of the converters. */
+    private static final Map<Object, String> OWNERS = new WeakHashMap<>();
+
+    private final String converter;
+    private final Set<Object> own = Collections.newSetFromMap(new IdentityHashMap<>());
+
+    Belongings(String converter) {
+        this.converter = converter;
+    }
+
+    /**
+     * Takes {@code component}.
+     *
+     * @throws IllegalStateException if it belongs to a converter already
+     */
+    void take(Component component) {
+        List<String> problems = new ArrayList<>();
+        take(component, component.name(), "make another one", problems);
+        if (!problems.isEmpty()) {
+            throw new IllegalStateException(problems.get(0));
+        }
+    }
+
+    /** Takes {@code thing}, or adds to {@code problems} that it belongs to a converter already. */
+    void take(Object thing, String name, String remedy, List<String> problems) {
+        synchronized (OWNERS) {
+            @Nullable String owner = OWNERS.putIfAbsent(thing, converter);
+            if (owner == null) {
+                own.add(thing);
+            } else {
+                problems.add(name + " belongs to the converter " + owner + " already; " + remedy);
+            }
+        }
+    }
+
+    void giveBack(Object thing) {
+        synchronized (OWNERS) {
+            if (own.remove(thing)) {
+                OWNERS.remove(thing);
+            }
+        }
+    }
+
+    /** @param kept what nobody else may have, even so; null if there is nothing of the kind */
+    void giveBackAll(@Nullable Object kept) {
+        synchronized (OWNERS) {
+            for (Object thing : own) {
+                if (thing != kept) {
+                    OWNERS.remove(thing);
+                }
+            }
+            own.clear();
+        }
+    }
+}

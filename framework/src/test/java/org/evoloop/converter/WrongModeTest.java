@@ -1,0 +1,170 @@
+package org.evoloop.converter;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.evoloop.converter.LiveRobot.until;
+
+import java.time.Duration;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.atomic.AtomicLong;
+import org.evoloop.evolution.Occurrence;
+import org.evoloop.function.NewFunction;
+import org.evoloop.function.Visit;
+import org.evoloop.loop.LoopState;
+import org.evoloop.time.SystemClock;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** What would wait for ever, or for itself, says so or does not wait. */
+@Timeout(60)
+class WrongModeTest {
+    private final LoggedLines log = new LoggedLines(SystemEventConverter.class.getName());
+
+    @AfterEach
+    void detach() {
+        log.close();
+    }
+
+    @Test
+    void aVisitCannotSleepWithoutThreads() throws InterruptedException {
+        try (Robot robot = new Robot()) {
+            robot.controller("Clean").controller("Spot");
+            Visit visit = robot.moving;
+            assertThat(visit).isNotNull();
+            assertThatThrownBy(() -> visit.sleep(Duration.ofSeconds(1)))
+                    .isInstanceOf(IllegalStateException.class)
+                    .hasMessage("visit.sleep would wait for ever: the converter has no threads; use after or "
+                            + "finishAfter");
+            assertThatThrownBy(visit::awaitEnd)
+                    .isInstanceOf(IllegalStateException.class)
+                    .hasMessage("visit.awaitEnd would wait for ever: the converter has no threads; use onEnd");
+        }
+    }
+
+    @Test
+    void aTaskOfTheClockCannotWaitForTheClock() throws InterruptedException {
+        for (boolean manual : new boolean[] {true, false}) {
+            CountDownLatch scheduled = new CountDownLatch(1);
+            NewFunction move = visit -> {
+                visit.after(Duration.ofMillis(1), () -> {
+                    try {
+                        visit.sleep(Duration.ofSeconds(1));
+                    } catch (InterruptedException stop) {
+                        throw new AssertionError(stop);
+                    }
+                });
+                scheduled.countDown();
+            };
+            try (LiveRobot robot = new LiveRobot(move);
+                    SystemClock clock = new SystemClock()) {
+                robot.press("Clean", "Spot");
+                LiveRobot.await(scheduled);
+                robot.clock.advance(Duration.ofMillis(1));
+                assertThat(log.lines())
+                        .contains("Move.function: a task of the clock cannot wait for the clock; schedule what comes "
+                                + "after");
+                CountDownLatch told = new CountDownLatch(1);
+                clock.schedule(Duration.ZERO, () -> {
+                    if (clock.ownsCurrentThread()) {
+                        told.countDown();
+                    }
+                });
+                LiveRobot.await(told);
+                assertThat(clock.ownsCurrentThread()).isFalse();
+                assertThat(manual || robot.clock.ownsCurrentThread()).isEqualTo(manual);
+            }
+        }
+    }
+
+    @Test
+    void theMonitorsOfAConverterWithThreadsAreNotAskedByOthers() {
+        try (LiveRobot robot = new LiveRobot(NewFunction.none())) {
+            assertThatThrownBy(() -> robot.converter.observe(robot.panel))
+                    .isInstanceOf(IllegalStateException.class)
+                    .hasMessage("the loop robot has threads; they take the steps");
+        }
+        try (Robot robot = new Robot()) {
+            assertThatThrownBy(() -> robot.converter.observe(new PushMonitor("Stranger")))
+                    .isInstanceOf(IllegalArgumentException.class)
+                    .hasMessage("Stranger is not part of the loop robot");
+        }
+    }
+
+    @Test
+    void aMonitorThatHasNothingToTellAndDoesNotWaitIsNamedAndAskedSeldom() {
+        AtomicLong asked = new AtomicLong();
+        try (LiveRobot robot = new LiveRobot(NewFunction.none(), 8, made -> {
+            made.converter.addMonitor(new EventMonitor("Idle") {
+                @Override
+                protected @Nullable Occurrence getEvent() {
+                    asked.incrementAndGet();
+                    return null;
+                }
+            });
+            made.converter.addExecute(made.device("Device"));
+        })) {
+            until(() -> robot.component("Idle").failures() == 1);
+            assertThat(robot.component("Idle").lastFailure())
+                    .isEqualTo("Idle.getEvent: returns null for ever and does not wait; from here on it is asked every "
+                            + "10 ms only");
+            long before = asked.get();
+            until(() -> asked.get() > before + 3);
+            assertThat(robot.component("Idle").failures()).isEqualTo(1);
+            robot.press("Clean");
+        }
+    }
+
+    @Test
+    void closeWithinAComponentReturnsAtOnceAndNobodyIsBlamed() {
+        CountDownLatch returned = new CountDownLatch(1);
+        LiveRobot robot = new LiveRobot(
+                NewFunction.none(),
+                8,
+                made -> made.converter.addExecute(made.device("Device", step -> {
+                    made.converter.close();
+                    assertThat(made.component("Device").activity().name()).isEqualTo("WORKING");
+                    returned.countDown();
+                })));
+        robot.panel.press("Clean");
+        assertClosed(robot, returned);
+    }
+
+    @Test
+    void closeWithinAFunctionOrItsTasksDoesToo() {
+        CountDownLatch returned = new CountDownLatch(2);
+        AtomicLong robots = new AtomicLong();
+        LiveRobot[] live = new LiveRobot[1];
+        CountDownLatch ready = new CountDownLatch(1);
+        NewFunction move = visit -> {
+            LiveRobot.await(ready);
+            robots.incrementAndGet();
+            visit.after(Duration.ofMillis(1), () -> {
+                live[0].converter.close();
+                returned.countDown();
+            });
+            returned.countDown();
+        };
+        LiveRobot robot = new LiveRobot(move);
+        live[0] = robot;
+        ready.countDown();
+        robot.press("Clean", "Spot");
+        until(() -> returned.getCount() == 1);
+        robot.clock.advance(Duration.ofMillis(1));
+        assertClosed(robot, returned);
+        assertThat(robots).hasValue(1);
+    }
+
+    private void assertClosed(LiveRobot robot, CountDownLatch returned) {
+        try {
+            LiveRobot.await(returned);
+        } catch (InterruptedException stop) {
+            throw new AssertionError(stop);
+        }
+        until(() -> robot.converter.status().loop() == LoopState.EXITED
+                && robot.converter.status().components().stream()
+                        .allMatch(component -> component.activity().name().equals("ENDED")));
+        assertThat(log.lines()).noneMatch(line -> line.contains("did not end") || line.contains("did not return"));
+    }
+}
