@@ -156,7 +156,7 @@ final class Conversion {
                 outcome(current, decision),
                 decision,
                 current.failedEffects());
-        if (decision instanceof Decision.Impossible) {
+        if (decision instanceof Decision.Impossible && decision.transition() != null) {
             // Its timers start anew: what was impossible now may be possible the next time.
             ledger.stay.leave(ledger.out);
         }

@@ -244,7 +244,9 @@ class CleaningRobotTest {
         robot.converter.stop();
         assertThat(robot.moves).containsExactly("starts", "ends");
         robot.panel("Clean", true);
-        assertThat(robot.states()).as("what the device does while stopped is known").isEqualTo(at("Clean", "Move"));
+        assertThat(robot.states())
+                .as("what the device does while stopped is known")
+                .isEqualTo(at("Clean", "Move"));
         assertThat(robot.converter.status().queue().refused()).isZero();
 
         robot.converter.start();

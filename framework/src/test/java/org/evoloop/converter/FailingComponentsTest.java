@@ -91,7 +91,7 @@ class FailingComponentsTest {
 
             assertThat(robot.awaitHistory(5).detail())
                     .isEqualTo("the device cannot tell where it is; it is taken to be in On");
-            HistoryEntry failed = robot.converter.history().get(3);
+            HistoryEntry failed = robot.awaitHistory(4);
             assertThat(failed.outcome()).isEqualTo(Outcome.FAILED);
             assertThat(failed.detail()).isEqualTo("Device.execute: has not returned for 30000 ms");
             assertThat(failed.before()).isEqualTo(at("Clean", "SpotWait"));

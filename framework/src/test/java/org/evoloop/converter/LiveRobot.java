@@ -1,7 +1,6 @@
 package org.evoloop.converter;
 
 import java.time.Duration;
-import java.util.List;
 import java.util.Set;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CountDownLatch;
@@ -113,11 +112,10 @@ final class LiveRobot implements AutoCloseable {
         return this;
     }
 
-    /** Waits until so many events have come to their end; returns the last. */
+    /** Waits until so many events have come to their end; returns the last of those. */
     HistoryEntry awaitHistory(int entries) {
         until(() -> converter.history().size() >= entries);
-        List<HistoryEntry> all = converter.history();
-        return all.get(all.size() - 1);
+        return converter.history().get(entries - 1);
     }
 
     LiveRobot awaitStates(String original, String evolved) {

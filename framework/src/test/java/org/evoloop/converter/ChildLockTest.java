@@ -1,0 +1,107 @@
+package org.evoloop.converter;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.evoloop.converter.Robot.at;
+
+import java.time.LocalTime;
+import java.time.ZoneOffset;
+import org.evoloop.core.Outcome;
+import org.evoloop.evolution.Decision;
+import org.evoloop.evolution.Occurrence;
+import org.evoloop.function.NewFunction;
+import org.evoloop.time.Clock;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.Test;
+
+/** Analyze components with rules of their own. */
+class ChildLockTest {
+    private static final LocalTime NIGHT = LocalTime.of(22, 0);
+    private static final LocalTime MORNING = LocalTime.of(6, 0);
+
+    /** From 22:00 to 06:00 the controller's events are refused; the device's own buttons are not the converter's to lock. */
+    private static final class ChildLock extends EventAnalyze {
+        private @Nullable Clock clock;
+
+        @Override
+        protected @Nullable Analysis analyze(Occurrence occurrence) {
+            return isNight() && occurrence.source().isButton() && !occurrence.isFact()
+                    ? refuse(occurrence, "child lock from 22:00 to 06:00")
+                    : super.analyze(occurrence);
+        }
+
+        private boolean isNight() {
+            Clock known = clock;
+            LocalTime now = known == null
+                    ? LocalTime.NOON
+                    : known.wallTime().atZone(ZoneOffset.UTC).toLocalTime();
+            return now.isBefore(MORNING) || !now.isBefore(NIGHT);
+        }
+    }
+
+    @Test
+    void refusesTheControllerAtNightAndSaysWhy() {
+        ChildLock lock = new ChildLock();
+        try (Player player = new Player(NewFunction.none(), lock)) {
+            // A manual clock begins at midnight.
+            lock.clock = player.clock;
+            player.press("play");
+            player.settle();
+            assertThat(player.last().outcome()).isEqualTo(Outcome.IGNORED);
+            assertThat(player.last().detail()).isEqualTo("child lock from 22:00 to 06:00");
+            assertThat(player.sent).isEmpty();
+
+            player.acts("play");
+            player.settle();
+            assertThat(player.states()).isEqualTo(at("Playing", "Playing"));
+
+            player.clock.advance(java.time.Duration.ofHours(7));
+            player.press("stop");
+            player.settle();
+            assertThat(player.states()).isEqualTo(at("Stopped", "Stopped"));
+        }
+    }
+
+    @Test
+    void anAnalysisOfAnotherOccurrenceFailsInsteadOfBeingCarriedOut() {
+        Occurrence[] first = new Occurrence[1];
+        EventAnalyze forgetful = new EventAnalyze() {
+            @Override
+            protected @Nullable Analysis analyze(Occurrence occurrence) {
+                Analysis analysis = super.analyze(occurrence);
+                first[0] = first[0] == null ? occurrence : first[0];
+                return analysis == null ? null : new Analysis(first[0], analysis.decision());
+            }
+        };
+        try (Player player = new Player(NewFunction.none(), forgetful)) {
+            player.press("play");
+            player.settle();
+            player.press("play");
+            player.settle();
+            assertThat(player.last().outcome()).isEqualTo(Outcome.FAILED);
+            assertThat(player.last().detail()).contains("the plan is for play").contains("not in the loop");
+        }
+    }
+
+    @Test
+    void aDecisionMadeForAnotherPlaceIsNeverCarriedOut() {
+        EventAnalyze stubborn = new EventAnalyze() {
+            private @Nullable Decision kept;
+
+            @Override
+            protected @Nullable Analysis analyze(Occurrence occurrence) {
+                Analysis analysis = super.analyze(occurrence);
+                kept = kept == null && analysis != null ? analysis.decision() : kept;
+                return analysis == null || kept == null ? null : new Analysis(occurrence, kept);
+            }
+        };
+        try (Player player = new Player(NewFunction.none(), stubborn)) {
+            player.press("play");
+            player.settle();
+            player.press("stop");
+            player.settle();
+            assertThat(player.sent).containsExactly("play");
+            assertThat(player.last().outcome()).isEqualTo(Outcome.FAILED);
+            assertThat(player.states()).isEqualTo(at("Playing", "Playing"));
+        }
+    }
+}

@@ -1,0 +1,105 @@
+package org.evoloop.converter;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.evoloop.converter.Robot.at;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.evoloop.core.Outcome;
+import org.evoloop.evolution.Configuration;
+import org.evoloop.evolution.Values;
+import org.evoloop.function.NewFunction;
+import org.junit.jupiter.api.Test;
+
+/** What functions ask of the device and tell of themselves, what events carry, and who hears of it all. */
+class FunctionRequestsTest {
+
+    @Test
+    void aFunctionHasTheDeviceDoAnEventInOrderWithAllOthers() {
+        try (Player player = new Player(visit -> {
+            visit.send("pause");
+            visit.finish("faded");
+        })) {
+            player.press("play");
+            player.press("fade");
+            player.settle();
+            assertThat(player.sent).containsExactly("play", "pause", "stop");
+            assertThat(player.states()).isEqualTo(at("Stopped", "Stopped"));
+            assertThat(player.outcomes())
+                    .containsExactly("play HANDLED", "fade HANDLED", "pause HANDLED", "faded HANDLED");
+        }
+    }
+
+    @Test
+    void theNewModelStaysWhereItIs() {
+        try (Player player = new Player(visit -> visit.send("pause"))) {
+            player.press("play");
+            player.press("fade");
+            player.settle();
+            assertThat(player.states()).isEqualTo(at("Paused", "Fading"));
+            assertThat(player.converter.status().function().state()).isEqualTo("Fading");
+        }
+    }
+
+    @Test
+    void whatTheDeviceCannotDoWhereItIsFailsWithItsReason() {
+        try (Player player = new Player(visit -> visit.send("play"))) {
+            player.press("play");
+            player.press("fade");
+            player.settle();
+            assertThat(player.last().outcome()).isEqualTo(Outcome.FAILED);
+            assertThat(player.last().detail())
+                    .isEqualTo("a function asks for play, but the device has no transition for it in Playing");
+            assertThat(player.states()).isEqualTo(at("Playing", "Fading"));
+        }
+    }
+
+    @Test
+    void aFunctionSaysHowFarItIs() {
+        try (Player player = new Player(visit -> visit.progress("half as loud"))) {
+            player.press("play");
+            player.press("fade");
+            player.settle();
+            assertThat(player.converter.status().function())
+                    .isEqualTo(new ConverterStatus.RunningFunction("Fading", "", "half as loud"));
+        }
+    }
+
+    @Test
+    void whatAnEventCarriesReachesTheDevice() {
+        try (Player player = new Player(NewFunction.none())) {
+            player.buttons.press("play", Values.of("volume", 7));
+            player.observe();
+            player.settle();
+            assertThat(player.sent).containsExactly("play volume=7.0");
+        }
+    }
+
+    @Test
+    void listenersHearInOrderWhatHappens() {
+        List<String> heard = new ArrayList<>();
+        try (Player player = new Player(NewFunction.none())) {
+            player.converter.addListener(new ConverterListener() {
+                @Override
+                public void moved(Configuration before, Configuration after) {
+                    heard.add(before + " to " + after);
+                }
+
+                @Override
+                public void ended(HistoryEntry entry) {
+                    heard.add(entry.occurrence().label() + " " + entry.outcome());
+                }
+            });
+            player.acts("play");
+            player.settle();
+            player.press("rewind");
+            player.settle();
+        }
+        assertThat(heard)
+                .containsExactly(
+                        "(Stopped, Stopped) to (Playing, Stopped)",
+                        "(Playing, Stopped) to (Playing, Playing)",
+                        "play HANDLED",
+                        "rewind IGNORED");
+    }
+}

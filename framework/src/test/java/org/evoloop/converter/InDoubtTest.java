@@ -1,0 +1,66 @@
+package org.evoloop.converter;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.evoloop.converter.Robot.at;
+
+import org.evoloop.function.NewFunction;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+
+/** Where nobody can know what came first, the record says so, and the device is asked. */
+class InDoubtTest {
+    private final Player player = new Player(NewFunction.none());
+
+    @AfterEach
+    void close() {
+        player.close();
+    }
+
+    /** While a press of stop is on its way, the device pauses; which came first makes a difference. */
+    private void pauseWhileStopIsSent() {
+        player.acts("play");
+        player.settle();
+        player.after = () -> {
+            player.after = () -> {};
+            player.acts("play");
+        };
+        player.press("stop");
+        player.settle();
+    }
+
+    @Test
+    void theDeviceIsAskedWhatCameFirst() {
+        player.device.canBeAsked = true;
+        pauseWhileStopIsSent();
+        assertThat(player.outcomes()).anyMatch(outcome -> outcome.startsWith("in doubt HANDLED"));
+        assertThat(player.doubt()).isEmpty();
+        assertThat(player.states().original()).isEqualTo(player.state);
+    }
+
+    @Test
+    void aDeviceThatCannotTellIsTakenToBeWhereWhatWasToldLeadsAndTheRecordSaysThatItIsInDoubt() {
+        pauseWhileStopIsSent();
+        assertThat(player.doubt()).isEqualTo("nobody knows whether the device acted before or after it took stop");
+        assertThat(player.outcomes()).contains("in doubt IGNORED");
+
+        player.found();
+        player.settle();
+        assertThat(player.doubt()).isEmpty();
+        assertThat(player.states().original()).isEqualTo(player.state);
+    }
+
+    @Test
+    void whereTheOrderMakesNoDifferenceThereIsNoDoubt() {
+        player.acts("play");
+        player.settle();
+        player.after = () -> {
+            player.after = () -> {};
+            // The device knows no pause where it is by then, and none before either changes that.
+            player.acts("stop");
+        };
+        player.press("stop");
+        player.settle();
+        assertThat(player.doubt()).isEmpty();
+        assertThat(player.states()).isEqualTo(at("Stopped", "Stopped"));
+    }
+}

@@ -1,0 +1,190 @@
+package org.evoloop.converter;
+
+import static org.evoloop.Machines.machine;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import org.evoloop.evolution.Configuration;
+import org.evoloop.evolution.ModelPair;
+import org.evoloop.evolution.Step;
+import org.evoloop.evolution.Values;
+import org.evoloop.function.NewFunction;
+import org.evoloop.loop.LoopConfig;
+import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.State;
+import org.evoloop.time.ManualClock;
+
+/**
+ * A music player with buttons of its own as a converter without threads. The device follows the original model to the
+ * letter; its owner wants it to fade out.
+ */
+final class Player implements AutoCloseable {
+    static final ModelPair MODELS = new ModelPair(
+            machine(
+                    "original",
+                    "Stopped play -> Playing",
+                    "Playing pause -> Paused",
+                    "Paused play -> Playing",
+                    "Playing stop -> Stopped",
+                    "Paused stop -> Stopped"),
+            machine(
+                    "new",
+                    "Stopped play -> Playing",
+                    "Playing pause -> Paused",
+                    "Paused play -> Playing",
+                    "Playing stop -> Stopped",
+                    "Paused stop -> Stopped",
+                    "Playing fade -> Fading",
+                    "Fading faded -> Stopped",
+                    "Fading stop -> Stopped"));
+
+    final ManualClock clock = new ManualClock();
+    final List<String> sent = new ArrayList<>();
+    final Buttons buttons = new Buttons();
+    final Device device = new Device();
+    final SystemEventConverter converter =
+            new SystemEventConverter(LoopConfig.defaults("player", clock).withoutThreads());
+
+    /** Where the device truly is. */
+    State state = new State("Stopped");
+
+    /** What happens while a step is on its way, before and after it has had its effect. */
+    Runnable before = () -> {};
+
+    Runnable after = () -> {};
+
+    Player(NewFunction fading) {
+        this(fading, new EventAnalyze());
+    }
+
+    Player(NewFunction fading, EventAnalyze analyze) {
+        converter.addMonitor(buttons);
+        converter.addAnalyze(analyze);
+        converter.addExecute(device);
+        converter.addKnowledge(new StateKnowledge(MODELS) {
+            @Override
+            protected void registerNewFunctions() {
+                function("Fading", fading);
+            }
+        });
+        converter.build();
+        converter.start();
+    }
+
+    final class Buttons extends PushMonitor {
+        void press(String event, Values values) {
+            push(fromController(event, values));
+        }
+
+        @Override
+        protected Set<String> spontaneousEvents() {
+            return Set.of("play", "pause", "stop");
+        }
+
+        private void acted(String event) {
+            push(fromPanel(event, true));
+        }
+
+        private void found(State where) {
+            push(foundIn(where.name()));
+        }
+    }
+
+    final class Device extends EventExecute {
+        boolean tellsOrder;
+        boolean canBeAsked;
+
+        /** What happens while the device is not ready yet. */
+        Runnable awaitReady = () -> {};
+
+        @Override
+        protected Set<String> sendableEvents() {
+            return Set.of("play", "pause", "stop");
+        }
+
+        @Override
+        protected void awaitReady(Step step) {
+            awaitReady.run();
+        }
+
+        @Override
+        protected void send(Step step) {
+            before.run();
+            take(step.trigger());
+            sent.add(step.trigger() + (values().isEmpty() ? "" : " " + values()));
+            if (tellsOrder) {
+                tookEffect();
+            }
+            after.run();
+        }
+
+        @Override
+        protected Optional<String> locate() {
+            return canBeAsked ? Optional.of(state.name()) : Optional.empty();
+        }
+    }
+
+    private void take(Event event) {
+        state = MODELS.original().nextState(state, event).orElse(state);
+    }
+
+    /** The device's own button is pressed: it acts, and the converter is told. */
+    void acts(String event) {
+        take(new Event(event));
+        buttons.acted(event);
+        observe();
+    }
+
+    void found() {
+        buttons.found(state);
+        observe();
+    }
+
+    /** A control of the controller is operated; it waits until {@link #settle}. */
+    void press(String event) {
+        buttons.press(event);
+        observe();
+    }
+
+    void observe() {
+        try {
+            converter.observe(buttons);
+        } catch (InterruptedException stop) {
+            throw new AssertionError(stop);
+        }
+    }
+
+    Player settle() {
+        while (converter.step()) {
+            // One after the other.
+        }
+        return this;
+    }
+
+    Configuration states() {
+        return converter.knowledge().configuration();
+    }
+
+    String doubt() {
+        return converter.status().doubt();
+    }
+
+    HistoryEntry last() {
+        List<HistoryEntry> entries = converter.history();
+        return entries.get(entries.size() - 1);
+    }
+
+    /** What has come to its end, and how. */
+    List<String> outcomes() {
+        return converter.history().stream()
+                .map(entry -> entry.occurrence().label() + " " + entry.outcome())
+                .toList();
+    }
+
+    @Override
+    public void close() {
+        converter.close();
+    }
+}
