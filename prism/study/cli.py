@@ -8,7 +8,7 @@ from pathlib import Path
 from study import closed_forms
 from study.both import Both
 from study.checking import Checker
-from study.measured import Measured, read, run_benchmark
+from study.measured import Measured, newest, read
 from study.prism_tool import Prism
 from study.problem import Problem
 from study.storm import Storm
@@ -59,8 +59,8 @@ def _parse(arguments: list[str]) -> argparse.Namespace:
         nargs="?",
         const="",
         metavar="FILE",
-        help="take the conversion time from FILE, which ./evoloop bench --json FILE has written, "
-        "or without FILE from a quick run of the benchmarks",
+        help="take the conversion times from FILE, which ./evoloop bench --json FILE has written, "
+        "or without FILE from the newest of benchmarks/results",
     )
     return parser.parse_args(arguments)
 
@@ -89,7 +89,7 @@ def _study(options: argparse.Namespace) -> int:
     checker = _checker(options.checker)
     if options.experiment:
         run.run_experiment(options.seed, say)
-    if measured is not None:
+    if measured:
         run.take_measured(checker, measured, say)
     comparisons = run.study(checker, say)
     missed = [one for one in comparisons if not one.holds()] if options.experiment else []
@@ -99,10 +99,10 @@ def _study(options: argparse.Namespace) -> int:
     return 0 if _agree(checker) and not missed else 1
 
 
-def _measured(given: str | None) -> Measured | None:
+def _measured(given: str | None) -> list[Measured]:
     if given is None:
-        return None
-    return read(Path(given)) if given else run_benchmark(_ROOT, say)
+        return []
+    return read(Path(given) if given else newest())
 
 
 def _agree(checker: Checker) -> bool:

@@ -60,8 +60,9 @@ def run_experiment(first_seed: int, tell: Tell) -> None:
     experiment.measure(first_seed, tell).write(RESULTS)
 
 
-def take_measured(checker: Checker, conversion: measured.Measured, tell: Tell) -> None:
-    """Checks the models at a measured conversion time, for the report to take up."""
+def take_measured(checker: Checker, times: list[measured.Measured], tell: Tell) -> None:
+    """Checks the models at measured conversion times, for the report to take up."""
     RESULTS.mkdir(exist_ok=True)
-    tell(f"the measured conversion time, {conversion.conversion_s * 1e6:.1f} µs")
-    measured.measured_table(checker, conversion).write(RESULTS)
+    for one in times:
+        tell(f"the measured conversion time, {one.conversion_s * 1e6:.1f} µs ({one.row}; {one.run})")
+    measured.measured_table(checker, times).write(RESULTS)

@@ -5,6 +5,7 @@ from study.curves import Curves
 from study.devices import CAPACITY, PATHS
 from study.experiment import POINTS, QUANTITIES, Comparison
 from study.markdown import table
+from study.measured import ROWS
 from study.paper import CAPACITIES, CONVERSIONS_S, HORIZON_S
 from study.tables import Table
 
@@ -261,24 +262,28 @@ def measured(curves: Curves, found: Table | None) -> str:
     if found is None:
         return """## 8. Today's converter
 
-Not measured yet; `./evoloop study --measured` takes the conversion time from the benchmarks."""
-    conversion, source = found.rows[0][2:4]
+Not measured yet; `./evoloop study --measured` takes the conversion times from `benchmarks/results`."""
+    run, times = found.rows[0][1], {row[0]: row[2] for row in found.rows}
     labels = {"exact": "paper's mechanism", "fifo-serial": "serial", "fifo-pipelined": "pipelined (Evoloop)"}
-    rows = [(f"{labels[row[0]]}{f', K={row[1]}' if row[1] else ''}", row[4], row[5], 100 * row[6], row[7]) for row in found.rows]
+    rows = [
+        (f"{1e6 * row[2]:.1f} µs", f"{labels[row[3]]}{f', K={row[4]}' if row[4] else ''}", *row[5:7], 100 * row[7], row[8])
+        for row in found.rows
+    ]
     ours = found.rows[-1]
+    measurements = "\n".join(f"- {1e6 * time:.1f} µs: {row}; {ROWS[row]}" for row, time in times.items())
     return f"""## 8. Today's converter
 
-Mean conversion time: {conversion * 1e6:.1f} µs ({source}), taken in place of the paper's 0.25 s. It
-was measured on the machine that ran the study, every thread having slept before, without the time that a link to the device
-takes.
+The conversion time as the benchmarks measured it ({run}), taken in place of the paper's 0.25 s:
 
-{table(("converter", "lost until 100 s", "completion in s", "lost per 100 s, in the long run", "mean wait in s"), rows)}
+{measurements}
+
+{table(("conversion", "converter", "lost until 100 s", "completion in s", "lost per 100 s, in the long run", "mean wait in s"), rows)}
 
 The paper asks whether event conversion is sufficiently faster than the action time of the embedded system. It is, by a
-factor of {1 / conversion:,.0f}. Converting costs nothing that could be noticed: with the paper's mechanism the task takes as
+factor of {1 / max(times.values()):,.0f} at least. Converting costs nothing that could be noticed: with the paper's mechanism the task takes as
 long and as many events get lost as without a converter. What makes a difference is the queue: the converter as it is by
-default loses {ours[4]:.2g} events in 100 s instead of {curves.lost("baseline", HORIZON_S):.2f}
-and finishes the task after {ours[5]:.1f} s instead of {curves.completion_s("baseline"):.0f}."""
+default loses {ours[5]:.2g} events in 100 s instead of {curves.lost("baseline", HORIZON_S):.2f}
+and finishes the task after {ours[6]:.1f} s instead of {curves.completion_s("baseline"):.0f}, if the device tells when it is ready."""
 
 
 def files() -> str:
