@@ -3,7 +3,6 @@
 from study.closed_forms import unbuffered_lost_per_s
 from study.curves import Curves
 from study.devices import CAPACITY, PATHS
-from study.experiment import POINTS, QUANTITIES, Comparison
 from study.markdown import table
 from study.measured import ROWS
 from study.paper import CAPACITIES, CONVERSIONS_S, HORIZON_S
@@ -223,39 +222,6 @@ def code() -> str:
     return f"""## 6. Which class is which module
 
 {table(("model", "code", "meaning"), rows)}"""
-
-
-def experiment(comparisons: list[Comparison], events: int) -> str:
-    if not comparisons:
-        return """## 7. The converter that runs
-
-Not measured yet; `./evoloop study --experiment` does."""
-    held = sum(one.holds() for one in comparisons)
-    quantities = list(QUANTITIES)
-    rows = []
-    for point in POINTS:
-        of_point = {one.quantity: one for one in comparisons if one.point == point}
-        seed = next(iter(of_point.values())).seed
-        rows.append((point.name, seed, *(_cell(of_point[quantity]) for quantity in quantities)))
-    return f"""## 7. The converter that runs
-
-The framework's converter (its step mode under a manual clock; monitor, queue, analyze, plan, execute and knowledge are the
-real ones) against a simulated device: Poisson arrivals, exponential action and conversion times. For each point 2500 runs
-of at least 100 s from the empty system, and one run of 67 hours in 100 batches; at least {events:,} events for each point.
-Measured, 99 % confidence interval, and in brackets the model's value:
-
-{table(("point", "seed", *QUANTITIES.values()), rows)}
-
-{held} of {len(comparisons)} intervals hold the model's value{"." if held == len(comparisons) else "; those in bold do not."} With back-pressure belief and device
-never differed. Of many such intervals one in a hundred misses by chance; other seeds (`--seed`) tell chance from error.
-
-![Models and measurements](experiment.png)"""
-
-
-def _cell(one: Comparison) -> str:
-    model = "never" if one.model == float("inf") else f"{one.model:.4g}"
-    text = f"{one.measured} ({model})"
-    return text if one.holds() else f"**{text}**"
 
 
 def measured(curves: Curves, found: Table | None) -> str:
