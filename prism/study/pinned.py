@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from study import checking
-from study.checking import Answers, Checker
+from study.checking import Answers, Checker, Number
 
 _ABSOLUTE = 1e-6
 _RELATIVE = 1e-5
@@ -17,7 +17,7 @@ class Pin:
 
     model: str
     properties: str
-    constants: tuple[tuple[str, float], ...]
+    constants: tuple[tuple[str, Number], ...]
     property: str
     value: float
     source: str
@@ -54,13 +54,14 @@ def pins(model: str | None = None) -> list[Pin]:
 
 def _pin(row: dict[str, str]) -> Pin:
     assignments = (assignment.partition("=") for assignment in row["constants"].split())
-    constants = tuple((name, float(value)) for name, _, value in assignments)
+    # PRISM takes no 2.0 for a whole number.
+    constants = tuple((name, int(value) if value.isdigit() else float(value)) for name, _, value in assignments)
     return Pin(row["model"], row["properties"], constants, row["property"], float(row["value"]), row["source"])
 
 
 def check(checker: Checker, wanted: list[Pin]) -> Iterator[Found]:
     """Each pin with its value today; pins that one question answers must stand together."""
-    asked: tuple[str, str, tuple[tuple[str, float], ...]] | None = None
+    asked: tuple[str, str, tuple[tuple[str, Number], ...]] | None = None
     answers = Answers()
     for pin in wanted:
         if asked != (pin.model, pin.properties, pin.constants):
