@@ -5,10 +5,11 @@ import sys
 import unittest
 from pathlib import Path
 
-from study import closed_forms
+from study import closed_forms, pinned
 from study.both import Both
 from study.checking import Checker
-from study.measured import Measured, read, run_benchmark
+from study.comparing import failures
+from study.measured import Measured, newest, read
 from study.prism_tool import Prism
 from study.problem import Problem
 from study.storm import Storm
@@ -40,7 +41,15 @@ def _parse(arguments: list[str]) -> argparse.Namespace:
         epilog="Exit status: 0 good, 1 something does not hold or cannot be done, 2 wrong usage or input.",
     )
     parser.add_argument(
-        "--check", action="store_true", help="only run the study's own tests and compare with the known closed forms"
+        "--check",
+        action="store_true",
+        help="only run the study's own tests, and compare with known closed forms and the values of models/pinned.csv",
+    )
+    parser.add_argument(
+        "--slow",
+        action="store_true",
+        help="with --check: run the slow tests instead, which change every model file in all ways they know "
+        "and fail if nobody notices",
     )
     parser.add_argument(
         "--checker",
@@ -59,10 +68,13 @@ def _parse(arguments: list[str]) -> argparse.Namespace:
         nargs="?",
         const="",
         metavar="FILE",
-        help="take the conversion time from FILE, which ./evoloop bench --json FILE has written, "
-        "or without FILE from a quick run of the benchmarks",
+        help="take the conversion times from FILE, which ./evoloop bench --json FILE has written, "
+        "or without FILE from the newest of benchmarks/results",
     )
-    return parser.parse_args(arguments)
+    options = parser.parse_args(arguments)
+    if options.slow and not options.check:
+        parser.error("--slow goes with --check")
+    return options
 
 
 def _checker(name: str) -> Checker:
@@ -73,12 +85,18 @@ def _checker(name: str) -> Checker:
 
 def _check(options: argparse.Namespace) -> int:
     checker = _checker(options.checker)
-    tests = unittest.defaultTestLoader.discover(str(_ROOT / "prism" / "tests"), top_level_dir=str(_ROOT / "prism"))
+    tests = unittest.defaultTestLoader.discover(
+        str(_ROOT / "prism" / "tests"),
+        pattern="slow*.py" if options.slow else "test*.py",
+        top_level_dir=str(_ROOT / "prism"),
+    )
     passed = unittest.TextTestRunner(verbosity=0).run(tests).wasSuccessful()
     found = closed_forms.checks(checker)
     for check in found:
         print(check)
-    return 0 if all(check.holds() for check in found) and passed and _agree(checker) else 1
+    values = list(pinned.check(checker, pinned.pins()))
+    print("\n".join(pinned.report(values)))
+    return 0 if all(one.holds() for one in (*found, *values)) and passed and _agree(checker) else 1
 
 
 def _study(options: argparse.Namespace) -> int:
@@ -89,20 +107,21 @@ def _study(options: argparse.Namespace) -> int:
     checker = _checker(options.checker)
     if options.experiment:
         run.run_experiment(options.seed, say)
-    if measured is not None:
+    if measured:
         run.take_measured(checker, measured, say)
     comparisons = run.study(checker, say)
-    missed = [one for one in comparisons if not one.holds()] if options.experiment else []
-    for one in missed:
-        say(f"{one.point.name}: {one.quantity} was measured as {one.measured}, the model says {one.model:.6g}")
+    failed = failures(comparisons) if options.experiment else []
+    for one in comparisons if options.experiment else []:
+        if not one.holds():
+            say(f"{one}" + ("" if one in failed else "; chance explains it"))
     print(run.RESULTS / "report.md")
-    return 0 if _agree(checker) and not missed else 1
+    return 0 if _agree(checker) and not failed else 1
 
 
-def _measured(given: str | None) -> Measured | None:
+def _measured(given: str | None) -> list[Measured]:
     if given is None:
-        return None
-    return read(Path(given)) if given else run_benchmark(_ROOT, say)
+        return []
+    return read(Path(given) if given else newest())
 
 
 def _agree(checker: Checker) -> bool:

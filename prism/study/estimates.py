@@ -4,29 +4,44 @@ from dataclasses import dataclass
 from statistics import NormalDist
 
 CONFIDENCE = 0.99
-_Z = NormalDist().inv_cdf((1 + CONFIDENCE) / 2)
+_FEW = 20
 
 
 @dataclass(frozen=True)
 class Estimate:
-    """The mean of independent values, with half the width of its confidence interval."""
+    """The mean of independent values, with the standard error and how many values there are."""
 
+    number: int
     mean: float
-    half_width: float
+    error: float
 
-    def holds(self, value: float) -> bool:
-        return value == self.mean or abs(value - self.mean) <= self.half_width
+    def half_width(self, confidence: float = CONFIDENCE) -> float:
+        """Half the width of the mean's confidence interval; infinite where there are too few values to tell."""
+        return student(self.number - 1, confidence) * self.error if self.number > _FEW else float("inf")
+
+    def holds(self, value: float, confidence: float = CONFIDENCE) -> bool:
+        """Whether the interval holds the value. What never came about holds "never" alone, which is infinite."""
+        if float("inf") in (value, self.mean):
+            return value == self.mean
+        return abs(value - self.mean) <= self.half_width(confidence)
 
     def __str__(self) -> str:
-        return "never" if self.mean == float("inf") else f"{self.mean:.4g} ± {self.half_width:.2g}"
+        return "never" if self.mean == float("inf") else f"{self.mean:.4g} ± {self.half_width():.2g}"
+
+
+NEVER = Estimate(0, float("inf"), 0.0)
 
 
 def estimate(number: int, mean: float, deviation: float) -> Estimate:
     """The estimate from so many values with this mean and sample standard deviation."""
-    return Estimate(mean, student(number - 1) * deviation / number**0.5)
+    return Estimate(number, mean, deviation / number**0.5)
 
 
-def student(degrees: int) -> float:
-    """The two-sided quantile of Student's distribution, to three digits after the point from 30 degrees of freedom on."""
-    z, n = _Z, degrees
+def student(degrees: int, confidence: float = CONFIDENCE) -> float:
+    """
+    The two-sided quantile of Student's distribution.
+
+    From 30 degrees of freedom on it is right to three digits after the point for a confidence of 0.99.
+    """
+    z, n = NormalDist().inv_cdf((1 + confidence) / 2), degrees
     return z + (z**3 + z) / (4 * n) + (5 * z**5 + 16 * z**3 + 3 * z) / (96 * n**2)

@@ -12,9 +12,12 @@ from matplotlib.figure import Figure
 
 from study import devices, sensitivity
 from study.curves import Curves
-from study.experiment import POINTS, Measurements, Point, Predictions
+from study.experiment import Measurements
 from study.paper import CAPACITIES, CONVERSIONS_S, HORIZON_S, TIMES_S
+from study.points import MODES, POINTS, Mode, Point
+from study.predictions import TAIL, Predictions
 from study.tables import Table
+from study.waiting import LONGEST_S
 
 _CONVERSION_S = 0.25
 _BASELINE = {"color": "black", "linewidth": 2.2, "linestyle": "-"}
@@ -41,8 +44,8 @@ def draw(folder: Path, curves: Curves, tables: dict[str, Table]) -> None:
     _save(_sensitivity(tables["sensitivity"]), folder, "sensitivity")
 
 
-def draw_experiment(folder: Path, measurements: Measurements, predictions: Predictions, longer: Table) -> None:
-    _save(_experiment(measurements, predictions, longer), folder, "experiment")
+def draw_experiment(folder: Path, measurements: Measurements, predictions: Predictions) -> None:
+    _save(_experiment(measurements, predictions), folder, "experiment")
 
 
 def _save(figure: Figure, folder: Path, name: str) -> None:
@@ -181,22 +184,27 @@ def _sensitivity(table: Table) -> Figure:
     return figure
 
 
-def _experiment(measurements: Measurements, predictions: Predictions, longer: Table) -> Figure:
+def _experiment(measurements: Measurements, predictions: Predictions) -> Figure:
     figure, (left, middle, right) = _panels(3)
     for point, style in zip(plain_points(), _STYLES, strict=True):
-        for axes, quantity, model in ((left, "lost", predictions.lost), (middle, "done", predictions.done)):
-            _line_of_model(axes, TIMES_S, [model(point, t) for t in TIMES_S], style)
-            _measured(axes, measurements, point, quantity, TIMES_S[1:], style)
-        rows = [row for row in longer.rows if row[:3] == (point.model, _CONVERSION_S, point.constants.get("K"))]
-        if rows:
-            _line_of_model(right, [row[3] for row in rows], [row[4] for row in rows], style)
-            _measured(right, measurements, point, "longer", range(1, len(rows)), style)
+        waits = {t: share for t in range(LONGEST_S + 1) if (share := predictions.longer(point, t)) is not None}
+        for axes, quantity, model in (
+            (left, "lost", {t: predictions.lost(point, t) for t in TIMES_S}),
+            (middle, "done", {t: predictions.done(point, t) for t in TIMES_S}),
+            (right, TAIL, waits),
+        ):
+            axes.plot(model.keys(), model.values(), color=style["color"], linestyle=style["linestyle"], linewidth=1)
+            for mode in MODES:
+                _measured(axes, measurements, mode, point, quantity, list(model)[1:], style)
     right.set_yscale("log")
     right.set_ylim(1e-4, 1.2)
     _finish(left, "Losses", _TIME, _LOST)
     _finish(middle, "Completion", _TIME, _DONE)
     _finish(right, "Waiting, in the long run", "t in s", "probability to wait longer than t")
-    figure.suptitle("The models (lines) and the converter that runs (marks, 99 % confidence intervals)")
+    figure.suptitle(
+        "The models (lines) and the converter that runs (marks, 99 % confidence intervals;"
+        " full: step by step, empty: in threads)"
+    )
     return figure
 
 
@@ -209,28 +217,26 @@ def _is_plain(point: Point) -> bool:
     return point.constants["conversion"] == _CONVERSION_S and point.mechanism in ("unbuffered", "pipelined")
 
 
-def _line_of_model(axes: Axes, xs: Iterable[float], ys: Iterable[float], style: dict[str, object]) -> None:
-    axes.plot(list(xs), list(ys), color=style["color"], linestyle=style["linestyle"], linewidth=1)
-
-
 def _measured(
     axes: Axes,
     measurements: Measurements,
+    mode: Mode,
     point: Point,
     quantity: str,
-    times: Iterable[int],
+    times: list[int],
     style: dict[str, object],
 ) -> None:
-    xs = list(times)
-    estimates = [measurements.estimate(point, quantity, t) for t in xs]
+    estimates = [measurements.estimate(mode, point, quantity, t) for t in times]
+    in_threads = mode.name == "threads"
     axes.errorbar(
-        xs,
+        times,
         [one.mean for one in estimates],
-        yerr=[one.half_width for one in estimates],
+        yerr=[one.half_width() for one in estimates],
         color=style["color"],
         marker=style["marker"],
+        markerfacecolor="none" if in_threads else style["color"],
         linestyle="none",
-        markersize=3.5,
+        markersize=6 if in_threads else 3,
         capsize=2,
-        label=point.name,
+        label=None if in_threads else point.name,
     )

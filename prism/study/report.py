@@ -3,9 +3,10 @@
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from study import sections
+from study import experiment_section, sections
 from study.curves import Curves
-from study.experiment import Comparison
+from study.comparing import Comparison
+from study.points import Mode
 from study.tables import Table
 
 
@@ -18,7 +19,7 @@ class Findings:
     tables: dict[str, Table]
     flagged_baseline: float
     comparisons: list[Comparison] = field(default_factory=list)
-    measured_events: int = 0
+    measured_events: dict[Mode, int] = field(default_factory=dict)
 
 
 def write(folder: Path, findings: Findings) -> None:
@@ -30,7 +31,7 @@ def write(folder: Path, findings: Findings) -> None:
         sections.devices(findings.curves, findings.tables),
         sections.sensitivity(findings.tables["sensitivity"]),
         sections.code(),
-        sections.experiment(findings.comparisons, findings.measured_events),
+        experiment_section.experiment(findings.comparisons, findings.measured_events),
         sections.measured(findings.curves, findings.tables.get("measured")),
         sections.files(),
     ]

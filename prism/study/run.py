@@ -3,8 +3,10 @@
 from collections.abc import Callable
 from pathlib import Path
 
-from study import belief, counting, curves, devices, experiment, measured, plots, report, sensitivity, waiting
+from study import belief, comparing, counting, curves, devices, experiment, measured, plots, report, sensitivity, waiting
 from study.checking import Checker
+from study.points import MODES
+from study.predictions import Predictions
 from study.tables import Table
 
 RESULTS = Path(__file__).resolve().parent.parent / "results"
@@ -20,7 +22,7 @@ _TABLES: dict[str, tuple[Callable[[Checker], Table], ...]] = {
 }
 
 
-def study(checker: Checker, tell: Tell) -> list[experiment.Comparison]:
+def study(checker: Checker, tell: Tell) -> list[comparing.Comparison]:
     """
     Checks every model and writes tables, plots and the report.
 
@@ -40,11 +42,11 @@ def study(checker: Checker, tell: Tell) -> list[experiment.Comparison]:
     measurements = experiment.load(RESULTS)
     if measurements is not None:
         tell("the experiment's measurements beside the models")
-        predictions = experiment.Predictions(checker)
-        found.comparisons = experiment.compare(measurements, predictions)
-        found.measured_events = min(measurements.events(point) for point in experiment.POINTS)
-        tables.append(experiment.comparison_table(found.comparisons))
-        plots.draw_experiment(RESULTS, measurements, predictions, by_name["waiting-longer"])
+        predictions = Predictions(checker, by_name["waiting-longer"])
+        found.comparisons = comparing.compare(measurements, predictions)
+        found.measured_events = {mode: measurements.least_events(mode) for mode in MODES}
+        tables.append(comparing.comparison_table(found.comparisons))
+        plots.draw_experiment(RESULTS, measurements, predictions)
     for table in tables:
         table.write(RESULTS)
     today = Table.read("measured", RESULTS)
@@ -60,8 +62,9 @@ def run_experiment(first_seed: int, tell: Tell) -> None:
     experiment.measure(first_seed, tell).write(RESULTS)
 
 
-def take_measured(checker: Checker, conversion: measured.Measured, tell: Tell) -> None:
-    """Checks the models at a measured conversion time, for the report to take up."""
+def take_measured(checker: Checker, times: list[measured.Measured], tell: Tell) -> None:
+    """Checks the models at measured conversion times, for the report to take up."""
     RESULTS.mkdir(exist_ok=True)
-    tell(f"the measured conversion time, {conversion.conversion_s * 1e6:.1f} µs")
-    measured.measured_table(checker, conversion).write(RESULTS)
+    for one in times:
+        tell(f"the measured conversion time, {one.conversion_s * 1e6:.1f} µs ({one.row}; {one.run})")
+    measured.measured_table(checker, times).write(RESULTS)

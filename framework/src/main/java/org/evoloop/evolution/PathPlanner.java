@@ -12,8 +12,8 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * The cheapest ways through the original model over events that can be sent (the paper's {@code getEvents}). A way on which
- * a guard decides is taken only if there is none without; among ways of equal cost the one that is found first, breadth
- * first in the order in which the model names its transitions, wins, so that the answer never depends on a hash.
+ * a guard decides is taken only if there is none without. Of ways of equal cost the one of fewer events is taken; of those
+ * with equally many the one that, in the state where the two part, takes the transition that the model names first.
  *
  * <p>Threading: not thread-safe; it remembers what it has searched.
  */

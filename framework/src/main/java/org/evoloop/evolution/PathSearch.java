@@ -2,6 +2,7 @@ package org.evoloop.evolution;
 
 import java.util.HashMap;
 import java.util.HashSet;
+import java.util.List;
 import java.util.Map;
 import java.util.PriorityQueue;
 import java.util.Set;
@@ -11,7 +12,7 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Dijkstra's search from one state, as far as it has been asked for: it stops at the target and goes on from there when a
- * farther one is wanted.
+ * farther one is wanted. Ties are broken as {@link PathPlanner} says.
  */
 final class PathSearch {
     /** More than a way of a million of the dearest events. */
@@ -22,65 +23,76 @@ final class PathSearch {
     private final Map<State, Arrival> arrivals = new HashMap<>();
     private final Set<State> settled = new HashSet<>();
     private final PriorityQueue<Arrival> frontier = new PriorityQueue<>();
-    private int found;
 
-    private static final class Arrival implements Comparable<Arrival> {
-        final State state;
-        final long cost;
-        /** Counts what was found; of arrivals of equal cost the first one counts. */
-        final int order;
-
-        final @Nullable Step lastStep;
-
-        Arrival(State state, long cost, int order, @Nullable Step lastStep) {
-            this.state = state;
-            this.cost = cost;
-            this.order = order;
-            this.lastStep = lastStep;
-        }
-
+    /** The end of a way. What it came from is settled, so that no better way takes its place. */
+    private record Arrival(
+            State state,
+            long cost,
+            int events,
+            @Nullable Arrival before,
+            @Nullable Step step,
+            int drawn) implements Comparable<Arrival> {
         @Override
         public int compareTo(Arrival other) {
-            return cost != other.cost ? Long.compare(cost, other.cost) : Integer.compare(order, other.order);
+            return cost != other.cost ? Long.compare(cost, other.cost) : Integer.compare(events, other.events);
+        }
+
+        boolean isBetterThan(Arrival other) {
+            int order = compareTo(other);
+            return order != 0 ? order < 0 : isDrawnBefore(other);
+        }
+
+        /** Of two ways of equally many events: whether this one takes the transition drawn first where they part. */
+        private boolean isDrawnBefore(Arrival other) {
+            Arrival one = this;
+            Arrival two = other;
+            while (one.before != null && two.before != null && !one.before.state.equals(two.before.state)) {
+                one = one.before;
+                two = two.before;
+            }
+            return one.drawn < two.drawn;
         }
     }
 
     PathSearch(PathPlanner planner, State source) {
         this.planner = planner;
         this.source = source;
-        arrive(source, 0, null);
+        arrive(new Arrival(source, 0, 0, null, null, 0));
     }
 
     /** The last step of the cheapest way to {@code target}; null for the source itself and if there is no way. */
     @Nullable
     Step lastStepTo(State target) {
         while (!settled.contains(target) && !frontier.isEmpty()) {
-            Arrival at = frontier.remove();
-            if (settled.add(at.state)) {
-                expand(at);
+            State next = frontier.remove().state;
+            Arrival best = arrivals.get(next);
+            if (best != null && settled.add(next)) {
+                expand(best);
             }
         }
         Arrival arrival = settled.contains(target) ? arrivals.get(target) : null;
-        return arrival == null ? null : arrival.lastStep;
+        return arrival == null ? null : arrival.step;
     }
 
     private void expand(Arrival at) {
         if (!at.state.equals(source) && !planner.mayPass(at.state)) {
             return;
         }
-        for (Transition transition : planner.transitionsFrom(at.state)) {
+        List<Transition> transitions = planner.transitionsFrom(at.state);
+        for (int drawn = 0; drawn < transitions.size(); drawn++) {
+            Transition transition = transitions.get(drawn);
             Step step = settled.contains(transition.target()) ? null : planner.stepOver(transition);
             if (step != null) {
-                arrive(step.target(), at.cost + planner.costOf(step), step);
+                long cost = at.cost + planner.costOf(step);
+                arrive(new Arrival(step.target(), cost, at.events + 1, at, step, drawn));
             }
         }
     }
 
-    private void arrive(State state, long cost, @Nullable Step lastStep) {
-        Arrival known = arrivals.get(state);
-        if (known == null || cost < known.cost) {
-            Arrival arrival = new Arrival(state, cost, found++, lastStep);
-            arrivals.put(state, arrival);
+    private void arrive(Arrival arrival) {
+        Arrival known = arrivals.get(arrival.state);
+        if (known == null || arrival.isBetterThan(known)) {
+            arrivals.put(arrival.state, arrival);
             frontier.add(arrival);
         }
     }

@@ -5,39 +5,41 @@ import org.evoloop.converter.PushMonitor;
 import org.evoloop.converter.StateKnowledge;
 import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.loop.LoopConfig;
-import org.evoloop.time.ManualClock;
 
 /**
- * A converter of the framework, a simulated device and a controller whose events arrive at random, all in the time of one
- * manual clock: whatever takes time in the loop advances the clock, and what falls due meanwhile (arrivals) happens then.
+ * A converter of the framework, a simulated device and a controller whose events arrive at random, all in one simulated
+ * time: it passes while something in the loop takes time, and what falls due meanwhile (arrivals) happens then.
  *
- * <p>Threading: for one thread.
+ * <p>Threading: for one thread. If the loop has threads of its own they take turns with that one: time passes by their
+ * doing while there is an event in the loop, by the bench's while there is none. So the same seed gives the same run.
  */
 final class Bench implements AutoCloseable {
-    final ManualClock clock = new ManualClock();
+    /** In the clock's time: the device may take as long as it likes. */
+    private static final Duration NO_LIMIT = Duration.ofDays(365);
+
+    final SimulatedTime time = new SimulatedTime();
+    final Arrivals arrivals = new Arrivals();
     final SimulatedDevice device;
     private final Point point;
     private final RandomTimes times;
     private final PushMonitor controller = new PushMonitor("Controller");
     private final RandomExecute execute;
     private final SystemEventConverter converter;
+    private final LoopDriver driver;
     private long nextArrivalNanos;
 
-    /** @param waits hears for how long each event that was taken has waited until it was handed over */
-    Bench(Point point, long seed, WaitListener waits) {
+    Bench(Point point, long seed, boolean threads) {
         this.point = point;
         times = new RandomTimes(seed);
-        device = new SimulatedDevice(clock, times, point.actionSeconds());
-        RandomAnalyze analyze = new RandomAnalyze(clock, times, point, device);
-        execute = new RandomExecute(
-                clock,
-                times,
-                point,
-                device,
-                () -> waits.waited(Duration.ofNanos(clock.nanoTime() - analyze.observedNanos())));
+        device = new SimulatedDevice(time.clock(), times, point.actionSeconds());
+        RandomAnalyze analyze = new RandomAnalyze(time, times, point, device);
+        execute = new RandomExecute(time, times, point, device, () -> handedOver(analyze.observedNanos()));
         // The event that is in the loop has left the queue.
-        converter = new SystemEventConverter(
-                LoopConfig.defaults("study", clock).withoutThreads().withQueueCapacity(point.capacity() - 1));
+        LoopConfig config = LoopConfig.defaults("study", time.clock())
+                .withQueueCapacity(point.capacity() - 1)
+                .withStepLimit(NO_LIMIT);
+        converter = new SystemEventConverter(threads ? config : config.withoutThreads());
+        driver = threads ? new ThreadsDriver(converter) : new StepsDriver(converter, controller);
         converter.addMonitor(controller);
         converter.addAnalyze(analyze);
         converter.addExecute(execute);
@@ -47,42 +49,29 @@ final class Bench implements AutoCloseable {
         scheduleArrival();
     }
 
-    /** Hears of waiting times. */
-    interface WaitListener {
-        void waited(Duration wait);
+    private void handedOver(long arrivedNanos) {
+        arrivals.handOver(arrivedNanos, time.nanos());
+        driver.dealtWith();
     }
 
     private void scheduleArrival() {
-        Duration delay = times.untilArrival(point.arrivalsPerSecond());
-        nextArrivalNanos = clock.nanoTime() + delay.toNanos();
-        clock.schedule(delay, this::arrive);
+        // No two events arrive at the same time: it is what tells them apart.
+        long delay = Math.max(1, times.untilArrival(point.arrivalsPerSecond()).toNanos());
+        nextArrivalNanos = time.nanos() + delay;
+        time.clock().schedule(Duration.ofNanos(delay), this::arrive);
     }
 
     private void arrive() {
         scheduleArrival();
+        arrivals.arrive(time.nanos());
         controller.press(RingModels.event(point.steps()));
-        try {
-            converter.observe(controller);
-        } catch (InterruptedException stop) {
-            Thread.currentThread().interrupt();
-        }
+        driver.pressed();
     }
 
-    /** Converts the next event, or lets time pass until one arrives. */
+    /** Lets time pass until an event arrives, and until the converter has nothing left to do. */
     void go() {
-        if (!converter.step()) {
-            clock.advance(Duration.ofNanos(Math.max(0, nextArrivalNanos - clock.nanoTime())));
-        }
-    }
-
-    /** Events lost so far, by the count of the converter's queue and of the device. */
-    long lost() {
-        return converter.status().queue().dropped() + device.lost();
-    }
-
-    /** Events that arrived so far. */
-    long arrived() {
-        return converter.status().queue().taken() + converter.status().queue().dropped();
+        time.passUntil(nextArrivalNanos);
+        driver.settle();
     }
 
     /** When the converter's belief and the device differed first, in nanoseconds of the clock; negative while never. */

@@ -28,6 +28,15 @@ public final class Main implements Callable<Integer> {
     @Option(names = "--runs", paramLabel = "N", description = "Short runs for each point (default: ${DEFAULT-VALUE}).")
     private int runs = 2500;
 
+    @Option(
+            names = "--batch",
+            paramLabel = "SECONDS",
+            description = "Length of each of the 100 batches of the long run (default: ${DEFAULT-VALUE}).")
+    private int batchSeconds = 2400;
+
+    @Option(names = "--threads", description = "Gives the converter's loop threads of its own.")
+    private boolean threads;
+
     Main(BufferedReader in, PrintStream out, PrintStream err) {
         this.in = in;
         this.out = out;
@@ -51,7 +60,7 @@ public final class Main implements Callable<Integer> {
                 err.println("error: " + wrong.getMessage());
                 return CommandLine.ExitCode.USAGE;
             }
-            new Experiment(point).run(runs).print(point.name(), out);
+            new Experiment(point, threads).run(runs, batchSeconds).print(point.name(), out);
             out.flush();
         }
         return CommandLine.ExitCode.OK;

@@ -4,19 +4,18 @@ import java.util.Objects;
 import org.evoloop.converter.Analysis;
 import org.evoloop.converter.EventAnalyze;
 import org.evoloop.evolution.Occurrence;
-import org.evoloop.time.ManualClock;
 import org.jspecify.annotations.Nullable;
 
 /** The framework's decision, taking a random conversion time. */
 final class RandomAnalyze extends EventAnalyze {
-    private final ManualClock clock;
+    private final SimulatedTime time;
     private final RandomTimes times;
     private final Point point;
     private final SimulatedDevice device;
     private @Nullable Occurrence current;
 
-    RandomAnalyze(ManualClock clock, RandomTimes times, Point point, SimulatedDevice device) {
-        this.clock = clock;
+    RandomAnalyze(SimulatedTime time, RandomTimes times, Point point, SimulatedDevice device) {
+        this.time = time;
         this.times = times;
         this.point = point;
         this.device = device;
@@ -26,9 +25,9 @@ final class RandomAnalyze extends EventAnalyze {
     protected @Nullable Analysis analyze(Occurrence occurrence) {
         current = occurrence;
         if (point.mechanism() == Point.Mechanism.SERIAL) {
-            clock.advance(device.untilReady());
+            time.pass(device.untilReady());
         }
-        clock.advance(times.conversion(point.conversionSeconds()));
+        time.pass(times.conversion(point.conversionSeconds()));
         return super.analyze(occurrence);
     }
 

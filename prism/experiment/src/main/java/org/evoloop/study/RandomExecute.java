@@ -1,18 +1,16 @@
 package org.evoloop.study;
 
-import java.time.Duration;
 import java.util.Set;
 import org.evoloop.converter.EventExecute;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Step;
-import org.evoloop.time.ManualClock;
 
 /** Sends events to the simulated device, when it is ready, or seems so, or at once. */
 final class RandomExecute extends EventExecute {
     /** As many as in holdoff.sm. */
     private static final int HOLDOFF_PHASES = 10;
 
-    private final ManualClock clock;
+    private final SimulatedTime time;
     private final RandomTimes times;
     private final Point point;
     private final SimulatedDevice device;
@@ -21,8 +19,8 @@ final class RandomExecute extends EventExecute {
     private boolean started;
     private long divergedNanos = -1;
 
-    RandomExecute(ManualClock clock, RandomTimes times, Point point, SimulatedDevice device, Runnable handedOver) {
-        this.clock = clock;
+    RandomExecute(SimulatedTime time, RandomTimes times, Point point, SimulatedDevice device, Runnable handedOver) {
+        this.time = time;
         this.times = times;
         this.point = point;
         this.device = device;
@@ -38,8 +36,8 @@ final class RandomExecute extends EventExecute {
     protected void awaitReady(Step step) {
         switch (point.mechanism()) {
             case UNBUFFERED -> {}
-            case SERIAL, PIPELINED -> clock.advance(device.untilReady());
-            case HOLDOFF -> clock.advance(Duration.ofNanos(Math.max(0, seemsReadyNanos - clock.nanoTime())));
+            case SERIAL, PIPELINED -> time.pass(device.untilReady());
+            case HOLDOFF -> time.passUntil(seemsReadyNanos);
         }
     }
 
@@ -47,11 +45,11 @@ final class RandomExecute extends EventExecute {
     protected void send(Step step) {
         device.take();
         if (point.mechanism() == Point.Mechanism.HOLDOFF) {
-            seemsReadyNanos = clock.nanoTime()
+            seemsReadyNanos = time.nanos()
                     + times.holdOff(point.holdOffSeconds(), HOLDOFF_PHASES).toNanos();
         }
         if (divergedNanos < 0 && !device.state().equals(step.target().name())) {
-            divergedNanos = clock.nanoTime();
+            divergedNanos = time.nanos();
         }
     }
 

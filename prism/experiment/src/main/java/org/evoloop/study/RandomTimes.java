@@ -7,7 +7,7 @@ import java.util.SplittableRandom;
  * Random durations, one independent stream for each purpose, so that two mechanisms with the same seed see the same
  * arrivals.
  *
- * <p>Threading: for one thread.
+ * <p>Threading: for one thread at a time.
  */
 final class RandomTimes {
     private static final double NANOS = 1e9;

@@ -7,16 +7,15 @@ import org.evoloop.time.Clock;
  * A device with a ring of three states that an event moves on by one, which takes an action of random length. An event
  * that comes while it acts is lost.
  *
- * <p>Threading: for one thread.
+ * <p>Threading: for one thread at a time.
  */
 final class SimulatedDevice {
     private final Clock clock;
     private final RandomTimes times;
     private final double actionSeconds;
+    private final TimeLog ready = new TimeLog();
+    private final TimeLog lost = new TimeLog();
     private int position;
-    private long readyNanos;
-    private long actions;
-    private long lost;
 
     SimulatedDevice(Clock clock, RandomTimes times, double actionSeconds) {
         this.clock = clock;
@@ -28,15 +27,15 @@ final class SimulatedDevice {
     void take() {
         if (untilReady().isZero()) {
             position = (position + 1) % RingModels.STATES.size();
-            actions++;
-            readyNanos = clock.nanoTime() + times.action(actionSeconds).toNanos();
+            ready.add(clock.nanoTime() + times.action(actionSeconds).toNanos());
         } else {
-            lost++;
+            lost.add(clock.nanoTime());
         }
     }
 
     /** How long it still acts. */
     Duration untilReady() {
+        long readyNanos = ready.size() == 0 ? 0 : ready.at(ready.size());
         return Duration.ofNanos(Math.max(0, readyNanos - clock.nanoTime()));
     }
 
@@ -45,18 +44,13 @@ final class SimulatedDevice {
         return RingModels.STATES.get(position);
     }
 
-    /** How many actions have begun. */
-    long actions() {
-        return actions;
+    /** When each action ended, or will. */
+    TimeLog ready() {
+        return ready;
     }
 
-    /** When the last action ends, in nanoseconds of the clock. */
-    long readyNanos() {
-        return readyNanos;
-    }
-
-    /** How many events came while it acted. */
-    long lost() {
+    /** When events came while it acted. */
+    TimeLog lost() {
         return lost;
     }
 }

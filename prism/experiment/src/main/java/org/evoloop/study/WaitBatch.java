@@ -1,7 +1,6 @@
 package org.evoloop.study;
 
 import java.time.Duration;
-import java.util.Arrays;
 
 /**
  * The waiting times of one batch of events.
@@ -26,12 +25,6 @@ final class WaitBatch {
         for (int second = 0; second < longerThan.length && wait.toNanos() > second * NANOS; second++) {
             longerThan[second]++;
         }
-    }
-
-    void clear() {
-        number = 0;
-        sumNanos = 0;
-        Arrays.fill(longerThan, 0);
     }
 
     double meanSeconds() {

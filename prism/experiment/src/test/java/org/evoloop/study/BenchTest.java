@@ -12,18 +12,30 @@ class BenchTest {
     private static final long HOUR_NANOS = Duration.ofHours(1).toNanos();
     private static final long SEED = 17;
 
-    private final List<Duration> waits = new ArrayList<>();
-
     private static Point point(Mechanism mechanism, int capacity, int steps) {
         return new Point("test", mechanism, capacity, steps, 0.5, 0.25, 1, 1, SEED);
     }
 
-    private Bench afterAnHour(Point point) {
-        Bench bench = new Bench(point, point.seed(), waits::add);
-        while (bench.clock.nanoTime() < HOUR_NANOS) {
+    private static Bench afterAnHour(Point point) {
+        return afterAnHour(point, false);
+    }
+
+    private static Bench afterAnHour(Point point, boolean threads) {
+        Bench bench = new Bench(point, point.seed(), threads);
+        while (bench.time.nanos() < HOUR_NANOS) {
             bench.go();
         }
         return bench;
+    }
+
+    private static long lost(Bench bench) {
+        return bench.arrivals.lost(0, Long.MAX_VALUE);
+    }
+
+    private static List<Duration> waits(Bench bench) {
+        List<Duration> waits = new ArrayList<>();
+        bench.arrivals.waits(0, Long.MAX_VALUE, waits::add);
+        return waits;
     }
 
     @Test
@@ -31,8 +43,8 @@ class BenchTest {
         for (Mechanism mechanism : List.of(Mechanism.SERIAL, Mechanism.PIPELINED)) {
             for (int steps = 1; steps <= 2; steps++) {
                 try (Bench bench = afterAnHour(point(mechanism, 2, steps))) {
-                    assertThat(bench.lost()).as("in the full queue").isPositive();
-                    assertThat(bench.device.lost()).as("in the device").isZero();
+                    assertThat(lost(bench)).as("in the full queue").isPositive();
+                    assertThat(bench.device.lost().size()).as("in the device").isZero();
                     assertThat(bench.divergedNanos()).isNegative();
                 }
             }
@@ -43,20 +55,18 @@ class BenchTest {
     void withoutBackPressureTheDeviceLosesEventsAndTheBeliefIsWrong() {
         for (Mechanism mechanism : List.of(Mechanism.UNBUFFERED, Mechanism.HOLDOFF)) {
             try (Bench bench = afterAnHour(point(mechanism, 1, 1))) {
-                assertThat(bench.device.lost()).isPositive();
+                assertThat(bench.device.lost().size()).isPositive();
                 assertThat(bench.divergedNanos()).isPositive();
             }
         }
     }
 
     @Test
-    void everyEventIsLostOrActedOnOrStillInTheConverter() {
+    void everyEventIsLostOrActedOn() {
         for (int capacity : new int[] {1, 2, 8}) {
             try (Bench bench = afterAnHour(point(Mechanism.PIPELINED, capacity, 1))) {
-                long held = bench.arrived() - bench.lost() - bench.device.actions();
-                assertThat(held).isBetween(0L, (long) capacity);
-                assertThat(waits).hasSize((int) bench.device.actions());
-                waits.clear();
+                assertThat(bench.device.ready().size()).isEqualTo((int) (bench.arrivals.size() - lost(bench)));
+                assertThat(waits(bench)).hasSize(bench.device.ready().size());
             }
         }
     }
@@ -64,16 +74,26 @@ class BenchTest {
     @Test
     void aDecisionOfTwoEventsTakesTwoActions() {
         try (Bench bench = afterAnHour(point(Mechanism.PIPELINED, 4, 2))) {
-            assertThat(bench.device.actions()).isEqualTo(2L * waits.size());
+            assertThat(bench.device.ready().size()).isEqualTo(2 * waits(bench).size());
         }
     }
 
     @Test
-    void theSameSeedGivesTheSameRun() {
-        try (Bench one = afterAnHour(point(Mechanism.PIPELINED, 2, 1));
-                Bench other = afterAnHour(point(Mechanism.PIPELINED, 2, 1))) {
-            assertThat(one.lost()).isEqualTo(other.lost());
-            assertThat(one.clock.nanoTime()).isEqualTo(other.clock.nanoTime());
+    void theSameSeedGivesTheSameRunWithAndWithoutThreads() {
+        for (Mechanism mechanism : Mechanism.values()) {
+            for (int capacity = 1; capacity <= 3; capacity++) {
+                Point point = point(mechanism, capacity, 1);
+                try (Bench one = afterAnHour(point);
+                        Bench again = afterAnHour(point);
+                        Bench threads = afterAnHour(point, true)) {
+                    assertThat(waits(again)).isEqualTo(waits(one));
+                    assertThat(waits(threads)).as(point.toString()).isEqualTo(waits(one));
+                    assertThat(lost(threads)).isEqualTo(lost(one));
+                    assertThat(threads.device.lost().size())
+                            .isEqualTo(one.device.lost().size());
+                    assertThat(threads.time.nanos()).isEqualTo(one.time.nanos());
+                }
+            }
         }
     }
 }

@@ -40,6 +40,17 @@ class MainTest {
     }
 
     @Test
+    void measuresTheSameInThreads() {
+        String point = "p,pipelined,2,1,0.5,0.25,1,0,4\n";
+        assertThat(run(point, "--runs", "5", "--batch", "100")).isZero();
+        String steps = out.toString(StandardCharsets.UTF_8);
+        out.reset();
+
+        assertThat(run(point, "--runs", "5", "--batch", "100", "--threads")).isZero();
+        assertThat(out.toString(StandardCharsets.UTF_8)).isEqualTo(steps);
+    }
+
+    @Test
     void refusesAPointThatDoesNotFit() {
         for (String wrong : new String[] {"few,cells", "n,fast,1,1,0.5,0.25,1,0,1", "n,serial,0,1,0.5,0.25,1,0,1"}) {
             err.reset();

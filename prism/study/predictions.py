@@ -1,0 +1,72 @@
+"""What the models say for what is measured."""
+
+import math
+from collections.abc import Iterator
+
+from study.checking import Answers, Checker, Number
+from study.paper import ARRIVALS_PER_S, HORIZON_S, TIMES_S
+from study.points import BATCHES, POINTS, Mode, Point
+from study.tables import Table
+from study.waiting import LONGEST_S, mean_wait_s
+
+QUANTITIES = {
+    "lost": "events lost until 100 s",
+    "completion_s": "completion time in s",
+    "wait_s": "waiting time in s",
+    "lost_per_s": "events lost per s, in the long run",
+    "divergence_s": "time until belief and device differ in s",
+}
+TAIL = "longer"
+"""The share of events that wait longer than a time."""
+
+_LOSSES = 100
+_LONG_WAITS = 1000
+"""So many have to be expected, or chance makes an interval of them that means little. Long waits come in bunches."""
+
+
+class Predictions:
+    """What the models say for the points."""
+
+    def __init__(self, checker: Checker, longer: Table) -> None:
+        self._checker = checker
+        self._longer = {(*row[:3], row[3]): row[4] for row in longer.rows}
+        self._by_time = {point.name: self._ask(point, "paper", T=TIMES_S) for point in POINTS}
+        self._long_run = {point.name: self._ask(point, "longrun") for point in POINTS}
+        self._waiting = {point.name: self._ask(point, "waiting") for point in POINTS}
+        self._belief = {point.name: self._ask(point, "belief", T=HORIZON_S) for point in POINTS}
+
+    def _ask(self, point: Point, properties: str, **more: Number | tuple[int, ...]) -> Answers:
+        return self._checker.check(
+            point.model, properties, {"event_arrive": ARRIVALS_PER_S, **point.constants, **more}
+        )
+
+    def lost(self, point: Point, time_s: int) -> float:
+        return self._by_time[point.name].value("lost", T=time_s)
+
+    def done(self, point: Point, time_s: int) -> float:
+        return self._by_time[point.name].value("probability", T=time_s)
+
+    def quantities(self, mode: Mode, point: Point) -> Iterator[tuple[str, int, float]]:
+        """Name, time in the measurements, and value of each quantity that is frequent enough to be compared."""
+        long_run = self._long_run[point.name]
+        lost, lost_per_s = self.lost(point, HORIZON_S), long_run.value("lost_rate")
+        waiting = self._waiting[point.name]
+        events = waiting.value("taken_rate") * BATCHES * mode.batch_s
+        if lost * mode.short_runs >= _LOSSES:
+            yield "lost", HORIZON_S, lost
+        yield "completion_s", 0, long_run.value("completion")
+        yield "wait_s", 0, mean_wait_s(waiting)
+        if lost_per_s * BATCHES * mode.batch_s >= _LOSSES:
+            yield "lost_per_s", 0, lost_per_s
+        yield "divergence_s", 0, self._belief[point.name].value("divergence")
+        for time_s in range(1, LONGEST_S + 1):
+            share = self.longer(point, time_s)
+            if share is not None and share * events >= _LONG_WAITS:
+                yield TAIL, time_s, share
+
+    def longer(self, point: Point, time_s: int) -> float | None:
+        """The probability to wait longer, for the points whose model has one event's way; None for others."""
+        conversion = point.constants["conversion"]
+        if point.mechanism == "unbuffered":  # an event waits for its own conversion alone
+            return math.exp(-time_s / conversion)
+        return self._longer.get((point.model, conversion, point.constants.get("K"), time_s))
