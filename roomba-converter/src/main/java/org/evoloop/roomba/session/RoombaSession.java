@@ -17,6 +17,7 @@ import org.evoloop.roomba.oi.StreamFramer;
 import org.evoloop.roomba.session.connection.Connection;
 import org.evoloop.roomba.session.connection.RobotException;
 import org.evoloop.roomba.session.inference.FrameFilter;
+import org.evoloop.roomba.session.inference.ModeOffset;
 import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -61,6 +62,7 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
     private final Object receiving = new Object();
     private final Object sending = new Object();
     private final StreamFramer framer = new StreamFramer(STREAM, this::framed);
+    private final ModeOffset modeOffset;
     private final FrameFilter filter;
     private final Odometry odometry = new Odometry();
     private final RobotWatch watch = new RobotWatch(listeners);
@@ -75,7 +77,8 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
     public RoombaSession(IntFunction<Link> cable, Clock clock, SessionOptions options) {
         this.clock = clock;
         this.options = options;
-        this.filter = new FrameFilter(options.modeOffset());
+        this.modeOffset = new ModeOffset(options.modeOffset());
+        this.filter = new FrameFilter(modeOffset);
         Connection.Options wanted = new Connection.Options(STREAM, options.silenceLimit(), options.mayWait());
         this.connection = new Connection(cable, clock, wanted, new Connection.Owner() {
             @Override
@@ -142,6 +145,10 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
 
     /** One frame has come; called on the link's thread. */
     private void framed(SensorValues raw) {
+        learnModeOffset(raw.value(Packet.OI_MODE));
+        if (!modeOffset.isKnown()) {
+            return;
+        }
         SensorValues values = filter.filter(raw);
         Telemetry earlier = latest;
         Telemetry now = new Telemetry(earlier == null ? 1 : earlier.frame() + 1, values, odometry.update(values));
@@ -151,6 +158,19 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
         listeners.received(now);
         control.update(now);
         watch.update(now, !control.isWanted());
+    }
+
+    private void learnModeOffset(int reported) {
+        int before = modeOffset.value();
+        if (modeOffset.update(reported)) {
+            connection.trySend(new Command.Start());
+        }
+        if (modeOffset.value() != before) {
+            LOG.warn(
+                    "{}: the robot reports its mode {}; modes are read accordingly",
+                    connection.description(),
+                    modeOffset.value() == 1 ? "one too high, as some 600 models do" : "as specified");
+        }
     }
 
     /**
@@ -262,7 +282,8 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
                 .map(known -> known.name().toLowerCase(Locale.ROOT))
                 .orElse("unknown");
         synchronized (receiving) {
-            return connection.description() + ", mode " + mode + ", " + framer.frames() + " frames, "
+            return connection.description() + ", mode " + mode
+                    + (modeOffset.value() == 0 ? "" : " (reported one too high)") + ", " + framer.frames() + " frames, "
                     + framer.badChecksums() + " bad, " + framer.skippedBytes() + " bytes skipped";
         }
     }

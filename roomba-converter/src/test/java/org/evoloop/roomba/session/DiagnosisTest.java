@@ -8,6 +8,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.List;
 import java.util.Random;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
@@ -144,21 +145,18 @@ class DiagnosisTest {
     }
 
     @Test
-    void aModeThatIsReportedTooHighIsReadRightWithTheOption() throws Exception {
+    void aModeThatIsReportedTooHighIsReadRight() throws Exception {
         try (SimulatorServer robot = robot(RobotOptions.builder().modeOffset(1))) {
             assertThat(robot.robot().state().oiMode()).isEqualTo(OiMode.OFF);
-            try (RoombaSession session = session(PATIENT)) {
-                session.open();
-                session.awaitRobot();
-                await().untilAsserted(() -> assertThat(session.describe()).contains("mode safe"));
-            }
-            try (RoombaSession session = session(PATIENT.withModeOffset(1))) {
-                session.open();
-                session.awaitRobot();
-                await().untilAsserted(() -> assertThat(session.describe()).contains("mode passive"));
-                session.takeControl();
-                await().until(session::isUnderControl);
-                assertThat(robot.robot().state().oiMode()).isEqualTo(OiMode.SAFE);
+            for (SessionOptions told : List.of(PATIENT, PATIENT.withModeOffset(1))) {
+                try (RoombaSession session = session(told)) {
+                    session.open();
+                    session.awaitRobot();
+                    await().untilAsserted(() -> assertThat(session.describe()).contains("mode passive"));
+                    session.takeControl();
+                    await().until(session::isUnderControl);
+                    assertThat(robot.robot().state().oiMode()).isEqualTo(OiMode.SAFE);
+                }
             }
         }
     }
