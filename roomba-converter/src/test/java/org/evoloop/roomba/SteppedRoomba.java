@@ -88,7 +88,7 @@ final class SteppedRoomba implements AutoCloseable {
         roomba = RoombaConverter.build(
                 LoopConfig.defaults("roomba", clock).withoutThreads(),
                 session,
-                new RoombaConverter.Options(models, opened -> startPoint, move, Duration.ofSeconds(5)));
+                new RoombaConverter.Options(RobotModels.of(models), opened -> startPoint, move, Duration.ofSeconds(5)));
         session.open();
         advance(Duration.ofMillis(500));
         roomba.converter().start();
