@@ -1,6 +1,7 @@
 package org.evoloop.console;
 
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A JSON object in the making; its text is one line.
@@ -10,8 +11,8 @@ import java.util.List;
 final class JsonObject {
     private final StringBuilder members = new StringBuilder();
 
-    JsonObject put(String key, String value) {
-        return putText(key, quote(value));
+    JsonObject put(String key, @Nullable String value) {
+        return putText(key, value == null ? "null" : quote(value));
     }
 
     JsonObject put(String key, long value) {

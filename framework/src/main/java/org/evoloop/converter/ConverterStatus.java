@@ -1,6 +1,8 @@
 package org.evoloop.converter;
 
+import java.time.Instant;
 import java.util.List;
+import java.util.Optional;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.loop.ComponentStatus;
 import org.evoloop.loop.LoopState;
@@ -14,6 +16,8 @@ import org.evoloop.loop.QueueStatus;
  * @param name the converter's name
  * @param loop where the loop is in its life
  * @param states the current states of both models
+ * @param lastKnownSince since when these are only the last states that are known, because the loop is closed or the
+ *     device cannot be reached; empty while they are kept up to date
  * @param queue what waits and what was lost
  * @param events what became of the events so far
  * @param conversionTime how long conversions take
@@ -25,6 +29,7 @@ public record ConverterStatus(
         String name,
         LoopState loop,
         Configuration states,
+        Optional<Instant> lastKnownSince,
         QueueStatus queue,
         EventCounts events,
         ConversionTime conversionTime,

@@ -1,13 +1,17 @@
 package org.evoloop.converter;
 
+import java.time.Instant;
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.function.Supplier;
+import java.util.stream.Stream;
 import org.evoloop.evolution.DecisionTable;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.loop.Component;
@@ -40,6 +44,9 @@ public final class SystemEventConverter implements AutoCloseable {
     private @Nullable StateKnowledge knowledge;
     private @Nullable DeviceLink link;
     private volatile @Nullable ConverterCore core;
+
+    /** When the loop was closed last, or built. */
+    private volatile Instant closedAt = Instant.EPOCH;
 
     /** @param config its options; they are checked by {@link #build} */
     public SystemEventConverter(LoopConfig config) {
@@ -144,6 +151,7 @@ public final class SystemEventConverter implements AutoCloseable {
             join(built, component);
         }
         built.loop.build();
+        closedAt = config.clock().wallTime();
         core = built;
     }
 
@@ -188,6 +196,7 @@ public final class SystemEventConverter implements AutoCloseable {
         ConverterCore built = built();
         if (built.loop.state() == LoopState.RUNNING) {
             built.loop.stop();
+            closedAt = config.clock().wallTime();
             built.release();
         }
     }
@@ -200,6 +209,7 @@ public final class SystemEventConverter implements AutoCloseable {
             boolean wasRunning = built.loop.state() == LoopState.RUNNING;
             built.loop.close();
             if (wasRunning) {
+                closedAt = config.clock().wallTime();
                 built.release();
             }
         }
@@ -287,6 +297,7 @@ public final class SystemEventConverter implements AutoCloseable {
                 config.name(),
                 built.loop.state(),
                 built.knowledge.configuration(),
+                lastKnownSince(built.loop.state(), device),
                 built.loop.queueStatus(),
                 built.history.counts(),
                 built.latency.summary(),
@@ -295,6 +306,12 @@ public final class SystemEventConverter implements AutoCloseable {
                 device == null
                         ? new ConverterStatus.Link(false, "")
                         : new ConverterStatus.Link(device.isUp(), device.describe()));
+    }
+
+    private Optional<Instant> lastKnownSince(LoopState loop, @Nullable DeviceLink device) {
+        Optional<Instant> closed = loop == LoopState.RUNNING ? Optional.empty() : Optional.of(closedAt);
+        Optional<Instant> down = device == null ? Optional.empty() : device.downSince();
+        return Stream.concat(closed.stream(), down.stream()).min(Comparator.naturalOrder());
     }
 
     /** The last events and what became of them, oldest first. */
