@@ -84,8 +84,9 @@ final class ConverterOptions {
     @Option(
             names = "--function",
             paramLabel = "STATE=FUNCTION",
-            description = "What runs in a new state: Move, SpotWait or none; can be repeated. Unless told, Move runs in "
-                    + "the one that arriveSpot leaves, SpotWait in the one that timeout leaves.")
+            description =
+                    "What runs in a new state: Move, SpotWait or none; can be repeated. Unless told, Move runs in "
+                            + "the one that arriveSpot leaves, SpotWait in the one that timeout leaves.")
     private List<String> functions = List.of();
 
     /** Whether the camera is the simulated robot's own. */

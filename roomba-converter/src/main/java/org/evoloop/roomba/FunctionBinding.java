@@ -41,8 +41,8 @@ final class FunctionBinding {
         binding.requireFunctions();
         binding.requireNoMore();
         if (!binding.problems.isEmpty()) {
-            throw new ModelException("this program cannot carry out '" + pair.evolved().name() + "':\n  "
-                    + String.join("\n  ", binding.problems));
+            throw new ModelException("this program cannot carry out '"
+                    + pair.evolved().name() + "':\n  " + String.join("\n  ", binding.problems));
         }
         return binding.bound;
     }
@@ -109,13 +109,14 @@ final class FunctionBinding {
     /** Guards and effects of the owner's are code, which this program has none of. */
     private void requireNoMore() {
         for (String guard : evolved.guards()) {
-            problems.add("guard [" + guard + "] of the new model means nothing to this program; draw the model without");
+            problems.add(
+                    "guard [" + guard + "] of the new model means nothing to this program; draw the model without");
         }
         List<String> ofDevice = effects(pair.original());
         for (String effect : effects(evolved)) {
             if (!ofDevice.contains(effect)) {
-                problems.add("effect " + effect
-                        + " of the new model means nothing to this program; draw the model without");
+                problems.add(
+                        "effect " + effect + " of the new model means nothing to this program; draw the model without");
             }
         }
     }

@@ -15,8 +15,7 @@ final class KnowledgeState extends StateKnowledge {
     private final NewFunction spotWait;
 
     /** @param move makes a Move that knows what to raise when it ends without an arrival */
-    KnowledgeState(
-            RobotModels models, Function<Move.Back, Move> move, Resumption resumption, NewFunction spotWait) {
+    KnowledgeState(RobotModels models, Function<Move.Back, Move> move, Resumption resumption, NewFunction spotWait) {
         super(models.pair());
         this.models = models;
         this.move = move;

@@ -55,8 +55,8 @@ public record RoombaConverter(
                 back -> new Move(session, options.startPoint(), options.move(), back),
                 resumption,
                 new SpotWait(options.spotWait()));
-        MonitorEvent robot = new MonitorEvent(
-                session, event -> options.models().restartsMove(knowledge.getCurrentState(), event));
+        MonitorEvent robot =
+                new MonitorEvent(session, event -> options.models().restartsMove(knowledge.getCurrentState(), event));
         converter.addMonitor(robot);
         converter.addMonitor(controller);
         converter.addExecute(new ExecuteCommand(session, clock, resumption));

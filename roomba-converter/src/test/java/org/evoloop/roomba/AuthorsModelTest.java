@@ -70,7 +70,15 @@ class AuthorsModelTest {
         assertThat(result.status()).isZero();
 
         Program.Result twice = Program.runWithInput(
-                folder, "", "--simulate", "--models", file.toString(), "--spot-wait", "3", "--function", "SpotWait=SpotWait");
+                folder,
+                "",
+                "--simulate",
+                "--models",
+                file.toString(),
+                "--spot-wait",
+                "3",
+                "--function",
+                "SpotWait=SpotWait");
         assertThat(twice.err())
                 .isEqualTo("error: --spot-wait says how long SpotWait lasts, but no state of the new model is left by "
                         + "timeout; leave the option out, a time trigger such as tm(2s) is in the model\n");

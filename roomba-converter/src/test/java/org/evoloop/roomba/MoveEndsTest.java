@@ -19,8 +19,7 @@ class MoveEndsTest {
     @Test
     void nothingFoundIsWhereItBeganAndTheControllerGoesOnFromThere() {
         MoveOptions soon = MoveOptions.defaults().withLimit(Duration.ofSeconds(5));
-        try (MoveTrip trip =
-                new MoveTrip(room(pose(1_500, 1_000, 0)), null, PaperPair.cleaningRobot(), soon, 1)) {
+        try (MoveTrip trip = new MoveTrip(room(pose(1_500, 1_000, 0)), null, PaperPair.cleaningRobot(), soon, 1)) {
             trip.advance(Duration.ofSeconds(6));
             assertThat(trip.stepped.states()).isEqualTo(at("On", "On"));
             trip.stepped.press(RobotEvents.SPOT);

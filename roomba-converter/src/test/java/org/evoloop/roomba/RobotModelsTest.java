@@ -72,9 +72,8 @@ class RobotModelsTest {
 
     @Test
     void theOptionSaysOtherwise() {
-        StateMachineBuilder two = arriving()
-                .transition("Hunt", "Clean", "Hunt2")
-                .transition("Hunt2", "arriveSpot", "Spot");
+        StateMachineBuilder two =
+                arriving().transition("Hunt", "Clean", "Hunt2").transition("Hunt2", "arriveSpot", "Spot");
         assertThat(read(two, "Hunt2=Move", "Hunt=none").functions())
                 .containsEntry(new State("Hunt2"), RobotFunction.MOVE)
                 .containsEntry(HUNT, RobotFunction.NONE);
@@ -99,7 +98,8 @@ class RobotModelsTest {
 
     @Test
     void anOptionThatCannotBeMeantIsRefused() {
-        assertRefused("--function Hunt: say STATE=FUNCTION; the functions are Move, SpotWait and none", arriving(), "Hunt");
+        assertRefused(
+                "--function Hunt: say STATE=FUNCTION; the functions are Move, SpotWait and none", arriving(), "Hunt");
         assertRefused("--function Hunt=Dance: say STATE=FUNCTION", arriving(), "Hunt=Dance");
         assertRefused("--function Wander=Move: 'Wander' is no new state; there are Hunt", arriving(), "Wander=Move");
         assertRefused("--function On=none: 'On' is no new state; there are Hunt", arriving(), "On=none");
@@ -115,21 +115,27 @@ class RobotModelsTest {
         assertRefused(
                 "guard [dark] of the new model means nothing to this program; draw the model without",
                 arriving()
-                        .transition(new Transition(new State("Hunt"), new Event("Spot", List.of("dark")), new State("On")), ""));
+                        .transition(
+                                new Transition(new State("Hunt"), new Event("Spot", List.of("dark")), new State("On")),
+                                ""));
         assertRefused(
                 "effect sing of the new model means nothing to this program; draw the model without",
                 arriving()
-                        .transition(new Transition(HUNT, new Event("Spot"), new State("Spot"), List.of("sing"), false), ""));
+                        .transition(
+                                new Transition(HUNT, new Event("Spot"), new State("Spot"), List.of("sing"), false),
+                                ""));
     }
 
     @Test
     void outOfMoveLeadsAWayBackToWhereItsPressOccurred() {
-        StateMachine evolved = read(hunting()
-                        .transition("Clean", "Clean", "On")
-                        .transition("On", "tm(60s)", "Doze")
-                        .transition("Doze", "Spot", "Pause")
-                        .transition("Pause", "tm(2s)", "Hunt")
-                        .transition("Hunt", "arriveSpot", "Spot"), "Doze=none")
+        StateMachine evolved = read(
+                        hunting()
+                                .transition("Clean", "Clean", "On")
+                                .transition("On", "tm(60s)", "Doze")
+                                .transition("Doze", "Spot", "Pause")
+                                .transition("Pause", "tm(2s)", "Hunt")
+                                .transition("Hunt", "arriveSpot", "Spot"),
+                        "Doze=none")
                 .pair()
                 .evolved();
         assertThat(evolved.nextState(HUNT, new Event("backToOn"))).contains(new State("On"));

@@ -31,8 +31,6 @@ final class HoldWatch {
             slipped = true;
             slippedNanos = nanos;
         }
-        return nanos - slippedNanos > PATIENCE_NANOS
-                ? Ending.because("the robot does not obey any more")
-                : Ending.NONE;
+        return nanos - slippedNanos > PATIENCE_NANOS ? Ending.because("the robot does not obey any more") : Ending.NONE;
     }
 }

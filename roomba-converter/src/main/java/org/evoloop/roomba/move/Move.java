@@ -18,6 +18,7 @@ import org.evoloop.roomba.move.phase.Situation;
 import org.evoloop.roomba.oi.ActuatorCommand.DriveDirect;
 import org.evoloop.roomba.session.RoombaSession;
 import org.evoloop.roomba.session.SessionListener.Activity;
+import org.evoloop.roomba.session.Telemetry;
 import org.evoloop.roomba.session.connection.RobotException;
 import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
@@ -40,6 +41,9 @@ public final class Move extends ControlLoopFunction<Percept, Situation, Maneuver
     public static final String TIMEOUT = "timeout";
 
     private static final Logger LOG = LoggerFactory.getLogger(Move.class);
+
+    private static final String DISOBEYING =
+            "do not turn as they are told: no command reaches the robot, or it is held, pushed or stuck";
 
     /** Names the event that leads out of a Move that has not arrived. */
     @FunctionalInterface
@@ -76,9 +80,10 @@ public final class Move extends ControlLoopFunction<Percept, Situation, Maneuver
         visit.onEnd(sensor::close);
         MonitorSenses monitor = new MonitorSenses(loop, sensor, visit.clock(), visit.threads());
         loop.addMonitor(monitor);
-        loop.addAnalyze(new AnalyzeSituation(options, visit.clock().nanoTime()));
+        ObeyWatch obeyWatch = new ObeyWatch(options.frameLimit().toNanos());
+        loop.addAnalyze(new AnalyzeSituation(options, obeyWatch, visit));
         loop.addPlan(new PlanManeuver(new Memory(sensor.target(), options.frameLimit(), options.settle())));
-        loop.addExecute(new ExecuteManeuver(visit));
+        loop.addExecute(new ExecuteManeuver(visit, obeyWatch));
         visit.onEnd(this::stopWheels);
         visit.onEnd(() -> session.removeListener(monitor));
         session.addListener(monitor);
@@ -118,17 +123,26 @@ public final class Move extends ControlLoopFunction<Percept, Situation, Maneuver
     private static final class AnalyzeSituation extends Analyze<Percept, Situation> {
         private final GoalWatch goalWatch;
         private final HoldWatch holdWatch = new HoldWatch();
+        private final ObeyWatch obeyWatch;
+        private final Visit visit;
         private final MoveOptions options;
         private final long beganNanos;
 
-        AnalyzeSituation(MoveOptions options, long nowNanos) {
+        AnalyzeSituation(MoveOptions options, ObeyWatch obeyWatch, Visit visit) {
             this.options = options;
             this.goalWatch = new GoalWatch(options.frameLimit().toNanos());
-            this.beganNanos = nowNanos;
+            this.obeyWatch = obeyWatch;
+            this.visit = visit;
+            this.beganNanos = visit.clock().nanoTime();
         }
 
         @Override
         protected Situation analyze(Percept percept) {
+            Telemetry now = percept.telemetry();
+            if (obeyWatch.update(now.values(), now.isUnderControl(), percept.nanos())) {
+                LOG.warn("the wheels {}", DISOBEYING);
+                visit.say("The wheels " + DISOBEYING);
+            }
             return Situation.of(percept.nanos(), percept.telemetry(), goalWatch.update(percept), ending(percept));
         }
 
@@ -142,8 +156,8 @@ public final class Move extends ControlLoopFunction<Percept, Situation, Maneuver
                 return Ending.NONE;
             }
             String reason = percept.look().health().reason();
-            return Ending.because("not found within " + options.limit().toSeconds() + " s"
-                    + (reason.isEmpty() ? "" : "; " + reason));
+            return Ending.because(
+                    "not found within " + options.limit().toSeconds() + " s" + (reason.isEmpty() ? "" : "; " + reason));
         }
     }
 
@@ -173,11 +187,13 @@ public final class Move extends ControlLoopFunction<Percept, Situation, Maneuver
 
     private final class ExecuteManeuver extends Execute<Maneuver> {
         private final Visit visit;
+        private final ObeyWatch obeyWatch;
         private @Nullable DriveDirect driving;
         private boolean over;
 
-        ExecuteManeuver(Visit visit) {
+        ExecuteManeuver(Visit visit, ObeyWatch obeyWatch) {
             this.visit = visit;
+            this.obeyWatch = obeyWatch;
         }
 
         @Override
@@ -202,6 +218,7 @@ public final class Move extends ControlLoopFunction<Percept, Situation, Maneuver
         private void drive(DriveDirect wheels) {
             if (!wheels.equals(driving)) {
                 driving = null;
+                obeyWatch.told(wheels, visit.clock().nanoTime());
                 try {
                     session.send(wheels);
                     driving = wheels;

@@ -1,8 +1,10 @@
 package org.evoloop.roomba.session;
 
 import java.time.Duration;
+import java.time.Instant;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.concurrent.ExecutionException;
 import java.util.function.IntFunction;
 import org.evoloop.converter.DeviceLink;
@@ -27,7 +29,8 @@ import org.slf4j.LoggerFactory;
  * A conversation with a Roomba: one stream of sensor values, which is the session's only source, and commands. It outlives
  * a cable that is pulled and plugged in again, and a robot that sleeps.
  *
- * <p>Lifecycle: {@link #open}, then {@link #awaitRobot}; {@link #close} leaves the robot stopped and in Passive mode.
+ * <p>Lifecycle: {@link #open}, then {@link #awaitRobot}; {@link #close} stops a robot under control and leaves it in
+ * Passive mode; one that works by itself goes on.
  *
  * <p>Threading: all methods may be called from any thread. Listeners are called on the link's thread.
  */
@@ -54,6 +57,9 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
             Packet.SIDE_BRUSH_CURRENT);
 
     private static final Logger LOG = LoggerFactory.getLogger(RoombaSession.class);
+
+    /** So many frames whose checksum is wrong, and none whose is right, are no chance. */
+    private static final int TELLING_FRAMES = 20;
 
     private final Clock clock;
     private final SessionOptions options;
@@ -93,6 +99,13 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
                 synchronized (receiving) {
                     control.loseSight();
                     watch.forget();
+                }
+            }
+
+            @Override
+            public String frameTrouble() {
+                synchronized (receiving) {
+                    return RoombaSession.frameTrouble(framer);
                 }
             }
 
@@ -141,6 +154,17 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
             }
             throw new IllegalStateException(failure);
         }
+    }
+
+    /** Frames that fit in everything but their checksum are no matter of the baud rate. */
+    private static String frameTrouble(StreamFramer framer) {
+        if (framer.frames() > 0 || framer.badChecksums() < TELLING_FRAMES) {
+            return "";
+        }
+        return 2 * framer.headerlessChecksums() > framer.badChecksums()
+                ? "frames come, but their checksum leaves out the header byte, as the Roomba 500's specification has it and "
+                        + "no robot is known to do. A simulated robot does with --checksum spec500: start it without"
+                : "frames come, but their checksum never fits: the cable or its adapter changes bytes. Try another one";
     }
 
     /** One frame has come; called on the link's thread. */
@@ -269,6 +293,11 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
         return connection.isUp();
     }
 
+    @Override
+    public Optional<Instant> downSince() {
+        return connection.downSince();
+    }
+
     /** Port, trouble or mode, and how many frames were good and bad. */
     @Override
     public String describe() {
@@ -288,7 +317,7 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
         }
     }
 
-    /** Leaves the robot stopped and in Passive mode, and closes the link. Idempotent. */
+    /** Lets go of the robot as {@link #letGo()} does, and closes the link. Idempotent. */
     @Override
     public void close() {
         try {

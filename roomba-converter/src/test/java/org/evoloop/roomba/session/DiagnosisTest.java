@@ -20,6 +20,7 @@ import org.evoloop.roomba.link.SerialSettings;
 import org.evoloop.roomba.oi.ActuatorCommand.DriveDirect;
 import org.evoloop.roomba.oi.Command;
 import org.evoloop.roomba.oi.OiMode;
+import org.evoloop.roomba.oi.StreamFrame;
 import org.evoloop.roomba.session.connection.RobotException;
 import org.evoloop.roomba.simulator.Pty;
 import org.evoloop.roomba.simulator.SimulatorServer;
@@ -106,6 +107,21 @@ class DiagnosisTest {
         byte[] garbage = new byte[50];
         new Random(42).nextBytes(garbage);
         assertThat(diagnosisOf(garbage)).contains("bytes come, but no frames", "another baud rate");
+    }
+
+    @Test
+    void aChecksumOfAnotherConventionIsNamedAndNotTakenForAnotherRate() throws Exception {
+        byte[] frame = StreamFrame.encode(RoombaSession.STREAM, packet -> 1, StreamFrame.Checksum.WITHOUT_HEADER);
+        assertThat(diagnosisOf(frame))
+                .contains("checksum leaves out the header byte", "--checksum spec500")
+                .doesNotContain("another baud rate");
+    }
+
+    @Test
+    void aChecksumThatNeverFitsIsNamed() throws Exception {
+        byte[] frame = StreamFrame.encode(RoombaSession.STREAM, packet -> 1);
+        frame[frame.length - 1]++;
+        assertThat(diagnosisOf(frame)).contains("checksum never fits").doesNotContain("another baud rate");
     }
 
     @Test
