@@ -11,8 +11,8 @@ import org.jspecify.annotations.Nullable;
 final class JsonObject {
     private final StringBuilder members = new StringBuilder();
 
-    JsonObject put(String key, String value) {
-        return putText(key, quote(value));
+    JsonObject put(String key, @Nullable String value) {
+        return putText(key, value == null ? "null" : quote(value));
     }
 
     JsonObject put(String key, long value) {

@@ -1,5 +1,6 @@
 package org.evoloop.console;
 
+import java.time.Instant;
 import java.util.Locale;
 import org.evoloop.converter.ConverterStatus;
 import org.evoloop.loop.ComponentStatus;
@@ -11,6 +12,8 @@ import org.jspecify.annotations.Nullable;
  * <ul>
  *   <li>{@code name}; {@code loop}: new, stopped, running or exited
  *   <li>{@code originalState}, {@code newState}: the current states of the models
+ *   <li>{@code lastKnownSince}: since when these are only the last that are known, in UTC, such as {@code
+ *       2026-11-22T15:04:05.123Z}; {@code null} while the loop is open and the device can be reached
  *   <li>{@code queue}: {@code depth}, {@code capacity}, {@code highest}, {@code taken}, {@code dropped}, {@code refused}
  *   <li>{@code events}: {@code handled}, {@code ignored}, {@code stale}, {@code failed}
  *   <li>{@code conversionTime}: {@code events}, {@code lastNanos}, {@code medianNanos}, {@code percentile99Nanos}
@@ -31,6 +34,9 @@ final class StatusJson {
                 .put("originalState", status.states().original().name())
                 .put("newState", status.states().evolved().name())
                 .put("doubt", status.doubt())
+                .put(
+                        "lastKnownSince",
+                        status.lastKnownSince().map(Instant::toString).orElse(null))
                 .put(
                         "queue",
                         new JsonObject()

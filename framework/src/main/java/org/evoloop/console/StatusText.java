@@ -17,6 +17,8 @@ import org.jspecify.annotations.Nullable;
 final class StatusText {
     private static final DateTimeFormatter TIME_OF_DAY = DateTimeFormatter.ofPattern("HH:mm:ss.SSS", Locale.ROOT);
 
+    private static final DateTimeFormatter SECOND = DateTimeFormatter.ofPattern("uuuu-MM-dd HH:mm:ss", Locale.ROOT);
+
     private StatusText() {}
 
     static void status(ConverterStatus status, PrintStream out) {
@@ -25,7 +27,11 @@ final class StatusText {
                 out,
                 "states",
                 "original " + status.states().original() + ", new "
-                        + status.states().evolved());
+                        + status.states().evolved()
+                        + status.lastKnownSince()
+                                .map(since ->
+                                        "; last known, since " + SECOND.format(since.atZone(ZoneId.systemDefault())))
+                                .orElse(""));
         if (!status.doubt().isEmpty()) {
             line(out, "in doubt", status.doubt());
         }

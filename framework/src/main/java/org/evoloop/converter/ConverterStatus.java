@@ -1,6 +1,8 @@
 package org.evoloop.converter;
 
+import java.time.Instant;
 import java.util.List;
+import java.util.Optional;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.loop.ComponentStatus;
 import org.evoloop.loop.LoopState;
@@ -16,6 +18,8 @@ import org.jspecify.annotations.Nullable;
  * @param loop where the loop is in its life
  * @param states the current states of both models
  * @param doubt why the record of the device's state may be wrong; empty if it is sure
+ * @param lastKnownSince since when these are only the last states that are known, because the loop is closed or the
+ *     device cannot be reached; empty while they are kept up to date
  * @param queue what waits and what was lost
  * @param events what became of the events so far
  * @param conversionTime how long conversions take
@@ -28,6 +32,7 @@ public record ConverterStatus(
         LoopState loop,
         Configuration states,
         String doubt,
+        Optional<Instant> lastKnownSince,
         QueueStatus queue,
         EventCounts events,
         ConversionTime conversionTime,

@@ -2,14 +2,18 @@ package org.evoloop.converter;
 
 import static java.util.Objects.requireNonNull;
 
+import java.time.Instant;
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.function.Supplier;
+import java.util.stream.Stream;
 import org.evoloop.evolution.DecisionTable;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.loop.Component;
@@ -45,6 +49,9 @@ public final class SystemEventConverter implements AutoCloseable {
     private @Nullable StateKnowledge knowledge;
     private @Nullable DeviceLink link;
     private volatile @Nullable ConverterShell shell;
+
+    /** When the loop was closed last, or built. */
+    private volatile Instant closedAt = Instant.EPOCH;
 
     /** @param config its options; they are checked by {@link #build} */
     public SystemEventConverter(LoopConfig config) {
@@ -203,6 +210,7 @@ public final class SystemEventConverter implements AutoCloseable {
             join(built, component);
         }
         built.loop.build();
+        closedAt = config.clock().wallTime();
         return built;
     }
 
@@ -247,6 +255,7 @@ public final class SystemEventConverter implements AutoCloseable {
         ConverterShell built = built();
         if (built.loop.state() == LoopState.RUNNING) {
             built.loop.stop();
+            closedAt = config.clock().wallTime();
             built.release();
         }
     }
@@ -271,6 +280,7 @@ public final class SystemEventConverter implements AutoCloseable {
             boolean wasRunning = built.loop.state() == LoopState.RUNNING;
             built.loop.close();
             if (wasRunning) {
+                closedAt = config.clock().wallTime();
                 built.release();
             }
             belongings.giveBackAll(built.knowledge);
@@ -372,12 +382,19 @@ public final class SystemEventConverter implements AutoCloseable {
                 built.loop.state(),
                 built.driver.configuration(),
                 built.driver.doubt(),
+                lastKnownSince(built.loop.state(), device),
                 built.loop.queueStatus(),
                 built.counts(),
                 built.latency.summary(),
                 built.loop.components(),
                 built.visits.runningFunction(),
                 device == null ? null : new ConverterStatus.Link(device.isUp(), device.describe()));
+    }
+
+    private Optional<Instant> lastKnownSince(LoopState loop, @Nullable DeviceLink device) {
+        Optional<Instant> closed = loop == LoopState.RUNNING ? Optional.empty() : Optional.of(closedAt);
+        Optional<Instant> down = device == null ? Optional.empty() : device.downSince();
+        return Stream.concat(closed.stream(), down.stream()).min(Comparator.naturalOrder());
     }
 
     /** The last events and what became of them, oldest first. */

@@ -38,14 +38,23 @@ final class Arrivals {
     private void follow(Occurrence.Heard fact) {
         State from = ledger.place.at().original();
         Step own = ledger.rules.table().ownStep(from, fact.event(), fact.holding()::contains);
-        Work current = ledger.work;
-        if (current != null && (current.sending() || current.decision() instanceof Decision.Inquiry)) {
-            ledger.work = current.acted(fact.event());
-        }
+        happensMeanwhile(fact);
         if (own != null) {
             ledger.place.moveDevice(own.target(), ledger.out);
         }
         enqueue(fact, from, own);
+    }
+
+    /** What the device does while a step is on its way, or while it is asked where it is, may be older or newer than that. */
+    private void happensMeanwhile(Occurrence fact) {
+        Work current = ledger.work;
+        if (current != null && (current.sending() || current.decision() instanceof Decision.Inquiry)) {
+            ledger.work = current.acted(fact);
+        }
+        Doubt doubt = ledger.place.doubt();
+        if (doubt != null) {
+            ledger.place.doubt(doubt.acted(fact));
+        }
     }
 
     private void find(Occurrence.Found found) {
@@ -53,15 +62,17 @@ final class Arrivals {
             endAtOnce(found, Outcome.FAILED, found.state() + " is not a state of the device's model");
         } else if (ledger.place.isOld(found)) {
             endAtOnce(found, Outcome.STALE, OVERTAKEN);
-        } else if (ledger.work != null && ledger.work.sending()) {
-            // Whether it is older than the step's effect is known when that has been told.
-            enqueue(found, null, null);
-        } else if (ledger.place.isNoNews(found)) {
-            ledger.settleDoubt();
         } else {
+            happensMeanwhile(found);
+            ledger.settleDoubt();
+            goTo(found);
+        }
+    }
+
+    private void goTo(Occurrence.Found found) {
+        if (!ledger.place.isNoNews(found)) {
             State from = ledger.place.at().original();
             ledger.place.moveDevice(found.state(), ledger.out);
-            ledger.settleDoubt();
             enqueue(found, from, null);
         }
     }
@@ -123,7 +134,6 @@ final class Arrivals {
 
     private void giveTurn(Pending pending) {
         Occurrence occurrence = pending.occurrence();
-        Pending next = pending;
         if (occurrence.visit() != Occurrence.ANY_VISIT && !ledger.stay.isCurrent(occurrence.visit())) {
             ledger.ended(occurrence, ledger.place.at(), Outcome.STALE, null, "the state that raised it has been left");
             return;
@@ -132,19 +142,10 @@ final class Arrivals {
             ledger.ended(occurrence, ledger.place.at(), Outcome.HANDLED, null, Conversion.FOUND_MEANWHILE);
             return;
         }
-        if (occurrence instanceof Occurrence.Found found && pending.from() == null) {
-            if (ledger.place.isOld(found) || ledger.place.isNoNews(found)) {
-                ledger.ended(found, ledger.place.at(), Outcome.STALE, null, OVERTAKEN);
-                return;
-            }
-            next = new Pending(pending.number(), found, ledger.place.at().original(), null, ledger.place.steps(), 0);
-            ledger.place.moveDevice(found.state(), ledger.out);
-            ledger.settleDoubt();
-        }
         if (occurrence instanceof Occurrence.Heard heard && heard.source() == Source.TIMER) {
             ledger.stay.heard(heard.event());
         }
-        ledger.work = Work.begin(next);
-        ledger.out.add(new Output.Begin(next));
+        ledger.work = Work.begin(pending);
+        ledger.out.add(new Output.Begin(pending));
     }
 }

@@ -1,13 +1,11 @@
 package org.evoloop.core;
 
-import java.util.List;
 import java.util.Objects;
 import java.util.Set;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Step;
-import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.Transition;
 
@@ -85,9 +83,9 @@ final class Conversion {
         State target = step.target();
         boolean sure = true;
         if (!current.meanwhile().isEmpty()) {
-            // In the order in which they were told, the step came last.
-            target = follow(ledger.place.at().original(), List.of(step.trigger()));
-            sure = sent.inOrder() || target.equals(follow(step.target(), current.meanwhile()));
+            Overlap overlap = new Overlap(ledger.rules.table(), step, current.meanwhile());
+            target = overlap.asTold(ledger.place.at().original());
+            sure = sent.inOrder() || overlap.isSure(target);
         }
         ledger.place.took(target, sent.atNanos(), ledger.out);
         ledger.out.add(new Output.Took(step));
@@ -101,32 +99,30 @@ final class Conversion {
         if (!sure) {
             ledger.doubt(
                     "nobody knows whether the device acted before or after it took " + step.trigger(),
-                    current.pending().number(),
+                    current,
                     step,
                     sent.atNanos());
         }
     }
 
-    /** Where the device goes from {@code from} when these events reach it one after the other. */
-    private State follow(State from, List<Event> events) {
-        State state = from;
-        for (Event event : events) {
-            Step step = ledger.rules.table().ownStep(state, event, guard -> false);
-            state = step == null ? state : step.target();
-        }
-        return state;
-    }
-
     /** A step that was given up has had its effect after all, which settles the doubt unless more has happened since. */
     private void tookLate(Input.Sent sent) {
         Doubt doubt = ledger.place.doubt();
-        if (doubt != null
-                && doubt.number() == sent.number()
-                && doubt.stepsBefore() == ledger.place.steps()
-                && doubt.step().source().equals(ledger.place.at().original())) {
-            ledger.place.took(doubt.step().target(), sent.atNanos(), ledger.out);
+        if (doubt == null || doubt.number() != sent.number() || doubt.stepsBefore() != ledger.place.steps()) {
+            return;
+        }
+        Overlap overlap = new Overlap(ledger.rules.table(), doubt.step(), doubt.meanwhile());
+        State target = overlap.asTold(ledger.place.at().original());
+        Work current = ledger.work;
+        boolean another = current != null && current.sending();
+        if (sent.inOrder() || (overlap.isSure(target) && !another)) {
+            ledger.place.took(target, sent.atNanos(), ledger.out);
             ledger.out.add(new Output.Took(doubt.step()));
             ledger.settleDoubt();
+            if (current != null && another) {
+                // To the step that is being sent, that is something which the device did before.
+                ledger.work = current.acted(new Occurrence.Found(target, sent.atNanos()));
+            }
         }
     }
 
@@ -211,10 +207,10 @@ final class Conversion {
         Work current = ledger.inProgress(givenUp.number());
         Step step = current == null || !current.sending() ? null : current.nextStep();
         conclude(givenUp.number(), Outcome.FAILED, givenUp.reason(), givenUp.atNanos());
-        if (step != null) {
+        if (current != null && step != null) {
             ledger.doubt(
                     "nobody knows whether " + step.trigger() + " had its effect: " + givenUp.reason(),
-                    givenUp.number(),
+                    current,
                     step,
                     givenUp.atNanos());
         }
@@ -226,9 +222,9 @@ final class Conversion {
         if (current == null) {
             return;
         }
-        if (ledger.place.doubt() != null
-                && !current.meanwhile().isEmpty()
-                && current.pending().attempts() < MOST_ATTEMPTS) {
+        // What the device has done since it was asked may be older or newer than its answer.
+        boolean overtaken = ledger.place.doubt() != null && !current.meanwhile().isEmpty();
+        if (overtaken && current.pending().attempts() < MOST_ATTEMPTS) {
             ledger.work = current.askingAgain();
             ledger.out.add(new Output.Locate(located.number()));
             return;
@@ -237,7 +233,7 @@ final class Conversion {
         State taken = ledger.place.at().original();
         if (ledger.place.doubt() == null) {
             conclude(located.number(), Outcome.HANDLED, FOUND_MEANWHILE, located.atNanos());
-        } else if (state == null || !ledger.isDevicesState(state)) {
+        } else if (overtaken || state == null || !ledger.isDevicesState(state)) {
             conclude(
                     located.number(),
                     Outcome.IGNORED,

@@ -104,8 +104,9 @@ final class Ledger {
     // Doubt
 
     /** From now on the record is in doubt; the device is asked before anything else is begun. */
-    void doubt(String why, long number, Step step, long atNanos) {
-        place.doubt(new Doubt(why, number, step, place.steps()));
+    void doubt(String why, Work during, Step step, long atNanos) {
+        long before = place.doubt() == null ? place.steps() : Doubt.UNSETTLED;
+        place.doubt(new Doubt(why, during.pending().number(), step, before, during.meanwhile()));
         out.add(new Output.Doubted(why));
         ask(atNanos);
     }

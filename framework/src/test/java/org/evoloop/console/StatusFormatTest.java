@@ -2,7 +2,9 @@ package org.evoloop.console;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.time.Instant;
 import java.util.List;
+import java.util.Optional;
 import org.evoloop.converter.ConverterStatus;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.loop.Component;
@@ -19,6 +21,7 @@ class StatusFormatTest {
             LoopState.RUNNING,
             new Configuration(new State("On"), new State("Move")),
             "",
+            Optional.empty(),
             new QueueStatus(2, 8, 5, 40, 1, 3),
             new ConverterStatus.EventCounts(30, 4, 2, 1),
             new ConverterStatus.ConversionTime(33, 180_499, 999_499, 12_340_000),
@@ -64,7 +67,7 @@ class StatusFormatTest {
     void asJson() {
         assertThat(StatusJson.of(BUSY))
                 .startsWith(
-                        "{\"name\":\"robot\",\"loop\":\"running\",\"originalState\":\"On\",\"newState\":\"Move\",\"doubt\":\"\","
+                        "{\"name\":\"robot\",\"loop\":\"running\",\"originalState\":\"On\",\"newState\":\"Move\",\"doubt\":\"\",\"lastKnownSince\":null,"
                                 + "\"queue\":{\"depth\":2,\"capacity\":8,\"highest\":5,"
                                 + "\"taken\":40,\"dropped\":1,\"refused\":3},"
                                 + "\"events\":{\"handled\":30,\"ignored\":4,\"stale\":2,\"failed\":1},"
@@ -74,6 +77,30 @@ class StatusFormatTest {
                         + "\"lastFailure\":\"Motors.execute: \\\"no\\\\answer\\\"\\u0009\\u00e9\"}]")
                 .endsWith("\"function\":{\"state\":\"Move\",\"thread\":\"function-Move-7\",\"progress\":\"\"},"
                         + "\"link\":{\"up\":true,\"text\":\"/dev/ttyUSB0\"}}");
+    }
+
+    @Test
+    void statesThatAreNotKeptUpToDateSaySo() {
+        Captured out = new Captured();
+        Instant since = Instant.parse("2026-11-22T15:04:05.123Z");
+        ConverterStatus stopped = new ConverterStatus(
+                BUSY.name(),
+                LoopState.STOPPED,
+                BUSY.states(),
+                "",
+                Optional.of(since),
+                BUSY.queue(),
+                BUSY.events(),
+                BUSY.conversionTime(),
+                BUSY.components(),
+                BUSY.function(),
+                BUSY.link());
+
+        StatusText.status(stopped, out.stream);
+
+        assertThat(out.lines().get(1))
+                .matches("states {6}original On, new Move; last known, since 2026-11-2\\d \\d\\d:\\d\\d:05");
+        assertThat(StatusJson.of(stopped)).contains("\"lastKnownSince\":\"2026-11-22T15:04:05.123Z\"");
     }
 
     @Test

@@ -8,6 +8,7 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
 import org.evoloop.core.Outcome;
+import java.util.Optional;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.loop.Component.Role;
 import org.evoloop.loop.ComponentStatus;
@@ -165,5 +166,39 @@ class StatusAndHistoryTest {
             }
         });
         assertThat(robot.converter.status().link()).isEqualTo(new ConverterStatus.Link(true, "a cable, in good shape"));
+    }
+
+    @Test
+    void whileTheLoopIsClosedOrTheLinkIsDownTheStatesAreTheLastKnown() {
+        Optional<Instant> closed = Optional.of(robot.clock.wallTime());
+        robot.clock.advance(Duration.ofSeconds(5));
+        robot.converter.stop();
+        Optional<Instant> stopped = Optional.of(robot.clock.wallTime());
+        robot.clock.advance(Duration.ofSeconds(5));
+        assertThat(robot.converter.status().lastKnownSince()).isEqualTo(stopped).isNotEqualTo(closed);
+        robot.converter.start();
+        assertThat(robot.converter.status().lastKnownSince()).isEmpty();
+
+        robot.converter.addLink(new DeviceLink() {
+            @Override
+            public boolean isUp() {
+                return false;
+            }
+
+            @Override
+            public Optional<Instant> downSince() {
+                return stopped;
+            }
+
+            @Override
+            public String describe() {
+                return "a cable, torn";
+            }
+        });
+        assertThat(robot.converter.status().lastKnownSince()).isEqualTo(stopped);
+        robot.converter.stop();
+        assertThat(robot.converter.status().lastKnownSince())
+                .as("the earlier of the two")
+                .isEqualTo(stopped);
     }
 }

@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.text.DecimalFormat;
 import java.text.DecimalFormatSymbols;
 import java.time.Duration;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Function;
@@ -26,6 +27,8 @@ import picocli.CommandLine.Option;
 
 /** The options of the command line that choose how the converter works. */
 final class ConverterOptions {
+    private static final double USUAL_SPOT_WAIT_SECONDS = 5;
+
     @Option(
             names = "--models",
             paramLabel = "FILE",
@@ -74,9 +77,17 @@ final class ConverterOptions {
     @Option(
             names = "--spot-wait",
             paramLabel = "SECONDS",
-            defaultValue = "5",
-            description = "How long SpotWait waits for a second press (default: ${DEFAULT-VALUE}).")
-    private double spotWaitSeconds;
+            description = "How long SpotWait waits for a second press (default: " + USUAL_SPOT_WAIT_SECONDS
+                    + "); a time trigger in the model, such as tm(2s), says it there.")
+    private @Nullable Double spotWaitSeconds;
+
+    @Option(
+            names = "--function",
+            paramLabel = "STATE=FUNCTION",
+            description =
+                    "What runs in a new state: Move, SpotWait or none; can be repeated. Unless told, Move runs in "
+                            + "the one that arriveSpot leaves, SpotWait in the one that timeout leaves.")
+    private List<String> functions = List.of();
 
     /** Whether the camera is the simulated robot's own. */
     boolean wantsSimulatedCamera() {
@@ -93,13 +104,20 @@ final class ConverterOptions {
      * @throws IllegalArgumentException if options are out of range or contradict each other
      */
     RoombaConverter.Options read(double pace, Optional<URI> simulatedCamera) {
-        requireWithin("--spot-wait", spotWaitSeconds, 0.1, 3600);
+        Double spotWait = spotWaitSeconds;
+        requireWithin("--spot-wait", spotWait == null ? USUAL_SPOT_WAIT_SECONDS : spotWait, 0.1, 3600);
         requireWithin("--search-limit", searchLimitSeconds, 1, 3600);
+        RobotModels read = RobotModels.of(pair(), functions);
+        if (spotWait != null && !read.hasSpotWait()) {
+            throw new IllegalArgumentException(
+                    "--spot-wait says how long SpotWait lasts, but no state of the new model is left by timeout; "
+                            + "leave the option out, a time trigger such as tm(2s) is in the model");
+        }
         return new RoombaConverter.Options(
-                pair(),
+                read,
                 startPoint(pace, simulatedCamera),
                 MoveOptions.defaults().withLimit(seconds(searchLimitSeconds)).atPace(pace),
-                seconds(spotWaitSeconds));
+                seconds(spotWait == null ? USUAL_SPOT_WAIT_SECONDS : spotWait));
     }
 
     private static void requireWithin(String option, double value, double least, double most) {

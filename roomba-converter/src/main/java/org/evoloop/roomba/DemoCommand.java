@@ -106,7 +106,7 @@ final class DemoCommand implements Callable<Integer> {
 
     private void play(Scenario next) throws IOException, InterruptedException, Play.Unfulfilled {
         XmiFile file = XmiFile.read(ModelFiles.find("models/cleaning-robot.xml", DemoCommand.class));
-        ModelPair models = new ModelPair(file.pick("original"), file.pick("new"));
+        RobotModels models = RobotModels.of(new ModelPair(file.pick("original"), file.pick("new")));
         boolean camera = next == Scenario.REMOTE_START;
         double pace = camera ? Math.min(speed, FASTEST_WITH_CAMERA) : speed;
         if (camera) {
@@ -131,7 +131,7 @@ final class DemoCommand implements Callable<Integer> {
         }
     }
 
-    private RoombaConverter.Options options(ModelPair models, SimulatedWorld world, double pace) {
+    private RoombaConverter.Options options(RobotModels models, SimulatedWorld world, double pace) {
         return new RoombaConverter.Options(
                 models,
                 world.camera()

@@ -19,12 +19,14 @@ final class ExecuteCommand extends EventExecute {
 
     private final RoombaSession session;
     private final Clock clock;
+    private final Resumption resumption;
     private boolean commanded;
     private long commandedNanos;
 
-    ExecuteCommand(RoombaSession session, Clock clock) {
+    ExecuteCommand(RoombaSession session, Clock clock, Resumption resumption) {
         this.session = session;
         this.clock = clock;
+        this.resumption = resumption;
     }
 
     @Override
@@ -61,6 +63,7 @@ final class ExecuteCommand extends EventExecute {
 
     @Override
     protected void settled(Configuration now) {
+        resumption.settled();
         if (now.original().name().equals(RobotEvents.STATE_ON)) {
             session.takeControl();
         } else {
@@ -70,6 +73,7 @@ final class ExecuteCommand extends EventExecute {
 
     @Override
     protected void released() {
+        resumption.released();
         session.letGo();
     }
 }

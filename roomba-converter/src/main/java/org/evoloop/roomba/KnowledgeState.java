@@ -1,32 +1,60 @@
 package org.evoloop.roomba;
 
+import java.util.function.Function;
 import org.evoloop.converter.StateKnowledge;
-import org.evoloop.evolution.ModelPair;
 import org.evoloop.function.NewFunction;
+import org.evoloop.roomba.move.Move;
 import org.evoloop.statemachine.State;
+import org.evoloop.statemachine.Transition;
 
 /** Knows the models of the cleaning robot and the functions of its new states (paper, section VI.A). */
 final class KnowledgeState extends StateKnowledge {
-    private final NewFunction move;
+    private final RobotModels models;
+    private final Function<Move.Back, Move> move;
+    private final Resumption resumption;
     private final NewFunction spotWait;
 
-    KnowledgeState(ModelPair pair, NewFunction move, NewFunction spotWait) {
-        super(pair);
+    /** @param move makes a Move that knows what to raise when it ends without an arrival */
+    KnowledgeState(RobotModels models, Function<Move.Back, Move> move, Resumption resumption, NewFunction spotWait) {
+        super(models.pair());
+        this.models = models;
         this.move = move;
+        this.resumption = resumption;
         this.spotWait = spotWait;
     }
 
-    /** A new model need not have both states. */
     @Override
     protected void registerNewFunctions() {
-        register(RobotEvents.STATE_MOVE, move);
-        register(RobotEvents.STATE_SPOT_WAIT, spotWait);
+        models.functions().forEach((state, function) -> {
+            switch (function) {
+                case MOVE -> registerMove(state);
+                case SPOT_WAIT -> function(state.name(), spotWait);
+                case NONE -> function(state.name(), NewFunction.none());
+            }
+        });
     }
 
-    private void register(String name, NewFunction function) {
-        State state = new State(name);
-        if (models().evolved().hasState(state) && models().isNew(state)) {
-            function(name, function);
+    /** Each way in has its way back. */
+    private void registerMove(State state) {
+        function(state.name(), moveFrom(state));
+        for (Transition entry : models.entries(state)) {
+            putTransition(
+                    entry.source().name(),
+                    state.name(),
+                    moveFrom(models.before(entry)),
+                    entry.event().toString());
         }
+    }
+
+    private NewFunction moveFrom(State before) {
+        Move made = move.apply(
+                activity -> WaysBack.event(activity.map(RobotEvents::state).orElse(before)));
+        return visit -> {
+            if (resumption.isResumed()) {
+                made.giveUp(visit, "the converter was stopped on the way");
+            } else {
+                made.run(visit);
+            }
+        };
     }
 }

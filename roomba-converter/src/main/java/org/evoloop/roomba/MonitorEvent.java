@@ -1,6 +1,7 @@
 package org.evoloop.roomba;
 
 import java.util.Set;
+import java.util.function.Predicate;
 import org.evoloop.converter.PushMonitor;
 import org.evoloop.roomba.oi.Button;
 import org.evoloop.roomba.session.RoombaSession;
@@ -16,16 +17,27 @@ import org.slf4j.LoggerFactory;
 final class MonitorEvent extends PushMonitor implements SessionListener {
     private static final Logger LOG = LoggerFactory.getLogger(MonitorEvent.class);
 
-    MonitorEvent(RoombaSession session) {
+    private final Predicate<String> restartsMove;
+
+    /** @param restartsMove whether this event would have a Move that runs begin anew */
+    MonitorEvent(RoombaSession session, Predicate<String> restartsMove) {
+        this.restartsMove = restartsMove;
         session.addListener(this);
     }
 
     @Override
     public void pressed(Button button, boolean robotActs) {
         if (button == Button.CLEAN) {
-            push(fromPanel(RobotEvents.CLEAN, robotActs));
+            press(RobotEvents.CLEAN, robotActs);
         } else if (button == Button.SPOT) {
-            push(fromPanel(RobotEvents.SPOT, robotActs));
+            press(RobotEvents.SPOT, robotActs);
+        }
+    }
+
+    private void press(String event, boolean robotActs) {
+        // A press ends Move, whatever the models say of it.
+        if (robotActs || !restartsMove.test(event)) {
+            push(fromPanel(event, robotActs));
         }
     }
 
@@ -37,12 +49,7 @@ final class MonitorEvent extends PushMonitor implements SessionListener {
 
     @Override
     public void seen(Activity activity) {
-        push(foundIn(
-                switch (activity) {
-                    case ON -> RobotEvents.STATE_ON;
-                    case CLEAN -> RobotEvents.STATE_CLEAN;
-                    case SPOT -> RobotEvents.STATE_SPOT;
-                }));
+        push(foundIn(RobotEvents.state(activity).name()));
     }
 
     @Override

@@ -1,5 +1,8 @@
 package org.evoloop.roomba;
 
+import org.evoloop.roomba.session.SessionListener.Activity;
+import org.evoloop.statemachine.State;
+
 /** The names that the models of the cleaning robot and this program have in common (paper, section VI.A). */
 final class RobotEvents {
     static final String CLEAN = "Clean";
@@ -15,8 +18,16 @@ final class RobotEvents {
 
     static final String STATE_CLEAN = "Clean";
     static final String STATE_SPOT = "Spot";
-    static final String STATE_MOVE = "Move";
-    static final String STATE_SPOT_WAIT = "SpotWait";
 
     private RobotEvents() {}
+
+    /** The state of the robot's model in which it does this. */
+    static State state(Activity activity) {
+        return new State(
+                switch (activity) {
+                    case ON -> STATE_ON;
+                    case CLEAN -> STATE_CLEAN;
+                    case SPOT -> STATE_SPOT;
+                });
+    }
 }

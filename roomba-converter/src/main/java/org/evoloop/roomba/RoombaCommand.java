@@ -46,9 +46,9 @@ final class RoombaCommand implements Callable<Integer> {
     @Option(
             names = "--mode-offset",
             paramLabel = "N",
-            defaultValue = "0",
-            description = "What the robot adds to the mode it reports: 1 for some 600 models with Wi-Fi (default: 0).")
-    private int modeOffset;
+            description = "What the robot adds to the mode it reports: 1 for some 600 models with Wi-Fi, else 0 "
+                    + "(default: found out when it answers).")
+    private @Nullable Integer modeOffset;
 
     @Override
     public Integer call() throws IOException, InterruptedException {
@@ -88,11 +88,8 @@ final class RoombaCommand implements Callable<Integer> {
     private int converse(String robotPort, RoombaConverter.Options read, double pace, @Nullable SimulatedWorld world)
             throws InterruptedException {
         try (Clock clock = new SystemClock(pace);
-                RoombaConverter roomba = RoombaConverter.connect(
-                        cable(robotPort),
-                        config(clock, pace),
-                        sessionOptions(pace).withModeOffset(modeOffset),
-                        read)) {
+                RoombaConverter roomba =
+                        RoombaConverter.connect(cable(robotPort), config(clock, pace), robotOptions(pace), read)) {
             Console console = new Console(roomba.converter(), System.in, System.out, System.err);
             console.addCommand(ConsoleCommand.of(
                             "press BUTTON",
@@ -108,6 +105,12 @@ final class RoombaCommand implements Callable<Integer> {
             }
             return console.run();
         }
+    }
+
+    private SessionOptions robotOptions(double pace) {
+        SessionOptions usual = sessionOptions(pace);
+        Integer known = modeOffset;
+        return known == null ? usual : usual.withModeOffset(known);
     }
 
     /** Each call is the cable plugged in again. */

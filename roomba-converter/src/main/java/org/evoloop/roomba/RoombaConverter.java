@@ -6,7 +6,6 @@ import java.util.function.IntFunction;
 import org.evoloop.converter.EventMonitor;
 import org.evoloop.converter.PushMonitor;
 import org.evoloop.converter.SystemEventConverter;
-import org.evoloop.evolution.ModelPair;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.roomba.link.Link;
 import org.evoloop.roomba.move.Move;
@@ -33,12 +32,13 @@ public record RoombaConverter(
     /**
      * What can be chosen.
      *
+     * @param models the robot's, with the functions of their new states
      * @param startPoint opens what senses where Move has to go
      * @param move how patient Move is
      * @param spotWait how long SpotWait waits for a second press
      */
     public record Options(
-            ModelPair models, Function<Clock, StartPointSensor> startPoint, MoveOptions move, Duration spotWait) {}
+            RobotModels models, Function<Clock, StartPointSensor> startPoint, MoveOptions move, Duration spotWait) {}
 
     /**
      * Builds a converter; the session may be opened before or after.
@@ -49,16 +49,20 @@ public record RoombaConverter(
         Clock clock = config.clock();
         PushMonitor controller = new PushMonitor("Controller");
         SystemEventConverter converter = new SystemEventConverter(config);
-        MonitorEvent robot = new MonitorEvent(session);
+        Resumption resumption = new Resumption();
+        KnowledgeState knowledge = new KnowledgeState(
+                options.models(),
+                back -> new Move(session, options.startPoint(), options.move(), back),
+                resumption,
+                new SpotWait(options.spotWait()));
+        MonitorEvent robot =
+                new MonitorEvent(session, event -> options.models().restartsMove(knowledge.getCurrentState(), event));
         converter.addMonitor(robot);
         converter.addMonitor(controller);
-        converter.addExecute(new ExecuteCommand(session, clock));
-        converter.addKnowledge(new KnowledgeState(
-                options.models(),
-                new Move(session, options.startPoint(), options.move()),
-                new SpotWait(options.spotWait())));
+        converter.addExecute(new ExecuteCommand(session, clock, resumption));
+        converter.addKnowledge(knowledge);
         converter.addLink(session);
-        converter.addSpare("ExecuteCommand2", () -> new ExecuteCommand(session, clock));
+        converter.addSpare("ExecuteCommand2", () -> new ExecuteCommand(session, clock, resumption));
         converter.build();
         return new RoombaConverter(session, robot, controller, converter);
     }
@@ -86,7 +90,10 @@ public record RoombaConverter(
         converter.observe(controller);
     }
 
-    /** Ends the converter and leaves the robot stopped and in Passive mode. Idempotent. */
+    /**
+     * Ends the converter and lets go of the robot: one under control is stopped and left in Passive mode, one that cleans by
+     * itself goes on. Idempotent.
+     */
     @Override
     public void close() {
         converter.close();

@@ -4,7 +4,10 @@ import java.time.Duration;
 import org.evoloop.function.NewFunction;
 import org.evoloop.function.Visit;
 
-/** The new function of state SpotWait: gives its user some time for a second press, then raises {@code timeout}. */
+/**
+ * The new function of state SpotWait: gives its user some time for a second press, then raises {@code timeout}. Where the
+ * model has a time trigger instead, that is the time, and nothing runs.
+ */
 final class SpotWait implements NewFunction {
     private final Duration patience;
 
@@ -14,6 +17,8 @@ final class SpotWait implements NewFunction {
 
     @Override
     public void run(Visit visit) {
-        visit.finishAfter(patience, RobotEvents.TIMEOUT);
+        if (visit.accepts(RobotEvents.TIMEOUT)) {
+            visit.finishAfter(patience, RobotEvents.TIMEOUT);
+        }
     }
 }

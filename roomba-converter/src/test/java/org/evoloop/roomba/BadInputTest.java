@@ -198,12 +198,20 @@ class BadInputTest {
     @Test
     void aRobotThatDoesNotAnswer() throws Exception {
         try (Pty pty = Pty.open()) {
-            assertRefused(
-                    "error: " + new SerialSettings(pty.path().toString())
-                            + ": no answer at 115200 nor 19200 baud; the robot is asleep or off, or its cable is not "
-                            + "plugged in. Press CLEAN to wake it, or plug the cable in",
-                    "--port",
-                    pty.path().toString());
+            Program.Result result = Program.run(folder, "--port", pty.path().toString());
+            String port = new SerialSettings(pty.path().toString()).toString();
+            assertThat(result.err().lines())
+                    .satisfiesExactly(
+                            meanwhile -> assertThat(meanwhile)
+                                    .endsWith(
+                                            "WARN  " + port + ": no answer yet; it is woken by its wake line and asked "
+                                                    + "again, then also at 19200 baud. If it sleeps, press CLEAN on it"),
+                            atLast -> assertThat(atLast)
+                                    .isEqualTo("error: " + port
+                                            + ": no answer at 115200 nor 19200 baud; the robot is asleep or off, or its "
+                                            + "cable is not plugged in. Press CLEAN to wake it, or plug the cable in"));
+            assertThat(result.out()).isEmpty();
+            assertThat(result.status()).isEqualTo(2);
         }
     }
 }

@@ -75,10 +75,10 @@ class MoveTest {
     }
 
     @Test
-    void standsWhenNothingIsFoundAndSaysSoIfTheModelHasNoEventForThat() {
+    void standsWhenNothingIsFoundAndIsOnIfTheModelHasNoEventForThat() {
         try (MoveTrip trip = MoveTrip.in(room(pose(1_500, 1_000, 0)), null)) {
             trip.advance(LIMIT.plusSeconds(5));
-            assertThat(trip.stepped.states()).isEqualTo(at("On", "Move"));
+            assertThat(trip.stepped.states()).isEqualTo(at("On", "On"));
             assertThat(trip.stands()).isTrue();
             assertThat(trip.truth().oiMode()).isEqualTo(OiMode.SAFE);
             assertThat(trip.fastestTouchMmPerS()).isLessThan(100);

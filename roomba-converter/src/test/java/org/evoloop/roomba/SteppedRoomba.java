@@ -48,6 +48,16 @@ final class SteppedRoomba implements AutoCloseable {
         this(options, Scenario.START_X_MM, Scenario.START_Y_MM);
     }
 
+    /** A robot that is treated in another way. */
+    SteppedRoomba(RobotOptions options, SessionOptions session) {
+        this(
+                options,
+                session,
+                PaperPair.cleaningRobot(),
+                MoveOptions.defaults(),
+                (robot, clock) -> StartPointSensor.byWheels(Scenario.START_X_MM, Scenario.START_Y_MM));
+    }
+
     /** A robot whose starting point is elsewhere. */
     SteppedRoomba(RobotOptions options, double startXMm, double startYMm) {
         this(
@@ -63,14 +73,22 @@ final class SteppedRoomba implements AutoCloseable {
             ModelPair models,
             MoveOptions move,
             BiFunction<SimulatedRoomba, ManualClock, StartPointSensor> sensor) {
+        this(options, SessionOptions.defaults(), models, move, sensor);
+    }
+
+    private SteppedRoomba(
+            RobotOptions options,
+            SessionOptions sessionOptions,
+            ModelPair models,
+            MoveOptions move,
+            BiFunction<SimulatedRoomba, ManualClock, StartPointSensor> sensor) {
         robot = new SimulatedRoomba(options, robotSays::writeBytes);
         StartPointSensor startPoint = sensor.apply(robot, clock);
-        RoombaSession session =
-                new RoombaSession(this::plugIn, clock, SessionOptions.defaults().withoutWaiting());
+        RoombaSession session = new RoombaSession(this::plugIn, clock, sessionOptions.withoutWaiting());
         roomba = RoombaConverter.build(
                 LoopConfig.defaults("roomba", clock).withoutThreads(),
                 session,
-                new RoombaConverter.Options(models, opened -> startPoint, move, Duration.ofSeconds(5)));
+                new RoombaConverter.Options(RobotModels.of(models), opened -> startPoint, move, Duration.ofSeconds(5)));
         session.open();
         advance(Duration.ofMillis(500));
         roomba.converter().start();

@@ -8,6 +8,7 @@ import org.HdrHistogram.Histogram;
 import org.evoloop.benchmarks.report.Latencies;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.loop.LoopConfig;
+import org.evoloop.roomba.RobotModels;
 import org.evoloop.roomba.RoombaConverter;
 import org.evoloop.roomba.link.SerialLink;
 import org.evoloop.roomba.link.SerialSettings;
@@ -58,7 +59,7 @@ public final class PressToCommand {
                         LoopConfig.defaults("roomba", clock),
                         SessionOptions.defaults().withSilenceLimit(Duration.ofSeconds(8)),
                         new RoombaConverter.Options(
-                                new ModelPair(device, device),
+                                RobotModels.of(new ModelPair(device, device)),
                                 time -> StartPointSensor.byWheels(1000, 500),
                                 MoveOptions.defaults(),
                                 Duration.ofSeconds(5)))) {

@@ -1,5 +1,7 @@
 package org.evoloop.roomba.move;
 
+import java.util.Optional;
+import org.evoloop.roomba.move.phase.Ending;
 import org.evoloop.roomba.session.Telemetry;
 
 /**
@@ -15,19 +17,20 @@ final class HoldWatch {
     private boolean slipped;
     private long slippedNanos;
 
-    /** Takes the next frame; returns why the robot will not obey again, empty while it does or may. */
-    String update(Telemetry telemetry, long nanos) {
+    /** Takes the next frame; returns why the robot must not be driven on, if that is so. */
+    Ending update(Telemetry telemetry, long nanos) {
+        if (telemetry.values().anyWheelDrop()) {
+            return Ending.byPerson(
+                    "a wheel hangs in the air: the robot was lifted, or has driven over an edge", Optional.empty());
+        }
         if (telemetry.isUnderControl()) {
             slipped = false;
-            return "";
+            return Ending.NONE;
         }
         if (!slipped) {
             slipped = true;
             slippedNanos = nanos;
         }
-        if (telemetry.values().anyWheelDrop()) {
-            return "a wheel hangs in the air: the robot was lifted, or has driven over an edge";
-        }
-        return nanos - slippedNanos > PATIENCE_NANOS ? "the robot does not obey any more" : "";
+        return nanos - slippedNanos > PATIENCE_NANOS ? Ending.because("the robot does not obey any more") : Ending.NONE;
     }
 }

@@ -1,9 +1,12 @@
 package org.evoloop.roomba.move;
 
+import java.util.Optional;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import org.evoloop.loop.MapeLoop;
 import org.evoloop.loop.Monitor;
+import org.evoloop.roomba.move.phase.Ending;
+import org.evoloop.roomba.oi.Button;
 import org.evoloop.roomba.session.SessionListener;
 import org.evoloop.roomba.session.Telemetry;
 import org.evoloop.time.Clock;
@@ -14,11 +17,16 @@ import org.jspecify.annotations.Nullable;
  * set the pace, 15 ms each: a look is no older than that when it is told, and one that nobody needed costs nothing.
  */
 final class MonitorSenses extends Monitor<Percept> implements SessionListener {
-    private final BlockingQueue<Telemetry> newest = new LinkedBlockingQueue<>(1);
+    /** A frame, and what was done to the robot until then. */
+    private record Heard(Telemetry telemetry, Ending person) {}
+
+    private final BlockingQueue<Heard> newest = new LinkedBlockingQueue<>(1);
     private final MapeLoop<Percept, ?, ?> loop;
     private final StartPointSensor sensor;
     private final Clock clock;
     private final boolean threads;
+    private String pressed = "";
+    private Optional<Activity> work = Optional.empty();
 
     /** @param threads false if each frame itself must take the loop's step */
     MonitorSenses(MapeLoop<Percept, ?, ?> loop, StartPointSensor sensor, Clock clock, boolean threads) {
@@ -30,12 +38,24 @@ final class MonitorSenses extends Monitor<Percept> implements SessionListener {
 
     @Override
     public void received(Telemetry telemetry) {
-        while (!newest.offer(telemetry)) {
+        Heard heard = new Heard(telemetry, pressed.isEmpty() ? Ending.NONE : Ending.byPerson(pressed, work));
+        while (!newest.offer(heard)) {
             newest.poll();
         }
         if (!threads) {
             takeStep();
         }
+    }
+
+    /** Whoever presses a button of a robot that drives wants it to stop, whatever the button. */
+    @Override
+    public void pressed(Button button, boolean robotActs) {
+        pressed = button + " was pressed on the robot";
+    }
+
+    @Override
+    public void seen(Activity activity) {
+        work = activity == Activity.ON ? Optional.empty() : Optional.of(activity);
     }
 
     private void takeStep() {
@@ -49,11 +69,11 @@ final class MonitorSenses extends Monitor<Percept> implements SessionListener {
 
     @Override
     protected @Nullable Percept getEvent() throws InterruptedException {
-        Telemetry telemetry = threads ? newest.take() : newest.poll();
-        if (telemetry == null) {
+        Heard heard = threads ? newest.take() : newest.poll();
+        if (heard == null) {
             return null;
         }
         long nowNanos = clock.nanoTime();
-        return new Percept(nowNanos, telemetry, sensor.look(telemetry, nowNanos));
+        return new Percept(nowNanos, heard.telemetry(), sensor.look(heard.telemetry(), nowNanos), heard.person());
     }
 }

@@ -1,6 +1,8 @@
 package org.evoloop.roomba.move;
 
+import java.util.Optional;
 import java.util.function.Function;
+import java.util.stream.Stream;
 import org.evoloop.function.ControlLoopFunction;
 import org.evoloop.function.Visit;
 import org.evoloop.loop.Analyze;
@@ -8,12 +10,15 @@ import org.evoloop.loop.Execute;
 import org.evoloop.loop.MapeLoop;
 import org.evoloop.loop.Plan;
 import org.evoloop.roomba.link.LinkException;
+import org.evoloop.roomba.move.phase.Ending;
 import org.evoloop.roomba.move.phase.Maneuver;
 import org.evoloop.roomba.move.phase.Memory;
 import org.evoloop.roomba.move.phase.Phase;
 import org.evoloop.roomba.move.phase.Situation;
 import org.evoloop.roomba.oi.ActuatorCommand.DriveDirect;
 import org.evoloop.roomba.session.RoombaSession;
+import org.evoloop.roomba.session.SessionListener.Activity;
+import org.evoloop.roomba.session.Telemetry;
 import org.evoloop.roomba.session.connection.RobotException;
 import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
@@ -23,9 +28,10 @@ import org.slf4j.LoggerFactory;
 /**
  * Searches the starting point, drives the robot there, and raises {@code arriveSpot}.
  *
- * <p>The robot must be under control (Safe mode). If it is lifted, does not obey for long, or has not arrived when the limit
- * is over, the function ends: it says why and raises {@code timeout} if the new model has a transition for it; if not, the
- * system stays in its state and the robot stands. The wheels stop whenever the function ends, however it ends.
+ * <p>The robot must be under control (Safe mode). If it does not obey for long, or has not arrived when the limit is over,
+ * the function ends: it says why and raises {@code timeout} if the new model has a transition for it, else the event that
+ * leads {@link Back}. A person at the robot wins: if one of its buttons is pressed or it is lifted, the function ends at
+ * once, and only the way back is taken. The wheels stop whenever the function ends, however it ends.
  */
 public final class Move extends ControlLoopFunction<Percept, Situation, Maneuver> {
     /** The event that tells of the arrival. */
@@ -36,12 +42,33 @@ public final class Move extends ControlLoopFunction<Percept, Situation, Maneuver
 
     private static final Logger LOG = LoggerFactory.getLogger(Move.class);
 
+    private static final String DISOBEYING =
+            "do not turn as they are told: no command reaches the robot, or it is held, pushed or stuck";
+
+    /** Names the event that leads out of a Move that has not arrived. */
+    @FunctionalInterface
+    public interface Back {
+        /**
+         * The event.
+         *
+         * @param work what the robot does by itself, since somebody has used its own buttons; empty if it stands
+         */
+        String event(Optional<Activity> work);
+    }
+
     private final RoombaSession session;
     private final Function<Clock, StartPointSensor> startPoint;
     private final MoveOptions options;
+    private final Back back;
 
-    /** @param startPoint opens the sensor anew each time the state is entered, which closes it when it is left */
-    public Move(RoombaSession session, Function<Clock, StartPointSensor> startPoint, MoveOptions options) {
+    /**
+     * A way to the starting point.
+     *
+     * @param startPoint opens the sensor anew each time the state is entered, which closes it when it is left
+     * @param back the events that it ends with when it has not arrived
+     */
+    public Move(RoombaSession session, Function<Clock, StartPointSensor> startPoint, MoveOptions options, Back back) {
+        this.back = back;
         this.session = session;
         this.startPoint = startPoint;
         this.options = options;
@@ -53,9 +80,10 @@ public final class Move extends ControlLoopFunction<Percept, Situation, Maneuver
         visit.onEnd(sensor::close);
         MonitorSenses monitor = new MonitorSenses(loop, sensor, visit.clock(), visit.threads());
         loop.addMonitor(monitor);
-        loop.addAnalyze(new AnalyzeSituation(options, visit.clock().nanoTime()));
+        ObeyWatch obeyWatch = new ObeyWatch(options.frameLimit().toNanos());
+        loop.addAnalyze(new AnalyzeSituation(options, obeyWatch, visit));
         loop.addPlan(new PlanManeuver(new Memory(sensor.target(), options.frameLimit(), options.settle())));
-        loop.addExecute(new ExecuteManeuver(visit));
+        loop.addExecute(new ExecuteManeuver(visit, obeyWatch));
         visit.onEnd(this::stopWheels);
         visit.onEnd(() -> session.removeListener(monitor));
         session.addListener(monitor);
@@ -65,15 +93,21 @@ public final class Move extends ControlLoopFunction<Percept, Situation, Maneuver
     @Override
     protected void failed(Visit visit, Throwable cause) {
         stopWheels();
-        end(visit, "its program has failed: " + cause);
+        end(visit, Ending.because("its program has failed: " + cause));
     }
 
-    private void end(Visit visit, String reason) {
-        LOG.warn("Move has ended before the starting point: {}", reason);
-        visit.say("Stop before target point: " + reason);
-        if (visit.accepts(TIMEOUT)) {
-            visit.finish(TIMEOUT);
-        }
+    /** Ends a visit in which the robot must not drive: it stands, and the way back is taken. */
+    public void giveUp(Visit visit, String reason) {
+        end(visit, Ending.byPerson(reason, Optional.empty()));
+    }
+
+    private void end(Visit visit, Ending ending) {
+        LOG.warn("Move has ended before the starting point: {}", ending.reason());
+        visit.say("Stop before target point: " + ending.reason());
+        Stream.of(ending.byPerson() ? "" : TIMEOUT, back.event(ending.work()), back.event(Optional.empty()))
+                .filter(event -> !event.isEmpty() && visit.accepts(event))
+                .findFirst()
+                .ifPresent(visit::finish);
     }
 
     private void stopWheels() {
@@ -89,24 +123,41 @@ public final class Move extends ControlLoopFunction<Percept, Situation, Maneuver
     private static final class AnalyzeSituation extends Analyze<Percept, Situation> {
         private final GoalWatch goalWatch;
         private final HoldWatch holdWatch = new HoldWatch();
+        private final ObeyWatch obeyWatch;
+        private final Visit visit;
         private final MoveOptions options;
         private final long beganNanos;
 
-        AnalyzeSituation(MoveOptions options, long nowNanos) {
+        AnalyzeSituation(MoveOptions options, ObeyWatch obeyWatch, Visit visit) {
             this.options = options;
             this.goalWatch = new GoalWatch(options.frameLimit().toNanos());
-            this.beganNanos = nowNanos;
+            this.obeyWatch = obeyWatch;
+            this.visit = visit;
+            this.beganNanos = visit.clock().nanoTime();
         }
 
         @Override
         protected Situation analyze(Percept percept) {
-            String end = holdWatch.update(percept.telemetry(), percept.nanos());
-            if (end.isEmpty() && percept.nanos() - beganNanos > options.limit().toNanos()) {
-                String reason = percept.look().health().reason();
-                end = "not found within " + options.limit().toSeconds() + " s"
-                        + (reason.isEmpty() ? "" : "; " + reason);
+            Telemetry now = percept.telemetry();
+            if (obeyWatch.update(now.values(), now.isUnderControl(), percept.nanos())) {
+                LOG.warn("the wheels {}", DISOBEYING);
+                visit.say("The wheels " + DISOBEYING);
             }
-            return Situation.of(percept.nanos(), percept.telemetry(), goalWatch.update(percept), end);
+            return Situation.of(percept.nanos(), percept.telemetry(), goalWatch.update(percept), ending(percept));
+        }
+
+        private Ending ending(Percept percept) {
+            Ending held = holdWatch.update(percept.telemetry(), percept.nanos());
+            Ending end = percept.person().isDue() ? percept.person() : held;
+            if (end.isDue()) {
+                return end;
+            }
+            if (percept.nanos() - beganNanos <= options.limit().toNanos()) {
+                return Ending.NONE;
+            }
+            String reason = percept.look().health().reason();
+            return Ending.because(
+                    "not found within " + options.limit().toSeconds() + " s" + (reason.isEmpty() ? "" : "; " + reason));
         }
     }
 
@@ -136,11 +187,13 @@ public final class Move extends ControlLoopFunction<Percept, Situation, Maneuver
 
     private final class ExecuteManeuver extends Execute<Maneuver> {
         private final Visit visit;
+        private final ObeyWatch obeyWatch;
         private @Nullable DriveDirect driving;
         private boolean over;
 
-        ExecuteManeuver(Visit visit) {
+        ExecuteManeuver(Visit visit, ObeyWatch obeyWatch) {
             this.visit = visit;
+            this.obeyWatch = obeyWatch;
         }
 
         @Override
@@ -155,7 +208,7 @@ public final class Move extends ControlLoopFunction<Percept, Situation, Maneuver
             over = true;
             drive(Maneuver.STAND.wheels());
             if (maneuver instanceof Maneuver.GiveUp giveUp) {
-                end(visit, giveUp.reason());
+                end(visit, giveUp.ending());
             } else {
                 visit.say("Arrive at target point");
                 visit.finish(ARRIVED);
@@ -165,6 +218,7 @@ public final class Move extends ControlLoopFunction<Percept, Situation, Maneuver
         private void drive(DriveDirect wheels) {
             if (!wheels.equals(driving)) {
                 driving = null;
+                obeyWatch.told(wheels, visit.clock().nanoTime());
                 try {
                     session.send(wheels);
                     driving = wheels;

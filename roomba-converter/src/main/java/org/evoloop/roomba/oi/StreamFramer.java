@@ -44,6 +44,7 @@ public final class StreamFramer {
 
     private long frames;
     private long badChecksums;
+    private long headerlessChecksums;
     private long skippedBytes;
 
     private StreamFramer(@Nullable List<PacketId> expected, int expectedPayload, Consumer<SensorValues> consumer) {
@@ -103,6 +104,7 @@ public final class StreamFramer {
         if (fitting == checksumAt) {
             boolean right = (sum & 0xFF) == 0;
             badChecksums += right ? 0 : 1;
+            headerlessChecksums += (sum & 0xFF) == StreamFrame.HEADER ? 1 : 0;
             return right;
         }
         return fitting < nextIdAt || fitsAsId(octet);
@@ -138,6 +140,11 @@ public final class StreamFramer {
     /** Candidates so far that were frames in everything but the checksum. */
     public long badChecksums() {
         return badChecksums;
+    }
+
+    /** Those of them whose checksum would be right without the header, as the Roomba 500's specification has it. */
+    public long headerlessChecksums() {
+        return headerlessChecksums;
     }
 
     /** Bytes so far that belonged to no delivered frame; those of an unfinished candidate are not counted yet. */

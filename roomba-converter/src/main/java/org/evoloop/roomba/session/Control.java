@@ -5,8 +5,11 @@ import org.evoloop.roomba.oi.Command;
 import org.evoloop.roomba.oi.Packet;
 import org.evoloop.roomba.oi.SensorValues;
 import org.evoloop.roomba.session.connection.Connection;
+import org.evoloop.roomba.session.inference.ActivityWatch;
 import org.evoloop.roomba.session.inference.SpotWatch;
 import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /**
  * Sees to it that the robot is under control, or left alone, as its user wants it: control that the robot gives up is taken
@@ -15,14 +18,16 @@ import org.jspecify.annotations.Nullable;
  * <p>Threading: not thread-safe, but the methods {@code is...} may be called from any thread.
  */
 final class Control {
+    private static final Logger LOG = LoggerFactory.getLogger(RoombaSession.class);
+
     /** So many frames after it came back into sight it is plain what the robot does. */
     private static final int SETTLING_FRAMES = 4;
 
     /**
-     * A command that ends control shows within a few frames, but older frames may be on their way through a busy computer.
+     * A command that ends control shows within a few frames, in the mode; if not there, its motors must have begun by now.
      * It must not be sent twice if it has arrived: the second Clean ends what the first began.
      */
-    static final int CONFIRM_FRAMES = SpotWatch.QUIET_FRAMES;
+    static final int CONFIRM_FRAMES = ActivityWatch.START_FRAMES;
 
     /** Three Safe commands, with whatever was pending completed between. */
     private static final int TRIES_ON_DOCK = 5;
@@ -136,13 +141,28 @@ final class Control {
         framesWith = underControl ? framesWith + 1 : 0;
         if (!underControl) {
             unconfirmed = null;
-        } else if (command != null && framesWith % CONFIRM_FRAMES == 0) {
-            // It would have ended control, had the robot received it.
-            connection.trySend(command);
-        } else if (command == null && engaged && !wanted && framesWith % SpotWatch.QUIET_FRAMES == 0) {
-
+        } else if (command != null) {
+            confirm(command);
+        } else if (engaged && !wanted && framesWith % SpotWatch.QUIET_FRAMES == 0 && watch.isAtRest()) {
             // Whatever it was left alone for, it does not do it.
             watch.tellOn();
+        }
+    }
+
+    /**
+     * A command should have ended control, and the mode does not show that. What became of it only the motors can tell: the
+     * robot is at work, or it has not received it.
+     */
+    private void confirm(Command command) {
+        if (watch.isAtWork()) {
+            unconfirmed = null;
+            LOG.warn(
+                    "{}: the robot works by itself, but its mode says that it is under control. It may report its mode one "
+                            + "too high: try --mode-offset 1, or leave the option out",
+                    connection.description());
+        } else if (framesWith >= CONFIRM_FRAMES && watch.isAtRest()) {
+            framesWith = 0;
+            connection.trySend(command);
         }
     }
 

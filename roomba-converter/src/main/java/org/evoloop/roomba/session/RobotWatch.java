@@ -114,6 +114,11 @@ final class RobotWatch {
         activityWatch.forget();
     }
 
+    /** Whether its motors show that the robot is at work, whatever its mode. */
+    boolean isAtWork() {
+        return activityWatch.isAtWork();
+    }
+
     /** Whether the robot has been at rest for a while. */
     boolean isAtRest() {
         return activityWatch.restFrames() >= SpotWatch.QUIET_FRAMES;

@@ -1,8 +1,10 @@
 package org.evoloop.roomba.session;
 
 import java.time.Duration;
+import java.time.Instant;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.concurrent.ExecutionException;
 import java.util.function.IntFunction;
 import org.evoloop.converter.DeviceLink;
@@ -17,6 +19,7 @@ import org.evoloop.roomba.oi.StreamFramer;
 import org.evoloop.roomba.session.connection.Connection;
 import org.evoloop.roomba.session.connection.RobotException;
 import org.evoloop.roomba.session.inference.FrameFilter;
+import org.evoloop.roomba.session.inference.ModeOffset;
 import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -26,7 +29,8 @@ import org.slf4j.LoggerFactory;
  * A conversation with a Roomba: one stream of sensor values, which is the session's only source, and commands. It outlives
  * a cable that is pulled and plugged in again, and a robot that sleeps.
  *
- * <p>Lifecycle: {@link #open}, then {@link #awaitRobot}; {@link #close} leaves the robot stopped and in Passive mode.
+ * <p>Lifecycle: {@link #open}, then {@link #awaitRobot}; {@link #close} stops a robot under control and leaves it in
+ * Passive mode; one that works by itself goes on.
  *
  * <p>Threading: all methods may be called from any thread. Listeners are called on the link's thread.
  */
@@ -54,6 +58,9 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
 
     private static final Logger LOG = LoggerFactory.getLogger(RoombaSession.class);
 
+    /** So many frames whose checksum is wrong, and none whose is right, are no chance. */
+    private static final int TELLING_FRAMES = 20;
+
     private final Clock clock;
     private final SessionOptions options;
     private final Connection connection;
@@ -61,6 +68,7 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
     private final Object receiving = new Object();
     private final Object sending = new Object();
     private final StreamFramer framer = new StreamFramer(STREAM, this::framed);
+    private final ModeOffset modeOffset;
     private final FrameFilter filter;
     private final Odometry odometry = new Odometry();
     private final RobotWatch watch = new RobotWatch(listeners);
@@ -75,7 +83,8 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
     public RoombaSession(IntFunction<Link> cable, Clock clock, SessionOptions options) {
         this.clock = clock;
         this.options = options;
-        this.filter = new FrameFilter(options.modeOffset());
+        this.modeOffset = new ModeOffset(options.modeOffset());
+        this.filter = new FrameFilter(modeOffset);
         Connection.Options wanted = new Connection.Options(STREAM, options.silenceLimit(), options.mayWait());
         this.connection = new Connection(cable, clock, wanted, new Connection.Owner() {
             @Override
@@ -90,6 +99,13 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
                 synchronized (receiving) {
                     control.loseSight();
                     watch.forget();
+                }
+            }
+
+            @Override
+            public String frameTrouble() {
+                synchronized (receiving) {
+                    return RoombaSession.frameTrouble(framer);
                 }
             }
 
@@ -140,8 +156,23 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
         }
     }
 
+    /** Frames that fit in everything but their checksum are no matter of the baud rate. */
+    private static String frameTrouble(StreamFramer framer) {
+        if (framer.frames() > 0 || framer.badChecksums() < TELLING_FRAMES) {
+            return "";
+        }
+        return 2 * framer.headerlessChecksums() > framer.badChecksums()
+                ? "frames come, but their checksum leaves out the header byte, as the Roomba 500's specification has it and "
+                        + "no robot is known to do. A simulated robot does with --checksum spec500: start it without"
+                : "frames come, but their checksum never fits: the cable or its adapter changes bytes. Try another one";
+    }
+
     /** One frame has come; called on the link's thread. */
     private void framed(SensorValues raw) {
+        learnModeOffset(raw.value(Packet.OI_MODE));
+        if (!modeOffset.isKnown()) {
+            return;
+        }
         SensorValues values = filter.filter(raw);
         Telemetry earlier = latest;
         Telemetry now = new Telemetry(earlier == null ? 1 : earlier.frame() + 1, values, odometry.update(values));
@@ -151,6 +182,19 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
         listeners.received(now);
         control.update(now);
         watch.update(now, !control.isWanted());
+    }
+
+    private void learnModeOffset(int reported) {
+        int before = modeOffset.value();
+        if (modeOffset.update(reported)) {
+            connection.trySend(new Command.Start());
+        }
+        if (modeOffset.value() != before) {
+            LOG.warn(
+                    "{}: the robot reports its mode {}; modes are read accordingly",
+                    connection.description(),
+                    modeOffset.value() == 1 ? "one too high, as some 600 models do" : "as specified");
+        }
     }
 
     /**
@@ -249,6 +293,11 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
         return connection.isUp();
     }
 
+    @Override
+    public Optional<Instant> downSince() {
+        return connection.downSince();
+    }
+
     /** Port, trouble or mode, and how many frames were good and bad. */
     @Override
     public String describe() {
@@ -262,12 +311,13 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
                 .map(known -> known.name().toLowerCase(Locale.ROOT))
                 .orElse("unknown");
         synchronized (receiving) {
-            return connection.description() + ", mode " + mode + ", " + framer.frames() + " frames, "
+            return connection.description() + ", mode " + mode
+                    + (modeOffset.value() == 0 ? "" : " (reported one too high)") + ", " + framer.frames() + " frames, "
                     + framer.badChecksums() + " bad, " + framer.skippedBytes() + " bytes skipped";
         }
     }
 
-    /** Leaves the robot stopped and in Passive mode, and closes the link. Idempotent. */
+    /** Lets go of the robot as {@link #letGo()} does, and closes the link. Idempotent. */
     @Override
     public void close() {
         try {

@@ -1,6 +1,7 @@
 package org.evoloop.roomba.session;
 
 import java.time.Duration;
+import java.util.OptionalInt;
 
 /**
  * How a session treats its robot. The defaults suit every robot that keeps to the specification.
@@ -12,24 +13,27 @@ import java.time.Duration;
  *
  * @param mayWait false if time only passes when the caller lets it: then nothing waits for its moment, and no thread is
  *     made
- * @param modeOffset what the robot adds to the OI mode it reports: 1 for some 600 models with Wi-Fi, else 0
+ * @param modeOffset what the robot adds to the OI mode it reports: 1 for some 600 models with Wi-Fi, else 0; empty if the
+ *     session is to find out, see {@link org.evoloop.roomba.session.inference.ModeOffset}
  * @param silenceLimit after so long without a frame the robot is out of sight, in the clock's time
  */
-public record SessionOptions(boolean mayWait, int modeOffset, Duration silenceLimit) {
+public record SessionOptions(boolean mayWait, OptionalInt modeOffset, Duration silenceLimit) {
 
     /** @throws IllegalArgumentException if a value is out of range */
     public SessionOptions {
-        if (modeOffset != 0 && modeOffset != 1) {
-            throw new IllegalArgumentException("modeOffset is " + modeOffset + ", allowed is 0 or 1");
-        }
+        modeOffset.ifPresent(offset -> {
+            if (offset != 0 && offset != 1) {
+                throw new IllegalArgumentException("modeOffset is " + offset + ", allowed is 0 or 1");
+            }
+        });
         if (silenceLimit.compareTo(Duration.ofMillis(100)) < 0) {
             throw new IllegalArgumentException("silenceLimit is " + silenceLimit + ", allowed is at least 100 ms");
         }
     }
 
-    /** A robot that keeps to the specification, out of sight after 2 s of silence. */
+    /** A robot that is out of sight after 1.7 s of silence, which is noticed within 2 s. */
     public static SessionOptions defaults() {
-        return new SessionOptions(true, 0, Duration.ofSeconds(2));
+        return new SessionOptions(true, OptionalInt.empty(), Duration.ofMillis(1_700));
     }
 
     /** The same for whoever lets time pass by hand. */
@@ -37,9 +41,9 @@ public record SessionOptions(boolean mayWait, int modeOffset, Duration silenceLi
         return new SessionOptions(false, modeOffset, silenceLimit);
     }
 
-    /** The same for a robot that reports its mode with an offset. */
+    /** The same for a robot of which is known what it adds to its mode. */
     public SessionOptions withModeOffset(int offset) {
-        return new SessionOptions(mayWait, offset, silenceLimit);
+        return new SessionOptions(mayWait, OptionalInt.of(offset), silenceLimit);
     }
 
     /** The same with another limit for silence. */

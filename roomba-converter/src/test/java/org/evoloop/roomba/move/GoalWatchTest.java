@@ -8,6 +8,7 @@ import java.util.stream.Stream;
 import org.evoloop.roomba.camera.CameraHealth;
 import org.evoloop.roomba.camera.Look;
 import org.evoloop.roomba.camera.Sighting;
+import org.evoloop.roomba.move.phase.Ending;
 import org.evoloop.roomba.move.phase.Sight;
 import org.evoloop.roomba.oi.OiMode;
 import org.evoloop.roomba.oi.Packet;
@@ -41,7 +42,7 @@ class GoalWatchTest {
     }
 
     private Sight at(long nowMillis, Pose pose, Look look) {
-        return watch.update(new Percept(millis(nowMillis), telemetry(pose), look));
+        return watch.update(new Percept(millis(nowMillis), telemetry(pose), look, Ending.NONE));
     }
 
     private Sight at(long nowMillis, Look look) {

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.ByteArrayOutputStream;
 import java.time.Duration;
+import java.time.Instant;
 import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
@@ -53,6 +54,27 @@ class ConnectionTest {
             assertThat(cables.heard())
                     .as("a Start would end the control that was taken meanwhile")
                     .isEmpty();
+        }
+    }
+
+    @Test
+    void whatIsTriedIsToldWithinSecondsOnce() {
+        try (RoombaSession session = session(cables::plugIn)) {
+            session.open();
+            clock.advance(Duration.ofSeconds(2));
+            assertThat(session.describe())
+                    .contains("no answer yet", "woken by its wake line", "19200 baud", "press CLEAN");
+            while (!session.isUp()) {
+                cables.say(FRAME);
+                clock.advance(Duration.ofMillis(250));
+            }
+            assertThat(session.downSince()).isEmpty();
+            Instant lastHeard = clock.wallTime().minusMillis(250);
+            clock.advance(Duration.ofMillis(1_750));
+            assertThat(session.describe()).contains("fallen silent", "woken by its wake line");
+            assertThat(session.downSince()).contains(lastHeard);
+            clock.advance(Duration.ofSeconds(2));
+            assertThat(session.describe()).contains("fallen silent");
         }
     }
 

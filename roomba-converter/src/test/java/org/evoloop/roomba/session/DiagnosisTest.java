@@ -8,6 +8,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.List;
 import java.util.Random;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
@@ -19,6 +20,7 @@ import org.evoloop.roomba.link.SerialSettings;
 import org.evoloop.roomba.oi.ActuatorCommand.DriveDirect;
 import org.evoloop.roomba.oi.Command;
 import org.evoloop.roomba.oi.OiMode;
+import org.evoloop.roomba.oi.StreamFrame;
 import org.evoloop.roomba.session.connection.RobotException;
 import org.evoloop.roomba.simulator.Pty;
 import org.evoloop.roomba.simulator.SimulatorServer;
@@ -108,6 +110,21 @@ class DiagnosisTest {
     }
 
     @Test
+    void aChecksumOfAnotherConventionIsNamedAndNotTakenForAnotherRate() throws Exception {
+        byte[] frame = StreamFrame.encode(RoombaSession.STREAM, packet -> 1, StreamFrame.Checksum.WITHOUT_HEADER);
+        assertThat(diagnosisOf(frame))
+                .contains("checksum leaves out the header byte", "--checksum spec500")
+                .doesNotContain("another baud rate");
+    }
+
+    @Test
+    void aChecksumThatNeverFitsIsNamed() throws Exception {
+        byte[] frame = StreamFrame.encode(RoombaSession.STREAM, packet -> 1);
+        frame[frame.length - 1]++;
+        assertThat(diagnosisOf(frame)).contains("checksum never fits").doesNotContain("another baud rate");
+    }
+
+    @Test
     void aPortThatDoesNotExistIsToldAtOnce() {
         try (RoombaSession session = session(PATIENT)) {
             assertThatThrownBy(session::open)
@@ -144,21 +161,18 @@ class DiagnosisTest {
     }
 
     @Test
-    void aModeThatIsReportedTooHighIsReadRightWithTheOption() throws Exception {
+    void aModeThatIsReportedTooHighIsReadRight() throws Exception {
         try (SimulatorServer robot = robot(RobotOptions.builder().modeOffset(1))) {
             assertThat(robot.robot().state().oiMode()).isEqualTo(OiMode.OFF);
-            try (RoombaSession session = session(PATIENT)) {
-                session.open();
-                session.awaitRobot();
-                await().untilAsserted(() -> assertThat(session.describe()).contains("mode safe"));
-            }
-            try (RoombaSession session = session(PATIENT.withModeOffset(1))) {
-                session.open();
-                session.awaitRobot();
-                await().untilAsserted(() -> assertThat(session.describe()).contains("mode passive"));
-                session.takeControl();
-                await().until(session::isUnderControl);
-                assertThat(robot.robot().state().oiMode()).isEqualTo(OiMode.SAFE);
+            for (SessionOptions told : List.of(PATIENT, PATIENT.withModeOffset(1))) {
+                try (RoombaSession session = session(told)) {
+                    session.open();
+                    session.awaitRobot();
+                    await().untilAsserted(() -> assertThat(session.describe()).contains("mode passive"));
+                    session.takeControl();
+                    await().until(session::isUnderControl);
+                    assertThat(robot.robot().state().oiMode()).isEqualTo(OiMode.SAFE);
+                }
             }
         }
     }

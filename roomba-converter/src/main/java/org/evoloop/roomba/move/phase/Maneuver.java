@@ -42,7 +42,7 @@ public sealed interface Maneuver {
     record Arrive() implements Maneuver {}
 
     /** Stop for good. */
-    record GiveUp(String reason) implements Maneuver {}
+    record GiveUp(Ending ending) implements Maneuver {}
 
     /** Towards a goal that lies ahead: slower the nearer, and turning on the way. */
     static Maneuver towards(double remainingMm, double bearingRad) {

@@ -36,7 +36,7 @@ public sealed interface Phase permits Look, Look.Around, Turn, Leg, Approach, Ch
 
     /** The next step in any situation. */
     static Step inAny(Phase phase, Situation now) {
-        if (!now.end().isEmpty()) {
+        if (now.end().isDue()) {
             return new Step(phase, new Maneuver.GiveUp(now.end()));
         }
         if (!now.obeys() || now.sight().stale()) {

@@ -17,10 +17,10 @@ import org.evoloop.roomba.session.Telemetry;
  * @param edge whether that is a cliff: near one the robot may not even turn
  * @param near whether the light bumper sees something straight ahead
  * @param sight what is known of the starting point
- * @param end why Move must end now; empty while it may go on
+ * @param end why Move must end now, if it must
  */
 public record Situation(
-        long nanos, Pose pose, boolean obeys, Obstacle obstacle, boolean edge, boolean near, Sight sight, String end) {
+        long nanos, Pose pose, boolean obeys, Obstacle obstacle, boolean edge, boolean near, Sight sight, Ending end) {
 
     /** Of the light bumper's sensors those to the left and right of the middle. */
     private static final int AHEAD_BITS = 0b1100;
@@ -49,7 +49,7 @@ public record Situation(
     }
 
     /** What this frame of the robot means at this moment, with what is known of the starting point. */
-    public static Situation of(long nanos, Telemetry telemetry, Sight sight, String end) {
+    public static Situation of(long nanos, Telemetry telemetry, Sight sight, Ending end) {
         SensorValues values = telemetry.values();
         return new Situation(
                 nanos,

@@ -1,7 +1,9 @@
 package org.evoloop.roomba.session.connection;
 
 import java.time.Duration;
+import java.time.Instant;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.IntFunction;
 import org.evoloop.roomba.link.Link;
@@ -50,12 +52,18 @@ public final class Connection {
     private static final Logger LOG = LoggerFactory.getLogger(Connection.class);
     private static final int ATTEMPTS = 3;
 
+    private static final String TRYING = "it is woken by its wake line and asked again, then also at " + ALTERNATE_BAUD
+            + " baud. If it sleeps, press CLEAN on it";
+
     /** What the owner of the connection is told, on the thread that receives or on the connection's own. */
     public interface Owner {
         void received(byte[] buffer, int length);
 
         /** The robot is out of sight. */
         void outOfSight();
+
+        /** What is wrong with the frames that come, if that is known; else empty. */
+        String frameTrouble();
 
         /** Whether the robot may be kept awake by a pulse now: it is on its own and does nothing. */
         boolean isDozing();
@@ -72,6 +80,8 @@ public final class Connection {
     private final FirstBytes firstBytes = new FirstBytes();
     private final ConnectionState state = new ConnectionState();
     private volatile long lastFrameNanos;
+    private volatile Instant downSince = Instant.EPOCH;
+    private volatile boolean told;
     private boolean alternateTried;
     private int attempt;
     private long askedNanos;
@@ -105,6 +115,8 @@ public final class Connection {
     public void open() {
         thread.runAndWait(() -> {
             pulsedNanos = clock.nanoTime();
+            lastFrameNanos = pulsedNanos;
+            downSince = clock.wallTime();
             plugIn();
             scheduleLook();
         });
@@ -149,9 +161,14 @@ public final class Connection {
         String trouble = String.valueOf(cause.getMessage());
         if (plugging == plug.current() && state.enter(Phase.DOWN, trouble)) {
             LOG.warn("{}", trouble);
+            loseSight();
             firstAnswer.completeExceptionally(cause);
             owner.outOfSight();
         }
+    }
+
+    private void loseSight() {
+        downSince = clock.wallTime().minusNanos(clock.nanoTime() - lastFrameNanos);
     }
 
     private void ask() {
@@ -178,6 +195,7 @@ public final class Connection {
     public void answered() {
         lastFrameNanos = clock.nanoTime();
         if (state.enterFrom(Phase.ASKING, Phase.UP, "")) {
+            told = false;
             firstAnswer.complete(null);
         }
     }
@@ -213,8 +231,10 @@ public final class Connection {
     }
 
     private void fallSilent() {
-        if (state.enterFrom(Phase.UP, Phase.ASKING, "the robot has fallen silent")) {
+        if (state.enterFrom(Phase.UP, Phase.ASKING, "the robot has fallen silent; " + TRYING)) {
             LOG.warn("{}: {}", description(), state.trouble());
+            told = true;
+            loseSight();
             attempt = 1;
             owner.outOfSight();
             ask();
@@ -236,16 +256,31 @@ public final class Connection {
         askedNanos = clock.nanoTime() + WAKE_PULSE.toNanos();
         attempt++;
         if (attempt <= ATTEMPTS) {
+            tellWhatIsTried();
             pulse(this::ask);
         } else if (!alternateTried) {
             alternateTried = true;
             changeRate();
         } else {
-            firstAnswer.completeExceptionally(new RobotException(firstBytes.diagnosis(description())));
+            String known = owner.frameTrouble();
+            firstAnswer.completeExceptionally(new RobotException(
+                    known.isEmpty() ? firstBytes.diagnosis(description()) : description() + ": " + known));
             alternateTried = false;
             plug.pull();
             replug();
         }
+    }
+
+    private void tellWhatIsTried() {
+        if (!told && state.enterFrom(Phase.ASKING, Phase.ASKING, noAnswer() + "; " + TRYING)) {
+            told = true;
+            LOG.warn("{}: {}", description(), state.trouble());
+        }
+    }
+
+    private String noAnswer() {
+        String known = owner.frameTrouble();
+        return known.isEmpty() ? firstBytes.isEmpty() ? "no answer yet" : "bytes come, but no frames yet" : known;
     }
 
     /** The robot may listen at the alternate rate; then it is told to come back to the usual one. */
@@ -313,6 +348,11 @@ public final class Connection {
 
     public boolean isUp() {
         return state.phase() == Phase.UP;
+    }
+
+    /** Since when nothing is heard of the robot, by the time of day; empty while it is. */
+    public Optional<Instant> downSince() {
+        return isUp() ? Optional.empty() : Optional.of(downSince);
     }
 
     /** What is wrong; empty if nothing is. */

@@ -19,6 +19,10 @@ final class FirstBytes {
         length += taken;
     }
 
+    synchronized boolean isEmpty() {
+        return length == 0;
+    }
+
     /** What is probably wrong, and how to mend it. */
     synchronized String diagnosis(String port) {
         if (length == 0) {

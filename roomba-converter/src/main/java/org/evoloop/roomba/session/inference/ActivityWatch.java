@@ -16,7 +16,7 @@ public final class ActivityWatch {
     static final int WORK_FRAMES = 33;
 
     /** A robot that was told to work must show it within 3 s. */
-    static final int START_FRAMES = 200;
+    public static final int START_FRAMES = 200;
 
     /** What the robot does now. */
     public enum Seen {
@@ -58,6 +58,11 @@ public final class ActivityWatch {
             return Seen.AT_REST;
         }
         return motion.poweredFrames() == WORK_FRAMES ? Seen.AT_WORK : null;
+    }
+
+    /** Whether motors have been running for so long that the robot must be at work. */
+    public boolean isAtWork() {
+        return motion.poweredFrames() >= WORK_FRAMES;
     }
 
     /** How many frames the robot has been at rest. */

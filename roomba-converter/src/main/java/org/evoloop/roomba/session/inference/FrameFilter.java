@@ -10,22 +10,22 @@ import org.evoloop.roomba.oi.SensorValues;
  * <p>Threading: not thread-safe.
  */
 public final class FrameFilter {
-    private final int modeOffset;
+    private final ModeOffset modeOffset;
     private int seenButtons;
     private int seenMode;
     private int buttons;
     private int mode;
     private boolean begun;
 
-    /** @param modeOffset what the robot adds to its mode, 0 or 1 */
-    public FrameFilter(int modeOffset) {
+    /** @param modeOffset what the robot adds to its mode */
+    public FrameFilter(ModeOffset modeOffset) {
         this.modeOffset = modeOffset;
     }
 
     /** The frame with the buttons and the mode that are to be believed. */
     public SensorValues filter(SensorValues values) {
         int nowButtons = values.value(Packet.BUTTONS);
-        int nowMode = Math.max(0, values.value(Packet.OI_MODE) - modeOffset);
+        int nowMode = Math.max(0, values.value(Packet.OI_MODE) - modeOffset.value());
         if (!begun || nowButtons == seenButtons) {
             buttons = nowButtons;
         }

@@ -10,7 +10,14 @@ final class Given {
     private static final Target MARKER = new Target(400, 20, true);
     static final Memory MEMORY = new Memory(MARKER, Duration.ofMillis(300), Duration.ofMillis(250));
     static final Situation NOTHING = new Situation(
-            0, Pose.ORIGIN, true, Obstacle.NONE, false, false, new Sight(false, 1, 0, false, Optional.empty(), 0), "");
+            0,
+            Pose.ORIGIN,
+            true,
+            Obstacle.NONE,
+            false,
+            false,
+            new Sight(false, 1, 0, false, Optional.empty(), 0),
+            Ending.NONE);
 
     private Given() {}
 

@@ -1,0 +1,147 @@
+package org.evoloop.roomba;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
+import org.evoloop.evolution.ModelPair;
+import org.evoloop.statemachine.ModelException;
+import org.evoloop.statemachine.State;
+import org.evoloop.statemachine.StateMachine;
+import org.evoloop.statemachine.Transition;
+
+/**
+ * Finds out which function runs in which new state: what {@code --function STATE=NAME} says, and else each function in the
+ * one new state that is left by the event it finishes with. What is wrong is told all at once, in terms of the command
+ * line.
+ */
+final class FunctionBinding {
+    private final ModelPair pair;
+    private final StateMachine evolved;
+    private final Map<State, RobotFunction> bound = new LinkedHashMap<>();
+    private final List<String> problems = new ArrayList<>();
+
+    private FunctionBinding(ModelPair pair) {
+        this.pair = pair;
+        this.evolved = pair.evolved();
+    }
+
+    /**
+     * The function of each new state that has one; the others are left by a time trigger.
+     *
+     * @param wanted each {@code STATE=NAME}
+     * @throws ModelException if a new state has no function, or one that does not fit
+     */
+    static Map<State, RobotFunction> bind(ModelPair pair, List<String> wanted) {
+        FunctionBinding binding = new FunctionBinding(pair);
+        wanted.forEach(binding::bind);
+        binding.bindTheOne(RobotFunction.MOVE);
+        binding.bindTheOne(RobotFunction.SPOT_WAIT);
+        binding.requireFunctions();
+        binding.requireNoMore();
+        if (!binding.problems.isEmpty()) {
+            throw new ModelException("this program cannot carry out '"
+                    + pair.evolved().name() + "':\n  " + String.join("\n  ", binding.problems));
+        }
+        return binding.bound;
+    }
+
+    private void bind(String wish) {
+        int equals = wish.lastIndexOf('=');
+        String name = wish.substring(equals + 1).strip();
+        RobotFunction function = RobotFunction.of(name).orElse(null);
+        if (equals <= 0 || function == null) {
+            problems.add("--function " + wish + ": say STATE=FUNCTION; the functions are " + RobotFunction.NAMES);
+            return;
+        }
+        String stateName = wish.substring(0, equals).strip();
+        State state = newStates().stream()
+                .filter(known -> known.name().equals(stateName))
+                .findFirst()
+                .orElse(null);
+        if (state == null) {
+            problems.add("--function " + wish + ": '" + stateName + "' is no new state; there "
+                    + (newStates().isEmpty() ? "is none" : "are " + names(newStates())));
+        } else if (!fits(function, state)) {
+            problems.add("--function " + wish + ": " + function + " finishes with " + function.lastEvent()
+                    + ", which does not leave " + state + "; draw a transition for it");
+        } else if (bound.put(state, function) != null) {
+            problems.add("--function " + wish + ": " + state + " has been given a function before; keep one of them");
+        }
+    }
+
+    private boolean fits(RobotFunction function, State state) {
+        return switch (function) {
+            case MOVE -> function.finishesIn(evolved, state);
+            case SPOT_WAIT -> function.finishesIn(evolved, state) || isTimed(state);
+            case NONE -> true;
+        };
+    }
+
+    private void bindTheOne(RobotFunction function) {
+        if (bound.containsValue(function)) {
+            return;
+        }
+        List<State> candidates = newStates().stream()
+                .filter(state -> !bound.containsKey(state) && function.finishesIn(evolved, state))
+                .toList();
+        if (candidates.size() == 1) {
+            bound.put(candidates.get(0), function);
+        } else if (candidates.size() > 1) {
+            problems.add("new states " + names(candidates) + " are all left by " + function.lastEvent()
+                    + "; say in which of them " + function + " runs, for example --function " + candidates.get(0) + "="
+                    + function);
+            candidates.forEach(state -> bound.put(state, RobotFunction.NONE));
+        }
+    }
+
+    private void requireFunctions() {
+        for (State state : newStates()) {
+            if (!bound.containsKey(state) && !isTimed(state)) {
+                problems.add("new state " + state + " has no function. Move runs in the state that arriveSpot leaves, "
+                        + "SpotWait in the one that timeout leaves; draw such a transition, or a time trigger such as "
+                        + "tm(2s), or give --function " + state + "=none if nothing has to run there");
+            }
+        }
+    }
+
+    /** Guards and effects of the owner's are code, which this program has none of. */
+    private void requireNoMore() {
+        for (String guard : evolved.guards()) {
+            problems.add(
+                    "guard [" + guard + "] of the new model means nothing to this program; draw the model without");
+        }
+        List<String> ofDevice = effects(pair.original());
+        for (String effect : effects(evolved)) {
+            if (!ofDevice.contains(effect)) {
+                problems.add(
+                        "effect " + effect + " of the new model means nothing to this program; draw the model without");
+            }
+        }
+    }
+
+    private static List<String> effects(StateMachine machine) {
+        return machine.transitions().stream()
+                .flatMap(transition -> transition.effects().stream())
+                .distinct()
+                .toList();
+    }
+
+    private boolean isTimed(State state) {
+        for (Transition transition : evolved.transitionsFrom(state)) {
+            if (transition.event().timeTrigger().isPresent()) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private List<State> newStates() {
+        return evolved.states().stream().filter(pair::isNew).toList();
+    }
+
+    private static String names(List<State> states) {
+        return states.stream().map(State::name).collect(Collectors.joining(", "));
+    }
+}

@@ -1,0 +1,91 @@
+package org.evoloop.roomba;
+
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.evoloop.evolution.ModelPair;
+import org.evoloop.statemachine.ModelException;
+import org.evoloop.statemachine.State;
+import org.evoloop.statemachine.Transition;
+
+/**
+ * The robot's models, and which of this program's functions runs in which of their new states.
+ *
+ * <p>Threading: immutable.
+ */
+public final class RobotModels {
+    private final ModelPair pair;
+    private final Map<State, RobotFunction> functions;
+    private final Set<State> moves;
+    private final WaysBack waysBack;
+
+    private RobotModels(ModelPair drawn, Map<State, RobotFunction> functions) {
+        this.functions = functions;
+        this.moves = new LinkedHashSet<>(functions.keySet());
+        moves.removeIf(state -> functions.get(state) != RobotFunction.MOVE);
+        this.waysBack = new WaysBack(drawn, moves);
+        this.pair = moves.isEmpty() ? drawn : new ModelPair(drawn.original(), waysBack.drawn());
+    }
+
+    /**
+     * Each function runs in the one new state that is left by the event it finishes with: Move by {@code arriveSpot},
+     * SpotWait by {@code timeout}.
+     *
+     * @throws ModelException if the models are no evolution, or a new state has no function
+     */
+    public static RobotModels of(ModelPair drawn) {
+        return of(drawn, List.of());
+    }
+
+    /**
+     * The same, but for states of which it is said otherwise.
+     *
+     * @param wanted each {@code STATE=FUNCTION}
+     * @throws ModelException as above
+     */
+    static RobotModels of(ModelPair drawn, List<String> wanted) {
+        drawn.requireValid();
+        return new RobotModels(drawn, FunctionBinding.bind(drawn, wanted));
+    }
+
+    /** The models with the ways out of Move that nobody has drawn. */
+    ModelPair pair() {
+        return pair;
+    }
+
+    Map<State, RobotFunction> functions() {
+        return functions;
+    }
+
+    /** The states in which Move runs. */
+    Set<State> moves() {
+        return moves;
+    }
+
+    /** Whether SpotWait raises {@code timeout} somewhere, and no time trigger of the model says when its state is left. */
+    boolean hasSpotWait() {
+        return functions.entrySet().stream()
+                .anyMatch(entry -> entry.getValue() == RobotFunction.SPOT_WAIT
+                        && RobotFunction.SPOT_WAIT.finishesIn(pair.evolved(), entry.getKey()));
+    }
+
+    /** The transitions that lead into a state of Move. */
+    List<Transition> entries(State move) {
+        return waysBack.entries(move);
+    }
+
+    /** Where a Move goes back to that this transition led to, unless it arrives. */
+    State before(Transition entry) {
+        return waysBack.before(entry);
+    }
+
+    /** Whether an event leads from a state of Move to one of Move again. */
+    boolean restartsMove(State now, String event) {
+        return moves.contains(now)
+                && pair.evolved().transitionsFrom(now).stream()
+                        .anyMatch(transition -> transition.event().name().equals(event)
+                                && !transition.internal()
+                                && moves.contains(transition.target()));
+    }
+}

@@ -1,0 +1,129 @@
+package org.evoloop.roomba;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import org.evoloop.evolution.ModelPair;
+import org.evoloop.roomba.session.SessionListener.Activity;
+import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.State;
+import org.evoloop.statemachine.StateMachine;
+import org.evoloop.statemachine.StateMachineBuilder;
+import org.evoloop.statemachine.Transition;
+
+/**
+ * The ways out of a Move that ends without an arrival, which its owner need not draw: back to the state in which the press
+ * occurred that led to it, or to where the robot is that somebody has set to work by its own buttons meanwhile. They are
+ * transitions of the new model like any other, on events of their own.
+ */
+final class WaysBack {
+    private static final Set<String> PRESSES = Set.of(RobotEvents.CLEAN, RobotEvents.SPOT);
+
+    private final StateMachine original;
+    private final StateMachine evolved;
+    private final Set<State> moves;
+
+    WaysBack(ModelPair pair, Set<State> moves) {
+        this.original = pair.original();
+        this.evolved = pair.evolved();
+        this.moves = moves;
+    }
+
+    /** The event that leads back to a state: {@code backToOn}. */
+    static String event(State state) {
+        return "backTo" + state.name();
+    }
+
+    /** The new model with these ways. */
+    StateMachine drawn() {
+        StateMachineBuilder builder =
+                StateMachine.named(evolved.name()).initial(evolved.initial().name());
+        evolved.states().forEach(state -> builder.activities(state.name(), evolved.activities(state)));
+        evolved.events().forEach(event -> builder.event(event.name()));
+        evolved.transitions().forEach(transition -> builder.transition(transition, ""));
+        for (State move : moves) {
+            Set<State> targets = new LinkedHashSet<>();
+            for (Transition entry : entries(move)) {
+                targets.add(before(entry));
+            }
+            for (Activity activity : Activity.values()) {
+                targets.add(RobotEvents.state(activity));
+            }
+            targets.removeIf(target -> moves.contains(target) || !canBeReached(target, move));
+            for (State target : targets) {
+                if (!evolved.hasTrigger(move, new Event(event(target)))) {
+                    builder.transition(move.name(), event(target), target.name());
+                }
+            }
+        }
+        return builder.initialEffects(evolved.initialEffects()).build();
+    }
+
+    /** The transitions that lead into a state from another one. */
+    List<Transition> entries(State state) {
+        return evolved.transitions().stream()
+                .filter(transition -> transition.target().equals(state)
+                        && !transition.source().equals(state))
+                .toList();
+    }
+
+    /** The state in which somebody's press led, at once or by and by, to this transition. */
+    State before(Transition entry) {
+        Set<State> seen = new LinkedHashSet<>();
+        Deque<Transition> next = new ArrayDeque<>(List.of(entry));
+        while (!next.isEmpty()) {
+            Transition candidate = next.remove();
+            State source = candidate.source();
+            if (PRESSES.contains(candidate.event().name()) && !moves.contains(source)) {
+                return source;
+            }
+            if (seen.add(source)) {
+                next.addAll(entries(source));
+            }
+        }
+        return entry.source();
+    }
+
+    /** Whether the device gets there, or need not, wherever it stands when the state is entered. */
+    private boolean canBeReached(State target, State move) {
+        if (!original.hasState(target)) {
+            return evolved.hasState(target);
+        }
+        return deviceStates(move).stream().allMatch(from -> reachable(from).contains(target));
+    }
+
+    /** Where the device stands in a new state: in the states of its own from which that is entered. */
+    private Set<State> deviceStates(State state) {
+        Set<State> found = new LinkedHashSet<>();
+        Set<State> seen = new LinkedHashSet<>(Set.of(state));
+        Deque<State> next = new ArrayDeque<>(seen);
+        while (!next.isEmpty()) {
+            for (Transition entry : entries(next.remove())) {
+                State source = entry.source();
+                if (original.hasState(source)) {
+                    found.add(source);
+                } else if (seen.add(source)) {
+                    next.add(source);
+                }
+            }
+        }
+        return found;
+    }
+
+    /** The states to which the device can be sent. */
+    private Set<State> reachable(State from) {
+        Set<State> seen = new LinkedHashSet<>(Set.of(from));
+        Deque<State> next = new ArrayDeque<>(seen);
+        while (!next.isEmpty()) {
+            for (Transition transition : original.transitionsFrom(next.remove())) {
+                Event event = transition.event();
+                if (PRESSES.contains(event.name()) && event.guards().isEmpty() && seen.add(transition.target())) {
+                    next.add(transition.target());
+                }
+            }
+        }
+        return seen;
+    }
+}
