@@ -14,7 +14,7 @@ final class Conversion {
     static final String FOUND_MEANWHILE = "the device was found meanwhile";
 
     /** So often may the device overtake the plans for one occurrence. */
-    private static final int MOST_ATTEMPTS = 8;
+    static final int MOST_ATTEMPTS = 8;
 
     private final Ledger ledger;
 

@@ -104,7 +104,7 @@ class CounterExamplesTest {
                 .ready()
                 .planned();
 
-        for (int attempt = 0; attempt <= Core.MOST_ATTEMPTS; attempt++) {
+        for (int attempt = 0; attempt <= Conversion.MOST_ATTEMPTS; attempt++) {
             told.own("switch").located("off");
         }
 
