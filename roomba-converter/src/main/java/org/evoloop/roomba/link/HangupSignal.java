@@ -4,6 +4,8 @@ import com.sun.jna.Memory;
 import com.sun.jna.Native;
 import com.sun.jna.Platform;
 import com.sun.jna.Pointer;
+import java.io.IOException;
+import org.evoloop.roomba.natives.NativeLibraries;
 
 /**
  * Keeps what the program does on SIGHUP, the signal of a terminal or SSH session that ends. jSerialComm's native part
@@ -28,7 +30,14 @@ final class HangupSignal {
         static native int sigaction(int signal, Pointer action, Pointer previous);
     }
 
-    static void keptDuring(Runnable change) {
+    /** What may change it. */
+    @FunctionalInterface
+    interface Change {
+        void run() throws IOException;
+    }
+
+    static void keptDuring(Change change) throws IOException {
+        NativeLibraries.loadJna();
         if (Platform.isWindows()) {
             change.run();
             return;
