@@ -65,6 +65,21 @@ class PlantedLibrariesTest {
         assertLoadsPrivately(Set.of("libjnidispatch.so"), "simulator", "--link", link);
     }
 
+    @Test
+    void withoutAPlaceOfItsOwnItTellsSoAndLoadsNothing() throws Exception {
+        Path missing = folder.resolve("missing");
+        Path home = folder.resolve("no-home");
+        Process program =
+                Program.start(List.of("-Djava.io.tmpdir=" + missing, "-Duser.home=" + home), "--port", "/dev/null");
+        // Newer JDKs complain of the folder, too.
+        assertThat(program.inputReader().lines())
+                .last()
+                .isEqualTo("error: the native library libjnidispatch.so cannot be unpacked and loaded (no folder can"
+                        + " be made in " + missing + "; no folder can be made in " + home + "); name a folder that can"
+                        + " be written to with java -Djava.io.tmpdir=FOLDER");
+        assertThat(program.waitFor()).isEqualTo(2);
+    }
+
     private void assertLoadsPrivately(Set<String> libraries, String... arguments) throws Exception {
         Path home = folder.resolve("no-home");
         Process program = Program.start(List.of("-Djava.io.tmpdir=" + everybodys, "-Duser.home=" + home), arguments);

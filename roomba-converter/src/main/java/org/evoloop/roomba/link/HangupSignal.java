@@ -22,7 +22,7 @@ final class HangupSignal {
 
     private static final class LibC {
         static {
-            Native.register("c");
+            Native.register(NativeLibraries.C_LIBRARY);
         }
 
         private LibC() {}

@@ -1,13 +1,13 @@
 package org.evoloop.roomba.natives;
 
 import com.fazecast.jSerialComm.SerialPort;
-import com.sun.jna.Native;
 import com.sun.jna.NativeLibrary;
 import com.sun.jna.Platform;
+import java.io.File;
+import java.io.FileOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
-import java.nio.file.Files;
-import java.nio.file.Path;
+import java.io.OutputStream;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.UUID;
@@ -32,6 +32,9 @@ public final class NativeLibraries {
             "linux-armel", "armv5",
             "linux-ppc64le", "ppc64le");
 
+    /** The C library, as the system finds it without a search of JNA's. */
+    public static final String C_LIBRARY = Platform.isLinux() ? "libc.so.6" : Platform.C_LIBRARY_NAME;
+
     private static boolean jnaLoaded;
     private static boolean serialLoaded;
 
@@ -49,12 +52,19 @@ public final class NativeLibraries {
         }
     }
 
-    private static void loadJna(Path library) {
+    private static void loadJna(File library) {
         // If it cannot be loaded this fails, where JNA would search on; JNA finds it loaded.
         System.load(library.toString());
         during(
-                Map.of("jna.boot.library.path", String.valueOf(library.getParent()), "jna.nounpack", "true"),
-                Native::isProtected);
+                Map.of(
+                        "jna.boot.library.path",
+                        library.getParent(),
+                        "jna.nounpack",
+                        "true",
+                        // It would run ldconfig to learn where libraries are, which takes longer than all the rest.
+                        "jna.platform.library.path",
+                        ""),
+                () -> NativeLibrary.getInstance(C_LIBRARY));
     }
 
     /**
@@ -71,13 +81,13 @@ public final class NativeLibraries {
         }
     }
 
-    private static void loadSerial(Path library) {
+    private static void loadSerial(File library) {
         // The same; but to load it would initialise the class that loads it, and to open it does not.
         NativeLibrary.getInstance(library.toString()).close();
         during(
                 Map.of(
                         "jSerialComm.library.path",
-                        String.valueOf(library.getParent()),
+                        library.getParent(),
                         // It empties old folders of this name, and whatever links in them lead to: there are none of a
                         // name that nobody knows.
                         "fazecast.jSerialComm.appid",
@@ -87,7 +97,7 @@ public final class NativeLibraries {
 
     /** What loads a library from a file. */
     private interface Loading {
-        void from(Path library);
+        void from(File library);
     }
 
     private static void load(String resource, Loading loading) throws IOException {
@@ -96,23 +106,25 @@ public final class NativeLibraries {
         }
         String file = resource.substring(resource.lastIndexOf('/') + 1);
         try (PrivateFolder folder = PrivateFolder.make()) {
-            Path library = folder.path().resolve(file);
+            File library = folder.file(file);
             unpack(resource, library);
             loading.from(library);
         } catch (IOException | UnsatisfiedLinkError failure) {
             throw new IOException(
                     "the native library " + file + " cannot be unpacked and loaded (" + failure.getMessage()
-                            + "); make room in the folder for temporary files, or name another with -Djava.io.tmpdir=FOLDER",
+                            + "); name a folder that can be written to with java -Djava.io.tmpdir=FOLDER",
                     failure);
         }
     }
 
-    private static void unpack(String resource, Path target) throws IOException {
+    private static void unpack(String resource, File target) throws IOException {
         try (InputStream library = NativeLibraries.class.getResourceAsStream(resource)) {
             if (library == null) {
                 throw new IOException("there is none for this machine, " + Platform.RESOURCE_PREFIX);
             }
-            Files.copy(library, target);
+            try (OutputStream file = new FileOutputStream(target)) {
+                library.transferTo(file);
+            }
         }
     }
 

@@ -1,28 +1,23 @@
 package org.evoloop.roomba.natives;
 
+import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.attribute.FileAttribute;
-import java.nio.file.attribute.PosixFilePermission;
-import java.nio.file.attribute.PosixFilePermissions;
+import java.util.ArrayList;
 import java.util.List;
-import java.util.Set;
-import java.util.stream.Stream;
 
 /**
  * A folder of a name that nobody can guess, which none but its owner may enter (mode 0700), for files that are loaded as
  * programs. It goes with {@link #close()}; a loaded file goes on without its name.
+ *
+ * <p>Most is done with {@link File}: it needs fewer classes, and a program starts only when its libraries are loaded.
  */
 final class PrivateFolder implements AutoCloseable {
-    private static final String PREFIX = "evoloop-native-";
-    private static final FileAttribute<Set<PosixFilePermission>> OWNER_ONLY =
-            PosixFilePermissions.asFileAttribute(PosixFilePermissions.fromString("rwx------"));
+    private final File folder;
 
-    private final Path path;
-
-    private PrivateFolder(Path path) {
-        this.path = path;
+    private PrivateFolder(File folder) {
+        this.folder = folder;
     }
 
     /**
@@ -31,43 +26,41 @@ final class PrivateFolder implements AutoCloseable {
      * @throws IOException if it can be made in neither
      */
     static PrivateFolder make() throws IOException {
-        IOException refused = new IOException("files there must not be run (mounted noexec)");
-        for (Path parent :
-                List.of(Path.of(System.getProperty("java.io.tmpdir")), Path.of(System.getProperty("user.home")))) {
+        List<String> refusals = new ArrayList<>();
+        for (String parent : List.of(System.getProperty("java.io.tmpdir"), System.getProperty("user.home"))) {
             try {
-                PrivateFolder folder = new PrivateFolder(Files.createTempDirectory(parent, PREFIX, OWNER_ONLY));
+                // Its mode is 0700 from the start.
+                Path made = Files.createTempDirectory(Path.of(parent), "evoloop-native-");
+                PrivateFolder folder = new PrivateFolder(made.toFile());
                 if (folder.mayRunFiles()) {
                     return folder;
                 }
                 folder.close();
+                refusals.add("no file in " + parent + " may be run, it is mounted noexec");
             } catch (IOException failure) {
-                refused.addSuppressed(failure);
+                refusals.add("no folder can be made in " + parent);
             }
         }
-        throw refused;
+        throw new IOException(String.join("; ", refusals));
     }
 
     /** The system denies the right to run any file on a file system that is mounted so. */
     private boolean mayRunFiles() throws IOException {
-        Path probe = Files.createFile(path.resolve("probe"), OWNER_ONLY);
-        try {
-            return Files.isExecutable(probe);
-        } finally {
-            Files.delete(probe);
-        }
+        File probe = file("probe");
+        return probe.createNewFile() && probe.setExecutable(true) && probe.canExecute() && probe.delete();
     }
 
-    Path path() {
-        return path;
+    /** One of its files, which need not exist. */
+    File file(String name) {
+        return new File(folder, name);
     }
 
     @Override
     public void close() throws IOException {
-        try (Stream<Path> files = Files.list(path)) {
-            for (Path file : files.toList()) {
-                Files.delete(file);
-            }
+        File[] files = folder.listFiles();
+        for (File file : files == null ? new File[0] : files) {
+            Files.delete(file.toPath());
         }
-        Files.delete(path);
+        Files.delete(folder.toPath());
     }
 }

@@ -15,7 +15,7 @@ class PrivateFolderTest {
     void itIsItsOwnersAloneAndGoesWithAllThatIsInIt() throws Exception {
         Path path;
         try (PrivateFolder folder = PrivateFolder.make()) {
-            path = folder.path();
+            path = folder.file("").toPath();
             assertThat(PosixFilePermissions.toString(Files.getPosixFilePermissions(path)))
                     .isEqualTo("rwx------");
             assertThat(path).isEmptyDirectory();
@@ -28,7 +28,7 @@ class PrivateFolderTest {
     void noTwoHaveTheSameName() throws Exception {
         try (PrivateFolder one = PrivateFolder.make();
                 PrivateFolder other = PrivateFolder.make()) {
-            assertThat(one.path()).isNotEqualTo(other.path());
+            assertThat(one.file("")).isNotEqualTo(other.file(""));
         }
     }
 }

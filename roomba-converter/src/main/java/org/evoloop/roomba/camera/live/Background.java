@@ -49,7 +49,7 @@ final class Background {
 
     private static final class LibC {
         static {
-            Native.register("c");
+            Native.register(NativeLibraries.C_LIBRARY);
         }
 
         private LibC() {}
