@@ -17,6 +17,7 @@ import java.util.Objects;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.evoloop.roomba.link.SerialLink;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -43,6 +44,7 @@ class PlantedLibrariesTest {
         assumeTrue(machine != null, "no library to plant on this machine");
         everybodys = Files.createDirectory(folder.resolve("tmp"));
         Files.setPosixFilePermissions(everybodys, PosixFilePermissions.fromString("rwxrwxrwx"));
+        SerialLink.prepare();
         Path place = Files.createDirectories(everybodys.resolve("jSerialComm").resolve(SerialPort.getVersion()));
         // The library itself, so that it would be taken; whoever means harm would write another.
         try (InputStream library = SerialPort.class.getResourceAsStream("/Linux/" + machine + "/" + SERIAL)) {
