@@ -16,6 +16,8 @@ from pycreate2 import Create2
 from pycreate2.OI import OPCODES, RESPONSE_SIZES
 from pycreate2.packets import Buttons, Sensors
 
+from simulated_roomba import ANSWER_LIMIT_S
+
 from interop_case import (
     BATTERY_PERCENT,
     BEFORE_LEFT_BUMP,
@@ -175,8 +177,13 @@ class PyCreate2Test(InteropCase):
 
     def test_reset_tells_its_boot_text(self) -> None:
         self.create2.safe()
-        self.assertIn(b"Roomba by iRobot!", self.create2.reset())
+        # It reads for 2 s, and the robot boots for 4.
+        self.assertEqual(self.create2.reset(), b"Soft reset!\r\n")
         self.wait_for_mode("off")
+        self.create2.start()
+        self.create2.SCI.ser.timeout = ANSWER_LIMIT_S
+        self.assertEqual(self.create2.SCI.ser.read_until(b"iRobot!"), b"\xfeRoomba by iRobot!")
+        self.assertEqual(self.roomba.state().oi_mode, "off", "what it heard while it booted is lost")
         self.create2.start()
         self.wait_for_mode("passive")
 

@@ -9,6 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import picocli.CommandLine;
 
 class MainTest {
     private final StringWriter errors = new StringWriter();
@@ -21,6 +22,13 @@ class MainTest {
     void namesAnOptionThatThereIsNot() {
         assertThat(run("--slowly")).isEqualTo(2);
         assertThat(errors.toString()).contains("--slowly").contains("./evoloop bench --help");
+    }
+
+    /** It is shown by ./evoloop, which then has nothing to build. */
+    @Test
+    void theHelpThatNeedsNoBuildIsThatOfTheProgram() {
+        assertThat(Path.of(System.getProperty("evoloop.root"), "benchmarks", "help.txt"))
+                .hasContent(Main.commandLine().getUsageMessage(CommandLine.Help.Ansi.OFF));
     }
 
     @Test

@@ -46,7 +46,11 @@ public final class Main {
     /** Beside the reading of the options, which takes as long. */
     private static void loadWhatTakesLong() {
         XmiFile.prepare();
-        SerialLink.prepare();
+        try {
+            SerialLink.prepare();
+        } catch (LinkException toldWhenALinkIsOpened) {
+            // Whoever opens one has an error to tell, and a user who waits for it.
+        }
     }
 
     private static CommandLine everything() {

@@ -15,6 +15,7 @@ import org.evoloop.roomba.link.SerialLink;
 import org.evoloop.roomba.link.SerialSettings;
 import org.evoloop.roomba.session.SessionOptions;
 import org.evoloop.roomba.simulator.SimulatorServer;
+import org.evoloop.roomba.simulator.WorldCommands;
 import org.evoloop.time.Clock;
 import org.evoloop.time.SystemClock;
 import org.jspecify.annotations.Nullable;
@@ -98,10 +99,10 @@ final class RoombaCommand implements Callable<Integer> {
                     .completing(before -> before.isEmpty() ? List.of("clean", "spot") : List.of()));
             if (world != null) {
                 console.addCommand(ConsoleCommand.of(
-                                "robot COMMAND [ARGUMENT] [ARGUMENT]",
-                                "tells the simulated robot's world something: robot press clean, robot state",
+                                "robot COMMAND [ARGUMENT] [ARGUMENT] [ARGUMENT]",
+                                "tells the simulated robot's world something: robot press clean, robot place 500 0 90, robot help",
                                 (arguments, out) -> out.println(world.execute(String.join(" ", arguments))))
-                        .completing(before -> before.isEmpty() ? List.of("press", "state") : List.of("clean", "spot")));
+                        .completing(before -> before.isEmpty() ? WorldCommands.NAMES : WorldCommands.BUTTON_NAMES));
             }
             return console.run();
         }

@@ -29,6 +29,7 @@ class ArchitectureTest {
     private static final String CAMERA = "org.evoloop.roomba.camera..";
     private static final String OPENCV = "org.evoloop.roomba.camera.opencv..";
     private static final String MOVE = "org.evoloop.roomba.move..";
+    private static final String NATIVES = "org.evoloop.roomba.natives..";
     private static final String TIME = "org.evoloop.time..";
 
     private static ArchRule room(String room, DescribedPredicate<JavaClass> mayUse) {
@@ -43,17 +44,21 @@ class ArchitectureTest {
     static final ArchRule theOpenInterfaceUsesNothing = room(OI, resideInAPackage(OI));
 
     @ArchTest
-    static final ArchRule theLinkMayUseTheOpenInterface = room(LINK, resideInAPackage(OI));
+    static final ArchRule nativeLibrariesAreLoadedWithoutKnowingWhatFor = room(NATIVES, resideInAPackage(NATIVES));
 
     @ArchTest
-    static final ArchRule theSimulatorKnowsNothingOfTheConverter = room(SIMULATOR, resideInAnyPackage(OI, TIME));
+    static final ArchRule theLinkMayUseTheOpenInterface = room(LINK, resideInAnyPackage(OI, NATIVES));
+
+    @ArchTest
+    static final ArchRule theSimulatorKnowsNothingOfTheConverter =
+            room(SIMULATOR, resideInAnyPackage(OI, NATIVES, TIME));
 
     @ArchTest
     static final ArchRule theSessionKnowsTheRobotOnly =
             room(SESSION, or(resideInAnyPackage(OI, LINK, TIME), type(DeviceLink.class)));
 
     @ArchTest
-    static final ArchRule theCameraKnowsNoRobot = room(CAMERA, resideInAPackage(TIME));
+    static final ArchRule theCameraKnowsNoRobot = room(CAMERA, resideInAnyPackage(NATIVES, TIME));
 
     @ArchTest
     static final ArchRule aConnectionKnowsNothingOfItsSession =

@@ -36,11 +36,16 @@ class ConsoleSessionTest {
     @Test
     void aMistypedCommandIsOneLineOnStandardErrorAndTheConsoleGoesOn() throws Exception {
         Program.Result result = Program.runWithInput(
-                folder, "press brush\nrobot press clean\nrobot dance\nlist\n", "--simulate", "--speed", "20");
+                folder,
+                "press brush\nrobot place 500 -250.5 90\nrobot dance\nrobot state\nlist\n",
+                "--simulate",
+                "--speed",
+                "20");
         assertThat(result.err().lines())
                 .containsExactly("error: the controller has no button brush; it has clean and spot");
         assertThat(result.out().lines())
                 .contains("ok")
+                .anyMatch(line -> line.startsWith("{") && line.contains("\"xMm\":500") && line.contains("\"yMm\":-250"))
                 .anyMatch(line -> line.startsWith("error: 'dance' is no command; there are press clean|spot|dock"))
                 .last()
                 .isEqualTo("spares      ExecuteCommand2");

@@ -43,6 +43,13 @@ final class Program {
         return run(folder, List.of("-Dlogback.configurationFile=" + logFile), "", arguments);
     }
 
+    /** The program at work, with its standard input open. */
+    static Process start(List<String> javaOptions, String... arguments) throws IOException {
+        return new ProcessBuilder(command(javaOptions, arguments))
+                .redirectErrorStream(true)
+                .start();
+    }
+
     private static Result run(Path folder, List<String> javaOptions, String input, String... arguments)
             throws IOException, InterruptedException {
         Path out = Files.createTempFile(folder, "out", ".txt");

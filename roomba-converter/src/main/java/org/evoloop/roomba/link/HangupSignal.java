@@ -4,6 +4,8 @@ import com.sun.jna.Memory;
 import com.sun.jna.Native;
 import com.sun.jna.Platform;
 import com.sun.jna.Pointer;
+import java.io.IOException;
+import org.evoloop.roomba.natives.NativeLibraries;
 
 /**
  * Keeps what the program does on SIGHUP, the signal of a terminal or SSH session that ends. jSerialComm's native part
@@ -20,7 +22,7 @@ final class HangupSignal {
 
     private static final class LibC {
         static {
-            Native.register("c");
+            Native.register(NativeLibraries.C_LIBRARY);
         }
 
         private LibC() {}
@@ -28,7 +30,14 @@ final class HangupSignal {
         static native int sigaction(int signal, Pointer action, Pointer previous);
     }
 
-    static void keptDuring(Runnable change) {
+    /** What may change it. */
+    @FunctionalInterface
+    interface Change {
+        void run() throws IOException;
+    }
+
+    static void keptDuring(Change change) throws IOException {
+        NativeLibraries.loadJna();
         if (Platform.isWindows()) {
             change.run();
             return;

@@ -26,6 +26,8 @@ public final class SerialLink implements Link {
     /**
      * Has the serial library loaded, which takes longer than opening a link. A program that has other things to do before
      * calls this on another thread; whoever needs the library meanwhile waits for it.
+     *
+     * @throws LinkException if it cannot be loaded
      */
     public static void prepare() {
         SerialPorts.load();

@@ -9,6 +9,8 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
+import org.evoloop.roomba.link.LinkException.Fault;
+import org.evoloop.roomba.natives.NativeLibraries;
 
 /**
  * Finds and opens serial ports.
@@ -18,21 +20,32 @@ import java.util.stream.Stream;
 final class SerialPorts {
     private static final Object LIBRARY = new Object();
     private static final int DATA_BITS = 8;
-
-    static {
-        HangupSignal.keptDuring(SerialPort::getVersion);
-    }
+    private static boolean loaded;
 
     private SerialPorts() {}
 
-    /** Has the library loaded, if it was not; initialising this class does it. */
-    static void load() {}
+    /** Has the library loaded, if it was not; throws {@link LinkException} if it cannot be. */
+    static void load() {
+        synchronized (LIBRARY) {
+            if (loaded) {
+                return;
+            }
+            try {
+                HangupSignal.keptDuring(NativeLibraries::loadSerial);
+            } catch (IOException failure) {
+                throw new LinkException(Fault.REFUSED, String.valueOf(failure.getMessage()));
+            }
+            loaded = true;
+        }
+    }
 
     static void addShutdownHook(Thread hook) {
+        load();
         SerialPort.addShutdownHook(hook);
     }
 
     static List<String> available() {
+        load();
         synchronized (LIBRARY) {
             return Stream.of(SerialPort.getCommPorts())
                     .map(SerialPort::getSystemPortPath)
@@ -44,6 +57,7 @@ final class SerialPorts {
     /** The open port, with nothing in its buffers and its wake line at rest. */
     static SerialPort open(SerialSettings settings) {
         Path device = device(settings);
+        load();
         synchronized (LIBRARY) {
             SerialPort port = port(settings, device);
             port.setComPortParameters(settings.baud(), DATA_BITS, SerialPort.ONE_STOP_BIT, SerialPort.NO_PARITY);

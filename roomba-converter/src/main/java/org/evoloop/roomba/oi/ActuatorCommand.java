@@ -237,9 +237,15 @@ public sealed interface ActuatorCommand extends Command {
      * Stores a song under a number.
      *
      * @param number 0 to 4
-     * @param notes 1 to 16
+     * @param notes 1 to 255; the specification allows {@value #NOTES_PER_SONG}, and robots let more spill over into the songs
+     *     that follow
      */
     record Song(int number, List<Note> notes) implements ActuatorCommand {
+        /** How many songs a robot holds. */
+        public static final int SONGS = 5;
+
+        /** What a robot has room for under each number. */
+        public static final int NOTES_PER_SONG = 16;
 
         /**
          * One tone or rest.
@@ -255,9 +261,9 @@ public sealed interface ActuatorCommand extends Command {
         }
 
         public Song {
-            Bytes.requireRange("song number", number, 0, 4, "");
+            Bytes.requireRange("song number", number, 0, SONGS - 1, "");
             notes = List.copyOf(notes);
-            Bytes.requireRange("number of notes", notes.size(), 1, 16, "");
+            Bytes.requireRange("number of notes", notes.size(), 1, 255, "");
         }
 
         @Override

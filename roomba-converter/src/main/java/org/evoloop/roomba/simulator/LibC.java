@@ -4,6 +4,7 @@ import com.sun.jna.Native;
 import com.sun.jna.NativeLong;
 import com.sun.jna.Pointer;
 import java.io.IOException;
+import org.evoloop.roomba.natives.NativeLibraries;
 
 /**
  * The part of the C library that makes a pseudo-terminal. The numbers are Linux's; they are the same on x86_64, aarch64
@@ -33,7 +34,7 @@ final class LibC {
     static final int TERMIOS2_OUTPUT_SPEED_OFFSET = 40;
 
     static {
-        Native.register("c");
+        Native.register(NativeLibraries.C_LIBRARY);
     }
 
     private LibC() {}

@@ -8,12 +8,16 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
+import java.nio.file.attribute.FileTime;
 import java.util.Arrays;
+import java.util.Optional;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.locks.Lock;
 import java.util.concurrent.locks.ReentrantLock;
+import org.evoloop.roomba.natives.NativeLibraries;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -69,23 +73,50 @@ public final class Pty implements AutoCloseable {
     }
 
     /**
-     * A pseudo-terminal that is found under a path that stays the same, a symbolic link that replaces one that is
-     * there already and goes with {@link #hangUp()}. The next pseudo-terminal of the same path is the cable plugged
-     * in again.
+     * A pseudo-terminal that is found under a path that stays the same, a symbolic link that goes with {@link #hangUp()}.
+     * It replaces one that a simulator left behind. The next pseudo-terminal of the same path is the cable plugged in
+     * again.
      *
-     * @throws IOException if the system cannot make one, or something that is not a symbolic link has the path
+     * @throws IOException if the system cannot make one, or the path is that of something else than a symbolic link or of
+     *     a simulator that lives
      */
     public static Pty open(Path symlink) throws IOException {
         if (Files.exists(symlink, LinkOption.NOFOLLOW_LINKS) && !Files.isSymbolicLink(symlink)) {
             throw new IOException(symlink + " exists and is not a symbolic link; remove it or choose another path");
         }
+        Optional<Path> living = livingTarget(symlink);
+        if (living.isPresent()) {
+            throw new IOException(symlink + " is the port of a simulator that lives, " + living.get()
+                    + "; end that one or choose another path");
+        }
         return make(symlink);
+    }
+
+    /**
+     * Where a link leads, if its terminal is still the one for which it was made. The kernel gives a terminal the path of
+     * one that is gone; then it is younger than the link.
+     */
+    private static Optional<Path> livingTarget(Path symlink) throws IOException {
+        try {
+            Path target = symlink.resolveSibling(Files.readSymbolicLink(symlink));
+            return target.startsWith("/dev/pts") && changed(target).compareTo(changed(symlink)) <= 0
+                    ? Optional.of(target)
+                    : Optional.empty();
+        } catch (NoSuchFileException noneOrDead) {
+            return Optional.empty();
+        }
+    }
+
+    /** Of a terminal and of a link this is when they were made; reading and writing do not count. */
+    private static FileTime changed(Path path) throws IOException {
+        return (FileTime) Files.getAttribute(path, "unix:ctime", LinkOption.NOFOLLOW_LINKS);
     }
 
     private static Pty make(@Nullable Path symlink) throws IOException {
         if (!Platform.isLinux()) {
             throw new IOException("pseudo-terminals are made on Linux only, this is " + System.getProperty("os.name"));
         }
+        NativeLibraries.loadJna();
         int master = LibC.check(
                 LibC.posix_openpt(LibC.O_RDWR | LibC.O_NOCTTY | LibC.O_NONBLOCK | LibC.O_CLOEXEC), "posix_openpt");
         int wakeUp = -1;

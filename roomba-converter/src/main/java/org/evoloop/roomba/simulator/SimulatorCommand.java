@@ -28,8 +28,8 @@ import picocli.CommandLine.Spec;
 
 /**
  * The simulator as a program: a robot at a port, and {@link WorldCommands} on standard input, answered on standard
- * output. It ends with code 0 by the command {@code quit}, SIGTERM or SIGINT. The end of its input is no reason to end,
- * so that it can run in the background.
+ * output. It ends with code 0 by the command {@code quit}, the end of its input, SIGTERM or SIGINT; with {@code
+ * --keep-running}, so that it can run in the background, the end of its input is no reason to end.
  */
 @Command(
         name = "simulator",
@@ -48,7 +48,7 @@ import picocli.CommandLine.Spec;
             "  camera unplug, camera replug     pulls the camera's cable, and plugs it in again",
             "  camera damage P                  damages this part of its pictures, 0 to 1",
             "  state                            tells its true state in JSON",
-            "  help, quit",
+            "  help, quit                       the end of standard input quits, too",
             "",
             "A room file has a thing on each line, in mm and in degrees counterclockwise",
             "from the x axis; # begins a comment:",
@@ -59,9 +59,10 @@ import picocli.CommandLine.Spec;
             "  dock X Y HEADING           where a docked robot stands and looks;",
             "                             the dock itself is 176 mm ahead",
             "  start X Y HEADING          where it begins (default: the dock, else 0 0 0)",
-            "  marker X Y HEADING [ID [SIDE [HEIGHT]]]",
+            "  marker X Y HEADING [ID [SIDE [HEIGHT]]] [solid]",
             "                             an upright tag of 4x4_50 (default: 0, 150, 150),",
-            "                             its middle HEIGHT above X Y; it looks to HEADING",
+            "                             its middle HEIGHT above X Y; it looks to HEADING;",
+            "                             a solid one is an obstacle as wide as its board",
             "A wall or an obstacle may end with its looks: color RRGGBB height MM"
         },
         mixinStandardHelpOptions = true)
@@ -85,6 +86,12 @@ public final class SimulatorCommand implements Callable<Integer> {
             defaultValue = "1",
             description = "How many times faster than real time the robot lives (default: ${DEFAULT-VALUE}).")
     private double speed;
+
+    @Option(
+            names = "--keep-running",
+            description = "Goes on when standard input ends, as it does for a service or with </dev/null; "
+                    + "SIGTERM ends it.")
+    private boolean keepRunning;
 
     @Option(
             names = "--svg",
@@ -181,6 +188,9 @@ public final class SimulatorCommand implements Callable<Integer> {
                     quit.countDown();
                     return;
                 }
+            }
+            if (!keepRunning) {
+                quit.countDown();
             }
         } catch (IOException failure) {
             LOG.warn("no more commands are read: {}", failure.getMessage());

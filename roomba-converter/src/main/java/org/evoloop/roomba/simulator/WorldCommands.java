@@ -40,8 +40,7 @@ public final class WorldCommands {
     private static final String PLACE = "place X Y HEADING";
     private static final String MOVE_MARKER = "move-marker X Y HEADING";
     private static final String CAMERA = "camera stall|resume|unplug|replug|damage P";
-    private static final String HELP = String.join(
-            "; ",
+    private static final List<String> USAGES = List.of(
             PRESS,
             "lift",
             "set-down",
@@ -57,6 +56,15 @@ public final class WorldCommands {
             "state",
             "help",
             "quit");
+    private static final String HELP = String.join("; ", USAGES);
+
+    /** The first word of each command. */
+    public static final List<String> NAMES =
+            USAGES.stream().map(usage -> usage.replaceFirst(" .*", "")).toList();
+
+    /** What can be pressed. */
+    public static final List<String> BUTTON_NAMES = List.of("clean", "spot", "dock");
+
     private static final List<Button> BUTTONS = List.of(Button.CLEAN, Button.SPOT, Button.DOCK);
     private static final int LONGEST_PRESS_MILLIS = 60_000;
     private static final int FARTHEST_MM = 100_000;

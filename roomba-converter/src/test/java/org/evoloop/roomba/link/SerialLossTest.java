@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.awaitility.Awaitility.await;
 
+import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.concurrent.CompletableFuture;
@@ -114,7 +116,7 @@ class SerialLossTest {
                         next.complete(open(nextListener));
                     }
                 });
-                Pty second = Pty.open(Path.of(path))) {
+                Pty second = inPlaceOfTheFirst()) {
             first.hangUp();
             try (Link link = next.get(Listener.PATIENCE_SECONDS, TimeUnit.SECONDS)) {
                 second.write(new byte[] {42}, 1);
@@ -126,6 +128,11 @@ class SerialLossTest {
             }
             assertFault(Fault.HUNG_UP, () -> old.send(new byte[1]));
         }
+    }
+
+    private Pty inPlaceOfTheFirst() throws IOException {
+        Files.delete(Path.of(path));
+        return Pty.open(Path.of(path));
     }
 
     @Test

@@ -63,7 +63,7 @@ class CommandTest {
                 mistake(() -> new ActuatorCommand.DigitLedsAscii("ABC"), "length of text is 3 characters"),
                 mistake(() -> new ActuatorCommand.DigitLedsAscii("AB\nD"), "character of text is 10"),
                 mistake(() -> new ActuatorCommand.Play(5), "song number is 5; allowed is 0 to 4"),
-                mistake(() -> new ActuatorCommand.Song(0, List.of()), "number of notes is 0; allowed is 1 to 16"),
+                mistake(() -> new ActuatorCommand.Song(0, List.of()), "number of notes is 0; allowed is 1 to 255"),
                 mistake(() -> new ActuatorCommand.Song(-1, List.of(new Note(60, 1))), "song number is -1"),
                 mistake(() -> new Note(256, 0), "pitch is 256"),
                 mistake(() -> new Note(60, 256), "durationIn64thsOfSecond is 256"),

@@ -63,7 +63,7 @@ final class RandomCommands {
                 range(0, 4)
                         .zip(
                                 lists().of(range(0, 255).zip(range(0, 255), Note::new))
-                                        .ofSizeBetween(1, 16),
+                                        .ofSizeBetween(1, 255),
                                 ActuatorCommand.Song::new);
             case PLAY -> range(0, 4).map(ActuatorCommand.Play::new);
             case SENSORS -> packetIds().map(InputCommand.Sensors::new);

@@ -138,6 +138,7 @@ class PtyTest {
         try (Pty first = Pty.open(link)) {
             assertThat(first.path()).isEqualTo(link);
             assertThat(Files.readSymbolicLink(link)).isEqualTo(first.slavePath());
+            Files.delete(link);
             try (Pty second = Pty.open(link)) {
                 assertThat(Files.readSymbolicLink(link)).isEqualTo(second.slavePath());
                 first.hangUp();

@@ -2,7 +2,6 @@ package org.evoloop.roomba.simulator;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.io.BufferedReader;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -13,9 +12,12 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
 import java.util.concurrent.TimeUnit;
 import org.evoloop.roomba.simulator.robot.RobotOptions;
 import org.evoloop.roomba.simulator.robot.SimulatedRoomba;
+import org.evoloop.time.Clock;
+import org.evoloop.time.SystemClock;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.EnabledOnOs;
@@ -147,20 +149,78 @@ class SimulatorCommandTest {
     }
 
     @Test
-    void theEndOfInputIsNotItsEndButASignalIs() throws Exception {
+    void theEndOfInputIsItsEnd() {
         Path link = folder.resolve("roomba");
+        assertThat(run("press clean\n", "--link", link.toString())).isZero();
+        assertThat(output.toString().lines()).containsExactly("ready " + link, "ok");
+        assertThat(Files.exists(link, LinkOption.NOFOLLOW_LINKS)).isFalse();
+    }
+
+    @Test
+    void thePortOfALivingSimulatorIsRefusedAndOneLeftBehindIsTaken() throws Exception {
+        Path link = folder.resolve("roomba");
+        try (Clock clock = new SystemClock();
+                SimulatorServer living = SimulatorServer.start(link, RobotOptions.defaults(), clock, 1)) {
+            Path port = Files.readSymbolicLink(link);
+            assertThat(run("quit\n", "--link", link.toString())).isEqualTo(2);
+            assertThat(errors.toString().lines().findFirst())
+                    .contains("cannot start the simulator: " + link + " is the port of a simulator that lives, " + port
+                            + "; end that one or choose another path");
+            assertThat(Files.readSymbolicLink(link)).isEqualTo(port);
+            assertThat(living.robot().state().timeMillis()).isNotNegative();
+        }
+        Process killed = inBackground(link);
+        killed.destroyForcibly().waitFor();
+        assertThat(link).as("left behind").isSymbolicLink();
+        assertThat(run("quit\n", "--link", link.toString())).isZero();
+
+        Files.createSymbolicLink(link, Path.of("/dev/pts/31415"));
+        assertThat(run("quit\n", "--link", link.toString())).isZero();
+    }
+
+    @Test
+    void aYoungerTerminalAtTheEndOfAnOldLinkIsNotTheSimulators() throws Exception {
+        Path link = folder.resolve("roomba");
+        try (Pty early = Pty.open()) {
+            Files.createSymbolicLink(link, early.slavePath());
+        }
+        // The kernel gives the lowest number that is free; until its clock has ticked both are of the same age.
+        Pty younger = Pty.open();
+        while (changed(younger.slavePath()).compareTo(changed(link)) <= 0) {
+            younger.close();
+            younger = Pty.open();
+        }
+        try (Pty terminal = younger) {
+            assertThat(Files.readSymbolicLink(link)).isEqualTo(terminal.slavePath());
+            assertThat(run("quit\n", "--link", link.toString())).isZero();
+        }
+    }
+
+    private static FileTime changed(Path path) throws IOException {
+        return (FileTime) Files.getAttribute(path, "unix:ctime", LinkOption.NOFOLLOW_LINKS);
+    }
+
+    private static Process inBackground(Path link) throws IOException {
         Process process = new ProcessBuilder(
                         Path.of(System.getProperty("java.home"), "bin", "java").toString(),
                         "-cp",
                         System.getProperty("java.class.path"),
                         Program.class.getName(),
+                        "--keep-running",
                         "--link",
                         link.toString())
                 .redirectErrorStream(true)
                 .start();
-        try (BufferedReader lines = process.inputReader()) {
-            process.getOutputStream().close();
-            assertThat(lines.readLine()).isEqualTo("ready " + link);
+        process.getOutputStream().close();
+        assertThat(process.inputReader().readLine()).isEqualTo("ready " + link);
+        return process;
+    }
+
+    @Test
+    void toldSoItGoesOnAtTheEndOfInputAndASignalEndsIt() throws Exception {
+        Path link = folder.resolve("roomba");
+        Process process = inBackground(link);
+        try {
             assertThat(process.isAlive()).isTrue();
             assertThat(link).isSymbolicLink();
             process.destroy();

@@ -5,8 +5,10 @@ import com.sun.jna.Native;
 import com.sun.jna.NativeLong;
 import com.sun.jna.Platform;
 import com.sun.jna.Pointer;
+import java.io.IOException;
 import java.util.Map;
 import java.util.Optional;
+import org.evoloop.roomba.natives.NativeLibraries;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -47,7 +49,7 @@ final class Background {
 
     private static final class LibC {
         static {
-            Native.register("c");
+            Native.register(NativeLibraries.C_LIBRARY);
         }
 
         private LibC() {}
@@ -60,11 +62,7 @@ final class Background {
 
     /** Has the calling thread work in the background from now on; what cannot be had is not worth a failure. */
     static void begin() {
-        try {
-            current().ifPresent(before -> become(new Share(Math.max(NICE, before.nice()), SLICE_NANOS)));
-        } catch (UnsatisfiedLinkError none) {
-            LOG.debug("the camera's threads share the processors like any other: {}", none.getMessage());
-        }
+        current().ifPresent(before -> become(new Share(Math.max(NICE, before.nice()), SLICE_NANOS)));
     }
 
     private static void become(Share share) {
@@ -79,6 +77,12 @@ final class Background {
     /** How the calling thread shares a processor, by the kernel; empty if it does not tell. */
     static Optional<Share> current() {
         if (!Platform.isLinux() || SET_ATTRIBUTES == 0) {
+            return Optional.empty();
+        }
+        try {
+            NativeLibraries.loadJna();
+        } catch (IOException none) {
+            LOG.debug("threads share the processors alike: {}", none.getMessage());
             return Optional.empty();
         }
         try (Memory attributes = new Memory(ATTRIBUTES_BYTES)) {

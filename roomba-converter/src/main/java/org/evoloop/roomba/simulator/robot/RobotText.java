@@ -15,19 +15,26 @@ final class RobotText {
 
     private RobotText() {}
 
-    /** When the robot starts anew. */
-    static byte[] boot(FirmwareVersion firmware) {
+    /** As soon as the robot is reset: its boot loader's words, or the last of the program that ends. */
+    static byte[] resetting(FirmwareVersion firmware) {
         return firmware.compareTo(FIRST_STM32) < 0 ? bytes("""
                         bl-start
                         STR730
                         bootloader rev: #x0001
+                        """) : bytes("""
+                        Soft reset!
+                        """);
+    }
+
+    /** When its program has started; that of the newer processor finds the line low at first, which reads as a byte. */
+    static byte[] started(FirmwareVersion firmware) {
+        return firmware.compareTo(FIRST_STM32) < 0 ? bytes("""
                         Roomba by iRobot!
                         str730
                         battery-current-zero 258
                         r3_robot/tags/release-%s:4975 CLEAN
                         """, firmware) : bytes("""
-                        Soft reset!
-                        Roomba by iRobot!
+                        \u00feRoomba by iRobot!
                         stm32
                         battery-current-zero 258
                         r3-robot/tags/release-stm32-%s:6913 CLEAN
@@ -59,6 +66,6 @@ final class RobotText {
     }
 
     private static byte[] bytes(String format, Object... values) {
-        return String.format(Locale.ROOT, format, values).replace("\n", "\r\n").getBytes(StandardCharsets.US_ASCII);
+        return String.format(Locale.ROOT, format, values).replace("\n", "\r\n").getBytes(StandardCharsets.ISO_8859_1);
     }
 }

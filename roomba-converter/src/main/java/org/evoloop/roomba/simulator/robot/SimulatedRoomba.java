@@ -21,7 +21,8 @@ import org.slf4j.LoggerFactory;
  *         &lt;--- CLEAN button, wake line, or dock ---------------
  * </pre>
  *
- * <p>Asleep it hears and says nothing; when it wakes its interface is off.
+ * <p>Asleep it hears and says nothing; when it wakes its interface is off. So it is for the {@value #BOOT_MILLIS} ms in which
+ * it boots after command Reset; its boot text follows.
  *
  * <p>Threading: thread-safe, each call is atomic; it has no threads of its own. The sink is called within calls and must
  * not call back.
@@ -34,6 +35,9 @@ public final class SimulatedRoomba {
     public static final int USUAL_PRESS_MILLIS = 150;
 
     private static final Logger LOG = LoggerFactory.getLogger(SimulatedRoomba.class);
+
+    /** Clients of real robots wait 5 s after a Reset. */
+    private static final int BOOT_MILLIS = 4_000;
 
     private static final int SLOW_BAUD = 19_200;
     private static final int TICKS_PER_SECOND = 1000 / TICK_MILLIS;
@@ -48,6 +52,7 @@ public final class SimulatedRoomba {
     private final WakeLine wakeLine = new WakeLine();
     private CommandParser parser = new CommandParser(this::handle);
     private Firmware firmware;
+    private int bootTicksLeft;
     private boolean asleep;
     private long asleepSinceTick;
     private long ticks;
@@ -69,9 +74,13 @@ public final class SimulatedRoomba {
     /** Takes what a client sends, from the buffer's start. Replies to queries go out within this call. */
     public synchronized void receive(byte[] buffer, int length) {
         byte[] arrived = line.toRobot(buffer, length);
-        if (!asleep) {
-            parser.feed(arrived, 0, arrived.length);
+        for (int i = 0; i < arrived.length && isListening(); i++) {
+            parser.feed(arrived[i]);
         }
+    }
+
+    private boolean isListening() {
+        return !asleep && bootTicksLeft == 0;
     }
 
     private void handle(Parsed parsed) {
@@ -90,7 +99,8 @@ public final class SimulatedRoomba {
             body.stop();
             line.powerOn();
             boot();
-            send(RobotText.boot(options.firmware()));
+            bootTicksLeft = BOOT_MILLIS / TICK_MILLIS;
+            send(RobotText.resetting(options.firmware()));
         } else if (command instanceof Command.Baud baud && command.opcode().isAcceptedIn(firmware.mode())) {
             line.setBaud(baud.bitsPerSecond());
         } else {
@@ -120,6 +130,12 @@ public final class SimulatedRoomba {
             body.tick();
             if (body.isCharging()) {
                 wakeBy("charger");
+            }
+        } else if (bootTicksLeft > 0) {
+            body.tick();
+            bootTicksLeft--;
+            if (bootTicksLeft == 0) {
+                send(RobotText.started(options.firmware()));
             }
         } else {
             firmware.act();
@@ -156,8 +172,8 @@ public final class SimulatedRoomba {
 
     /**
      * Somebody presses one of the robot's own buttons. It shows for as many of the ticks to come as the time covers, and
-     * the robot obeys at once. A button that is still down is let go for a moment first, when its time is over. Asleep, CLEAN wakes the robot and turns it
-     * on, and the others do nothing.
+     * the robot obeys at once. A button that is still down is let go for a moment first, when its time is over.
+     * Asleep, CLEAN wakes the robot and turns it on, and the others do nothing; while it boots all of them do nothing.
      *
      * @param durationMillis how long it is held; at least one tick
      */
@@ -165,7 +181,7 @@ public final class SimulatedRoomba {
         if (asleep && button == Button.CLEAN) {
             wakeBy("key");
         }
-        if (!asleep) {
+        if (isListening()) {
             firmware.press(button, durationMillis);
         }
     }

@@ -1,31 +1,45 @@
 package org.evoloop.roomba.simulator.robot;
 
-import java.util.HashMap;
-import java.util.Map;
+import java.util.Arrays;
 import org.evoloop.roomba.oi.ActuatorCommand.Song;
 import org.evoloop.roomba.simulator.body.Body;
 
-/** Stores songs and plays one at a time. */
+/**
+ * Stores songs and plays one at a time. The songs lie one behind the other in its memory: a song of more notes than its place
+ * holds takes the places of those after it, and what is beyond the last is lost.
+ */
 final class Speaker {
     private static final double DURATIONS_PER_SECOND = 64;
 
-    private final Map<Integer, Song> songs = new HashMap<>();
+    private final int[] durations = new int[Song.SONGS * Song.NOTES_PER_SONG];
+
+    /** How many notes each song has; 0 if it was never stored. */
+    private final int[] lengths = new int[Song.SONGS];
+
     private int number;
     private double secondsLeft;
 
     void store(Song song) {
-        songs.put(song.number(), song);
+        int first = song.number() * Song.NOTES_PER_SONG;
+        int length = Math.min(song.notes().size(), durations.length - first);
+        for (int i = 0; i < length; i++) {
+            durations[first + i] = song.notes().get(i).durationIn64thsOfSecond();
+        }
+        lengths[song.number()] = length;
+        int rest = length - Song.NOTES_PER_SONG;
+        for (int next = song.number() + 1; rest > 0; next++) {
+            lengths[next] = Math.max(lengths[next], rest);
+            rest -= Song.NOTES_PER_SONG;
+        }
     }
 
     /** Plays a song from its start; one that was never stored is ignored. */
     void play(int songNumber) {
-        Song song = songs.get(songNumber);
-        if (song != null) {
+        if (lengths[songNumber] > 0) {
+            int first = songNumber * Song.NOTES_PER_SONG;
             number = songNumber;
-            secondsLeft = song.notes().stream()
-                            .mapToInt(Song.Note::durationIn64thsOfSecond)
-                            .sum()
-                    / DURATIONS_PER_SECOND;
+            secondsLeft =
+                    Arrays.stream(durations, first, first + lengths[songNumber]).sum() / DURATIONS_PER_SECOND;
         }
     }
 

@@ -1,16 +1,17 @@
 package org.evoloop.roomba.simulator.room;
 
 /**
- * An ArUco tag of the dictionary 4x4_50, upright on a white board. It is thin and not solid: it hangs on a wall, or
- * stands where a robot can push it aside.
+ * An ArUco tag of the dictionary 4x4_50, upright on a white board. It is thin, and unless it is solid in nobody's way: it
+ * hangs on a wall, or where a robot can push it aside.
  *
  * @param pose the floor beneath its middle, and where it looks
  * @param id 0 to {@value #HIGHEST_ID}
  * @param sideMm of the tag without the white around it, {@value #SMALLEST_SIDE_MM} to {@value #LARGEST_SIDE_MM}
  * @param heightMm of its middle above the floor; the board does not reach below the floor
  * @param covered whether somebody has hung a cloth over it
+ * @param solid whether the board stands on the floor like a wall, as wide as it is
  */
-public record Marker(Pose pose, int id, double sideMm, double heightMm, boolean covered) {
+public record Marker(Pose pose, int id, double sideMm, double heightMm, boolean covered, boolean solid) {
     public static final int HIGHEST_ID = 49;
     public static final double USUAL_SIDE_MM = 150;
     public static final double USUAL_HEIGHT_MM = 150;
@@ -39,7 +40,7 @@ public record Marker(Pose pose, int id, double sideMm, double heightMm, boolean 
 
     /** The usual marker, for all to see. */
     public static Marker at(Pose pose) {
-        return new Marker(pose, 0, USUAL_SIDE_MM, USUAL_HEIGHT_MM, false);
+        return new Marker(pose, 0, USUAL_SIDE_MM, USUAL_HEIGHT_MM, false, false);
     }
 
     private static double boardMm(double sideMm) {
@@ -64,11 +65,16 @@ public record Marker(Pose pose, int id, double sideMm, double heightMm, boolean 
 
     /** The same marker elsewhere. */
     public Marker movedTo(Pose place) {
-        return new Marker(place, id, sideMm, heightMm, covered);
+        return new Marker(place, id, sideMm, heightMm, covered, solid);
     }
 
     /** The same marker with a cloth over it or without. */
     public Marker covered(boolean cloth) {
-        return new Marker(pose, id, sideMm, heightMm, cloth);
+        return new Marker(pose, id, sideMm, heightMm, cloth, solid);
+    }
+
+    /** Where its board stands, from the left edge to the right. */
+    Segment board() {
+        return new Segment(pose.ahead(0, boardMm() / 2), pose.ahead(0, -boardMm() / 2));
     }
 }

@@ -55,6 +55,9 @@ public final class Room {
         if (dock != null) {
             solid.add(uprightOf(dock));
         }
+        if (marker != null && marker.solid()) {
+            solid.add(marker.board());
+        }
         this.walls = List.copyOf(solid);
     }
 
@@ -66,7 +69,16 @@ public final class Room {
      * @throws IllegalArgumentException if the robot cannot stand at its start
      */
     public static Room of(List<Shape> shapes, @Nullable Pose dock, Pose start) {
-        Room room = new Room(shapes, dock, start, null);
+        return of(shapes, dock, start, null);
+    }
+
+    /**
+     * A room with a marker, as {@link #of(List, Pose, Pose)}.
+     *
+     * @param marker null for none
+     */
+    public static Room of(List<Shape> shapes, @Nullable Pose dock, Pose start, @Nullable Marker marker) {
+        Room room = new Room(shapes, dock, start, marker);
         if (!room.isFree(start)) {
             throw new IllegalArgumentException("the robot cannot start at " + start.describe()
                     + ": something solid or a cliff is within " + (int) ROBOT_RADIUS_MM + " mm");
@@ -94,7 +106,7 @@ public final class Room {
         return new Room(shapes, dock, start, other);
     }
 
-    /** The tag that tells robots with a camera where the starting point is; it is in nobody's way. */
+    /** The tag that tells robots with a camera where the starting point is. */
     public Optional<Marker> marker() {
         return Optional.ofNullable(marker);
     }

@@ -30,6 +30,7 @@ import org.jspecify.annotations.Nullable;
  *   start    X Y HEADING         # where it begins; if not told, on the dock, or without one at 0 0 0
  *   marker   X Y HEADING         # an upright tag of 4x4_50 with id 0 and 150 mm wide, its middle 150 mm above X Y
  *   marker   X Y HEADING ID SIDE HEIGHT   # one of any kind; the last of these may be left out
+ *   marker   X Y HEADING solid            # one that is in the way, also after ID, SIDE and HEIGHT
  * </pre>
  *
  * <p>After its corners a wall or an obstacle may tell how it looks: {@code color RRGGBB}, in hexadecimal, and {@code
@@ -41,6 +42,9 @@ public final class RoomFile {
 
     /** What may follow the corners of a wall or an obstacle. */
     private static final Set<String> LOOKS = Set.of("color", "height");
+
+    /** What may follow a marker's numbers. */
+    private static final String SOLID = "solid";
 
     private final List<Shape> shapes = new ArrayList<>();
     private @Nullable Pose dock;
@@ -103,7 +107,7 @@ public final class RoomFile {
 
     private Room room() {
         Pose begin = start != null ? start : dock != null ? dock : Pose.ORIGIN;
-        return Room.of(shapes, dock, begin).withMarker(marker);
+        return Room.of(shapes, dock, begin, marker);
     }
 
     private void parse(String line) {
@@ -196,11 +200,14 @@ public final class RoomFile {
         return pose(numbers(values));
     }
 
-    private static Marker marker(@Nullable Marker earlier, List<String> values) {
+    private static Marker marker(@Nullable Marker earlier, List<String> words) {
         requireFirst("marker", earlier);
+        boolean solid = !words.isEmpty() && words.get(words.size() - 1).equals(SOLID);
+        List<String> values = solid ? words.subList(0, words.size() - 1) : words;
         if (values.size() < 3 || values.size() > 6) {
-            throw new IllegalArgumentException("marker has " + values.size()
-                    + " numbers; it needs three: X Y HEADING, and takes up to three more: ID SIDE HEIGHT");
+            throw new IllegalArgumentException(
+                    "marker has " + values.size()
+                            + " numbers; it needs three: X Y HEADING, and takes up to three more: ID SIDE HEIGHT, then 'solid'");
         }
         List<Double> numbers = numbers(values);
         double id = values.size() > 3 ? numbers.get(3) : 0;
@@ -212,7 +219,8 @@ public final class RoomFile {
                 (int) id,
                 values.size() > 4 ? numbers.get(4) : Marker.USUAL_SIDE_MM,
                 values.size() > 5 ? numbers.get(5) : Marker.USUAL_HEIGHT_MM,
-                false);
+                false,
+                solid);
     }
 
     private static void requireFirst(String name, @Nullable Object earlier) {

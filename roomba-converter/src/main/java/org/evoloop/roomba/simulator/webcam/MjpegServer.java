@@ -18,18 +18,20 @@ import org.jspecify.annotations.Nullable;
 /**
  * Serves JPEGs over HTTP on this machine alone: {@value #STREAM} is an endless stream, {@value #FRAME} the next picture,
  * {@code /} a page with the stream. Each client has a thread that sends it the newest picture when it has taken the one
- * before; one that takes none holds up nobody else.
+ * before; one that takes none holds up nobody else. A request that is not whole after {@value #REQUEST_SECONDS} s is hung up
+ * on, and so is at once whoever comes when {@value #MOST_CONNECTIONS} are connected.
  */
 final class MjpegServer implements AutoCloseable {
     static final String STREAM = "/stream";
     static final String FRAME = "/frame.jpg";
 
     private static final int MOST_CLIENTS = 16;
+    private static final int MOST_CONNECTIONS = 64;
+    private static final int REQUEST_SECONDS = 10;
     private static final int ONLY_GET = 405;
     private static final int NOT_FOUND = 404;
     private static final int BUSY = 503;
     private static final int OK = 200;
-    private static final String NO_DELAY = "sun.net.httpserver.nodelay";
     private static final String BOUNDARY = "evoloop-frame";
     private static final String PAGE = """
             <!DOCTYPE html>
@@ -55,10 +57,12 @@ final class MjpegServer implements AutoCloseable {
      */
     MjpegServer(Newest<byte[]> pictures, int port) throws IOException {
         this.pictures = pictures;
-        if (System.getProperty(NO_DELAY) == null) {
-            // Else the end of a picture waits up to 40 ms for the client's confirmation of what came before it.
-            System.setProperty(NO_DELAY, "true");
-        }
+        // Else the end of a picture waits up to 40 ms for the client's confirmation of what came before it.
+        unlessSet("sun.net.httpserver.nodelay", "true");
+        unlessSet("sun.net.httpserver.maxReqTime", Integer.toString(REQUEST_SECONDS));
+        // How often it looks for clients who have not begun a request, in ms.
+        unlessSet("sun.net.httpserver.clockTick", "1000");
+        unlessSet("jdk.httpserver.maxConnections", Integer.toString(MOST_CONNECTIONS));
         try {
             server = HttpServer.create(new InetSocketAddress(InetAddress.getLoopbackAddress(), port), 0);
         } catch (BindException taken) {
@@ -72,6 +76,13 @@ final class MjpegServer implements AutoCloseable {
         server.createContext(STREAM, exchange -> answer(exchange, STREAM, this::sendStream));
         server.createContext(FRAME, exchange -> answer(exchange, FRAME, this::sendPicture));
         server.start();
+    }
+
+    /** The server of the JDK reads its settings once, before it serves the first time. */
+    private static void unlessSet(String property, String value) {
+        if (System.getProperty(property) == null) {
+            System.setProperty(property, value);
+        }
     }
 
     int port() {

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 class EffectsTest {
     /** So near and so large that the tag's black left border is as wide as any blur. */
     private static final Room NEAR_TAG =
-            Shot.PLAIN.withMarker(new Marker(new Pose(1_000, 0, Math.PI), 0, 600, 400, false));
+            Shot.PLAIN.withMarker(new Marker(new Pose(1_000, 0, Math.PI), 0, 600, 400, false, false));
 
     private static final int MIDDLE_ROW = 150;
 

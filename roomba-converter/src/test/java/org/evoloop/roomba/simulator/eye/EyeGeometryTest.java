@@ -94,7 +94,7 @@ class EyeGeometryTest {
     @Test
     void theTagIsTheOneOfItsIdAndUpright() {
         for (int id = 0; id <= Marker.HIGHEST_ID; id++) {
-            Room room = Shot.PLAIN.withMarker(new Marker(new Pose(600, 0, Math.PI), id, 150, 150, false));
+            Room room = Shot.PLAIN.withMarker(new Marker(new Pose(600, 0, Math.PI), id, 150, 150, false, false));
             Shot shot = new Shot(eye.render(room, Pose.ORIGIN, 0, 0));
             for (int row = 0; row < 4; row++) {
                 for (int column = 0; column < 4; column++) {
@@ -150,7 +150,7 @@ class EyeGeometryTest {
         Shot bare = new Shot(eye.render(room, Pose.ORIGIN, 0, 0));
         Shot hidden = new Shot(eye.render(room.withMarker(Marker.at(new Pose(2_000, 0, Math.PI))), Pose.ORIGIN, 0, 0));
         assertThat(hidden.isLike(bare)).isTrue();
-        Marker high = new Marker(new Pose(2_000, 0, Math.PI), 0, 150, 900, false);
+        Marker high = new Marker(new Pose(2_000, 0, Math.PI), 0, 150, 900, false, false);
         assertThat(new Shot(eye.render(room.withMarker(high), Pose.ORIGIN, 0, 0)).isLike(bare))
                 .isFalse();
         Marker before = Marker.at(new Pose(900, 0, Math.PI));

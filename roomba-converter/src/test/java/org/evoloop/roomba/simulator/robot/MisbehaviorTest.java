@@ -143,7 +143,7 @@ class MisbehaviorTest {
         double turnedDeg = 2 * 57 / 235.0 * 180 / Math.PI * 4.98;
         assertThat((double) bench.query(Packet.ANGLE)).isCloseTo(turnedDeg * (wrong ? 0.324056 : 1), within(1.5));
         bench.sent();
-        String bootText = bench.send(new Command.Reset()).sentText();
+        String bootText = bench.send(new Command.Reset()).seconds(4.1).sentText();
         assertThat(FirmwareVersion.find(bootText)).contains(firmware);
         assertThat(bootText.startsWith("bl-start\r\n")).isEqualTo(!version.equals("3.7.7"));
     }

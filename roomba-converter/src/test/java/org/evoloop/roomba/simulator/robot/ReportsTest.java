@@ -1,9 +1,11 @@
 package org.evoloop.roomba.simulator.robot;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 import static org.quicktheories.QuickTheory.qt;
 import static org.quicktheories.generators.SourceDSL.longs;
 
+import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
@@ -129,6 +131,32 @@ class ReportsTest {
     }
 
     @Test
+    void aSongThatIsTooLongSpillsOverIntoTheNext() {
+        Song.Note eighth = new Song.Note(60, 8);
+        Bench bench = Bench.in(OiMode.SAFE).send(new Song(1, Collections.nCopies(20, eighth)));
+        assertThat(playingSeconds(bench, 0)).isZero();
+        assertThat(playingSeconds(bench, 1)).isCloseTo(20 * 8 / 64.0, within(0.02));
+        assertThat(playingSeconds(bench, 2)).as("the rest").isCloseTo(4 * 8 / 64.0, within(0.02));
+        assertThat(playingSeconds(bench, 3)).isZero();
+
+        bench.send(new Song(2, List.of(new Song.Note(62, 64))));
+        assertThat(playingSeconds(bench, 1)).as("with the other's note").isCloseTo((19 * 8 + 64) / 64.0, within(0.02));
+
+        bench.send(new Song(4, Collections.nCopies(255, eighth)));
+        assertThat(playingSeconds(bench, 4)).as("as far as memory reaches").isCloseTo(16 * 8 / 64.0, within(0.02));
+    }
+
+    private static double playingSeconds(Bench bench, int song) {
+        bench.send(new Play(song));
+        int ticks = 0;
+        while (bench.query(Packet.SONG_PLAYING) == 1) {
+            bench.ticks(1);
+            ticks++;
+        }
+        return ticks * SimulatedRoomba.TICK_MILLIS / 1000.0;
+    }
+
+    @Test
     void theSameCallsGiveTheSameBytes() {
         assertThat(story().sent()).isEqualTo(story().sent());
     }
@@ -147,7 +175,8 @@ class ReportsTest {
             }
             // Zeros end whatever command is unfinished.
             bench.robot.receive(new byte[1_000], 1_000);
-            bench.send(Bench.START, new PauseResumeStream(false));
+            // And a Reset may be among them.
+            bench.seconds(5).send(Bench.START, new PauseResumeStream(false));
             assertThat(bench.query(Packet.OI_MODE)).isEqualTo(1);
         });
     }

@@ -153,7 +153,7 @@ class SafetyTest {
         assertThat(bench.state().leftMmPerS()).isZero();
         bench.send(new DriveDirect(200, 200), new Motors(7)).seconds(1);
         assertThat(bench.state().leftMmPerS()).isPositive();
-        bench.send(new Command.Reset(), Bench.START);
+        bench.send(new Command.Reset()).seconds(4.1).send(Bench.START);
         assertThat(bench.state().oiMode()).isEqualTo(PASSIVE);
     }
 }

@@ -53,7 +53,7 @@ class RoomFileTest {
                 .containsExactly(
                         new Finish(OptionalInt.empty(), OptionalDouble.of(2_400)),
                         new Finish(OptionalInt.of(0xC92A2A), OptionalDouble.of(800)));
-        assertThat(room.marker()).contains(new Marker(new Pose(1_400, 500, Math.PI), 7, 200, 160.5, false));
+        assertThat(room.marker()).contains(new Marker(new Pose(1_400, 500, Math.PI), 7, 200, 160.5, false, false));
         assertThat(room.withDock(Pose.ORIGIN).marker())
                 .as("in a room that changes")
                 .isPresent();
@@ -83,6 +83,28 @@ class RoomFileTest {
     }
 
     @Test
+    void aSolidMarkerIsInTheWay() {
+        Room room = RoomFile.parse("a", List.of("start -1000 0 0", "marker 0 0 180 solid"));
+        assertThat(room.isFree(new Pose(-169, 0, 0))).isFalse();
+        assertThat(room.isFree(new Pose(-171, 0, 0))).isTrue();
+        assertThat(room.isFree(new Pose(0, 271, 0))).as("beside the board").isTrue();
+        assertThat(room.moved(new Pose(-171, 0, 0), new Pose(-160, 0, 0)).xMm()).isLessThan(-169);
+        Marker moved = room.marker().orElseThrow().movedTo(new Pose(-1000, 0, 0));
+        assertThat(room.withMarker(moved.covered(true)).isFree(Pose.ORIGIN)).isTrue();
+        assertThat(room.withMarker(moved.covered(true)).isFree(new Pose(-1000, 0, 0)))
+                .isFalse();
+        assertThat(RoomFile.parse("a", List.of("marker 500 0 0 7 200 160 solid"))
+                        .marker())
+                .contains(new Marker(new Pose(500, 0, 0), 7, 200, 160, false, true));
+    }
+
+    @Test
+    void aSolidMarkerWhereTheRobotBeginsIsRefused() {
+        assertThatThrownBy(() -> RoomFile.parse("my.room", List.of("marker 100 0 180 solid")))
+                .hasMessageStartingWith("my.room: the robot cannot start at (0, 0) mm");
+    }
+
+    @Test
     void withoutAStartItBeginsOnTheDockOrAtTheOrigin() {
         assertThat(RoomFile.parse("a", List.of()).start()).isEqualTo(Pose.ORIGIN);
         assertThat(RoomFile.parse("a", List.of("dock 100 200 90")).start()).isEqualTo(new Pose(100, 200, Math.PI / 2));
@@ -100,7 +122,9 @@ class RoomFileTest {
                 "wall 1 2 3 NaN  | 'NaN' is too far away; allowed is -100000 to 100000",
                 "dock 1 2        | dock has 2 numbers; it needs three: X Y HEADING",
                 "start 1 2 3     | there is a start already; remove one of the two",
-                "marker 1 2      | marker has 2 numbers; it needs three: X Y HEADING, and takes up to three more: ID SIDE HEIGHT",
+                "marker 1 2      | marker has 2 numbers; it needs three: X Y HEADING, and takes up to three more: ID SIDE HEIGHT, then 'solid'",
+                "marker solid   | marker has 0 numbers; it needs three: X Y HEADING, and takes up to three more: ID SIDE HEIGHT, then 'solid'",
+                "marker 1 2 3 firm | 'firm' is not a number",
                 "marker 1 2 3 50 | the marker's id is 50; allowed is 0 to 49",
                 "marker 1 2 3 .5 | the marker's id is 0.5; it is a whole number",
                 "marker 1 2 3 0 5 | the marker's side is 5.0 mm; allowed is 20 to 1000",

@@ -13,6 +13,7 @@ import java.io.InputStream;
 import java.net.ConnectException;
 import java.net.InetAddress;
 import java.net.Socket;
+import java.net.SocketException;
 import java.net.URI;
 import java.net.http.HttpClient;
 import java.net.http.HttpRequest;
@@ -20,7 +21,9 @@ import java.net.http.HttpResponse;
 import java.net.http.HttpResponse.BodyHandlers;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
+import java.util.ArrayDeque;
 import java.util.Arrays;
+import java.util.Deque;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.atomic.AtomicBoolean;
@@ -297,6 +300,47 @@ class WebcamTest {
         }
         assertThat(get("/stream").statusCode()).isEqualTo(503);
         await().until(() -> webcam.clients() == 16);
+    }
+
+    @Test
+    void whoNeverEndsARequestIsHungUpOnAndNotTooManyAreHeld() throws Exception {
+        URI url = webcam.url();
+        Deque<Socket> halfOpen = new ArrayDeque<>();
+        try {
+            while (halfOpen.size() < 64) {
+                halfOpen.add(connect(url));
+                if (halfOpen.size() % 2 == 0) {
+                    halfOpen.getLast().getOutputStream().write("GET /frame".getBytes(StandardCharsets.US_ASCII));
+                }
+            }
+            try (Socket oneTooMany = connect(url)) {
+                assertThat(isHungUpOn(oneTooMany)).isTrue();
+            }
+            for (Socket socket : halfOpen) {
+                assertThat(isHungUpOn(socket)).isTrue();
+            }
+            assertThat(http.send(request("/"), BodyHandlers.ofString()).statusCode())
+                    .as("there is room again")
+                    .isEqualTo(200);
+        } finally {
+            for (Socket socket : halfOpen) {
+                socket.close();
+            }
+        }
+    }
+
+    private static Socket connect(URI url) throws IOException {
+        Socket socket = new Socket(InetAddress.getLoopbackAddress(), url.getPort());
+        socket.setSoTimeout(40_000);
+        return socket;
+    }
+
+    private static boolean isHungUpOn(Socket socket) throws IOException {
+        try {
+            return socket.getInputStream().read() < 0;
+        } catch (SocketException reset) {
+            return true;
+        }
     }
 
     @Test

@@ -1,0 +1,164 @@
+"""What becomes of each command that the documentation tells of: it is run, or there is a reason why not."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+LAMP = "models/light-bulb.xml#original models/light-bulb.xml#new"
+ROBOT = "{robot}"
+"""Stands for the port of a simulated robot, wherever the documentation names a serial port."""
+CAMERA = "{camera}"
+"""Stands for the address of its camera."""
+
+
+@dataclass(frozen=True)
+class Known:
+    """A documented command.
+
+    :param documented: as it is written
+    :param run: what is typed, if that differs: names for placeholders, or less of the same; empty if it is not run
+    :param why_not: why it is not run
+    :param slow: takes more than half a minute
+    :param needs_study: needs what ./evoloop study fetches; not run where that was never set up
+    :param input: for standard input
+    :param shows: what stands in its standard output
+    """
+
+    documented: str
+    run: str = ""
+    why_not: str = ""
+    slow: bool = False
+    needs_study: bool = False
+    input: str = ""
+    shows: str = ""
+
+
+def typed(documented: str, **details: object) -> Known:
+    """One that is run as it is written."""
+    return Known(documented, run=documented, **details)  # type: ignore[arg-type]
+
+
+THIS = "is what runs this test"
+NO_BOARD = "hardware: takes a camera's pictures of a printed chessboard (CalibrationTest draws them)"
+ELSEWHERE = "is for the project that scaffold writes, whose tests build one"
+
+CONSOLE = """start
+stop
+start
+status
+status --json
+history
+history 5
+list
+press clean
+press spot
+robot press clean
+robot place 500 0 90
+robot state
+robot help
+exchange ExecuteCommand ExecuteCommand2
+help
+help press
+exit
+"""
+
+KNOWN = [
+    typed("./evoloop help", shows="usage: ./evoloop COMMAND"),
+    typed("./evoloop demo", slow=True, shows="remote-start"),
+    Known("./evoloop test", why_not=THIS),
+    Known("./evoloop test --slow", why_not=THIS),
+    Known("./evoloop test --interop", why_not="network: fetches clients from PyPI; a test run of its own"),
+    typed("./evoloop lightbulb", input="start\nswitch\nstatus\nexit\n", shows="switch"),
+    typed("./evoloop lightbulb --help", shows="--models"),
+    typed("./evoloop setup --help", shows="apt-get"),
+    typed("./evoloop bench --help", shows="--quick"),
+    typed("java -version"),
+    # Models.
+    Known("./evoloop models COMMAND", run="./evoloop models --help", shows="scaffold"),
+    Known("./evoloop models", run="./evoloop models --help", shows="scaffold"),
+    Known(
+        "java -jar framework-tool/target/evoloop-models.jar COMMAND",
+        run="java -jar framework-tool/target/evoloop-models.jar show --help",
+        shows="--format",
+    ),
+    typed(f"./evoloop models diff {LAMP}", shows="incandescent"),
+    Known("./evoloop models check ORIGINAL NEW", run=f"./evoloop models check {LAMP}"),
+    Known("./evoloop models plan ORIGINAL NEW", run=f"./evoloop models plan {LAMP}", shows="switch"),
+    Known(
+        "./evoloop models show FILE --format svg",
+        run="./evoloop models show models/light-bulb.xml --format svg",
+        shows="<svg ",
+    ),
+    Known(
+        "./evoloop models scaffold ORIGINAL NEW --package com.example.lamp --out lamp",
+        run=f"./evoloop models scaffold {LAMP} --package com.example.lamp --out lamp",
+    ),
+    Known("./mvnw verify", why_not=ELSEWHERE),
+    # The robot.
+    Known("./evoloop roomba --port /dev/ttyUSB0", run=f"./evoloop roomba --port {ROBOT}", input="start\nstatus\nexit\n"),
+    typed("./evoloop roomba --simulate --speed 5", input=CONSOLE, shows="xMm"),
+    Known(
+        "java -jar roomba-converter.jar --port /dev/ttyUSB0",
+        run=f"java -jar roomba-converter/target/roomba-converter.jar --port {ROBOT}",
+        input="start\nexit\n",
+    ),
+    Known("./evoloop simulator --link /tmp/robot", run="./evoloop simulator --link robot-2", input="state\n", shows="ready"),
+    typed("./evoloop roomba marker --out marker.pdf"),
+    Known("./evoloop roomba camera /dev/video0", run=f"./evoloop roomba camera {CAMERA} --seconds 2"),
+    Known("./evoloop roomba calibrate --images pictures --board 9x6 --square 25 --out camera.txt", why_not=NO_BOARD),
+    Known("./evoloop roomba camera 0 --calibration camera.txt", why_not=NO_BOARD),
+    # Measurements.
+    Known("./evoloop bench", why_not="takes 15 to 20 minutes; --quick does the same with fewer rounds"),
+    typed("./evoloop bench --quick", slow=True, shows="decision"),
+    Known("./evoloop bench --only ring", run="./evoloop bench --quick --only ring", slow=True),
+    Known("./evoloop bench --json FILE", run="./evoloop bench --quick --only loading --json rows.json", slow=True),
+    Known(
+        "./evoloop bench --json benchmarks/results/2026-11-22.json",
+        why_not="is ./evoloop bench, with the name of its results",
+    ),
+    Known(
+        "./evoloop bench plot benchmarks/results/2026-11-22.json docs/benchmarks.svg",
+        run="./evoloop bench plot benchmarks/results/2026-11-22.json docs/benchmarks.svg",
+        slow=True,
+    ),
+    typed("./evoloop bench profile", slow=True),
+    typed("./evoloop bench profile conversion --flame-graphs docs", slow=True),
+    typed("./mvnw -q package -pl benchmarks -am -Dmaven.test.skip=true", slow=True),
+    typed(
+        "java -XX:+UseSerialGC -XX:TieredStopAtLevel=1 -cp benchmarks/target/benchmarks.jar"
+        " org.evoloop.benchmarks.running.CameraCost",
+        slow=True,
+    ),
+    # The study.
+    typed("./evoloop study", slow=True, needs_study=True),
+    typed("./evoloop study --check", slow=True, needs_study=True),
+    typed("./evoloop study --experiment", slow=True, needs_study=True),
+    typed("./evoloop study --measured", slow=True, needs_study=True),
+    Known(
+        "./evoloop study [--checker storm|prism|both] [--experiment [--seed N]] [--measured [FILE]]",
+        run="./evoloop study --checker storm --measured benchmarks/results/2026-11-22.json",
+        slow=True,
+        needs_study=True,
+    ),
+    Known(
+        "prism models/exact.sm models/paper.props -const event_arrive=0.5,conversion=0.25,T=0:5:100",
+        why_not="needs PRISM, which is not in Debian; stormpy checks the same files",
+    ),
+    # For those who change it.
+    typed("./mvnw spotless:apply", slow=True),
+    Known(
+        "./mvnw package -pl roomba-converter -am",
+        run="./mvnw -q package -pl roomba-converter -am -Dmaven.test.skip=true",
+        slow=True,
+    ),
+    typed("./mvnw -pl framework -Dslow -Dtest=CheckGrowthTest -Dsurefire.failIfNoSpecifiedTests=false test", slow=True),
+    Known(
+        "./mvnw -pl roomba-converter -am -Dslow -Dsurefire.failIfNoSpecifiedTests=false -Dtest=NAME test",
+        why_not="its tests are among those of ./evoloop test --slow, which runs this",
+    ),
+    typed(
+        "JAZZER_FUZZ=1 ./mvnw -pl roomba-converter -am test -Dsurefire.failIfNoSpecifiedTests=false"
+        " -Dtest=ParsersFuzzTest#aCommandIsRecognisedAfterAnyBytesHoweverTheyAreCut",
+        slow=True,
+    ),
+]
