@@ -39,6 +39,10 @@ final class FlattenCommand implements Callable<Integer> {
     @Override
     public Integer call() {
         StateMachine machine = ModelReference.parse(reference).load();
+        if (format == Format.XMI) {
+            AstahWriter.losses(machine)
+                    .forEach(loss -> spec.commandLine().getErr().println("note: " + loss));
+        }
         return Output.print(spec, format == Format.XMI ? AstahWriter.write(machine) : TransitionTable.write(machine));
     }
 }

@@ -108,7 +108,7 @@ final class PairOptions {
 
     private static State state(String name, StateMachine device) {
         State state = new State(name.strip());
-        if (!device.hasState(state)) {
+        if (device.alike(state).isEmpty()) {
             throw new IllegalArgumentException(
                     "--do-not-pass: " + name + " is no state of the original model; there is "
                             + device.states().stream().map(State::name).collect(Collectors.joining(", ")));

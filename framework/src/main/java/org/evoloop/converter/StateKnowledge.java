@@ -60,9 +60,16 @@ public class StateKnowledge extends Knowledge {
     /** Registers the functions and timers of new states; called once, when the converter is built. */
     protected void registerNewFunctions() {}
 
-    /** Runs {@code function} whenever the new state {@code state} is entered. */
+    /** Runs {@code function} whenever the new state {@code state} is entered, whatever the new model remembers then. */
     protected final void function(String state, NewFunction function) {
-        functions.put(new State(state), function);
+        drawn(state).forEach(each -> functions.put(each, function));
+    }
+
+    /** All that a state as drawn is, or the one that is named with what is remembered in it, or that does not exist. */
+    private List<State> drawn(String name) {
+        State state = new State(name);
+        List<State> all = pair.evolved().alike(state);
+        return all.isEmpty() || !pair.evolved().withoutMemory(state).equals(state) ? List.of(state) : all;
     }
 
     /**
@@ -70,13 +77,9 @@ public class StateKnowledge extends Knowledge {
      * {@code tm(2s)}, need no call.
      */
     protected final void timer(String state, String event, Duration delay) {
-        State during = new State(state);
-        Map<Event, Duration> ofState = timers.get(during);
-        if (ofState == null) {
-            ofState = new LinkedHashMap<>();
-            timers.put(during, ofState);
+        for (State during : drawn(state)) {
+            timers.computeIfAbsent(during, key -> new LinkedHashMap<>()).put(new Event(event), delay);
         }
-        ofState.put(new Event(event), delay);
         allTimers.clear();
     }
 

@@ -2,6 +2,7 @@ package org.evoloop.evolution;
 
 import java.util.HashMap;
 import java.util.HashSet;
+import java.util.List;
 import java.util.Map;
 import java.util.PriorityQueue;
 import java.util.Set;
@@ -49,6 +50,19 @@ final class PathSearch {
         this.planner = planner;
         this.source = source;
         arrive(source, 0, null);
+    }
+
+    /** The one of {@code goals} to which the cheapest way leads; null if there is no way to any. */
+    @Nullable
+    State nearest(List<State> goals) {
+        Arrival nearest = null;
+        for (State goal : goals) {
+            Arrival arrival = lastStepTo(goal) == null ? null : arrivals.get(goal);
+            if (arrival != null && (nearest == null || arrival.compareTo(nearest) < 0)) {
+                nearest = arrival;
+            }
+        }
+        return nearest == null ? null : nearest.state;
     }
 
     /** The last step of the cheapest way to {@code target}; null for the source itself and if there is no way. */

@@ -53,7 +53,8 @@ class FlatteningEquivalenceTest {
             Map<String, Boolean> values = Map.of("g", random.nextBoolean(), "h", random.nextBoolean());
             String event = anEvent(actual, random);
             story.add(event + values);
-            List<String> actions = expected.dispatch(drawn(event), guard -> values.getOrDefault(guard, false));
+            List<String> actions =
+                    expected.dispatch(Interpreter.drawn(event), guard -> values.getOrDefault(guard, false));
             actual.dispatch(event, values, actions, what + ", events " + story);
             actual.check(expected, what, story);
         }
@@ -66,13 +67,6 @@ class FlatteningEquivalenceTest {
             return RandomChart.EVENTS.get(random.nextInt(3));
         }
         return enabled.get(random.nextInt(enabled.size())).event().name();
-    }
-
-    /** The event of the flat machine as the interpreter calls it. */
-    private static String drawn(String event) {
-        return event.replaceAll("completion\\((.*)\\)", "completion in $1")
-                .replace(" in ", Interpreter.OWNER)
-                .replace(Interpreter.OWNER + "S", Interpreter.OWNER + "s");
     }
 
     /** A machine that runs as {@link org.evoloop.statemachine} says. */

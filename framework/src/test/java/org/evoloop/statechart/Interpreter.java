@@ -126,6 +126,13 @@ final class Interpreter {
         return trigger.startsWith("tm(");
     }
 
+    /** The event of the flat machine as this interpreter calls it. */
+    static String drawn(String event) {
+        return event.replaceAll("completion\\((.*)\\)", "completion in $1")
+                .replace(" in ", OWNER)
+                .replace(OWNER + "S", OWNER + "s");
+    }
+
     private Stream<ChartState> activeStates() {
         return drawing.order.stream()
                 .map(drawing::vertex)

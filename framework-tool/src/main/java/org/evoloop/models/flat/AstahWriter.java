@@ -30,7 +30,8 @@ public final class AstahWriter {
 
     /**
      * What the document cannot say, a line each: timers and activities that outlast a transition, since flat states have
-     * nothing around them, and internal transitions with several guards, which become one text.
+     * nothing around them; internal transitions with several guards, which become one text; and that states differ only in
+     * what the machine remembers.
      */
     public static List<String> losses(StateMachine machine) {
         List<String> losses = new ArrayList<>();
@@ -41,6 +42,12 @@ public final class AstahWriter {
             }
             if (transition.internal() && transition.event().guards().size() > 1) {
                 losses.add("the guards of the internal transition " + transition + " become one text");
+            }
+        }
+        for (State state : machine.states()) {
+            if (!machine.withoutMemory(state).equals(state)) {
+                losses.add(state + " is the state " + machine.withoutMemory(state)
+                        + " with something remembered; a flat drawing makes it a state of its own");
             }
         }
         return losses;
