@@ -44,7 +44,7 @@ final class DiffCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        ModelPair pair = ModelReader.pair(original, evolved);
+        ModelPair pair = ModelReader.pair(original, evolved, spec);
         String shown = switch (format) {
             case TEXT -> DifferenceText.write(pair);
             case JSON -> DifferenceJson.write(pair);

@@ -4,7 +4,6 @@ import java.util.concurrent.Callable;
 import org.evoloop.models.flat.AstahWriter;
 import org.evoloop.models.flat.TransitionTable;
 import org.evoloop.statemachine.StateMachine;
-import org.evoloop.xmi.ModelReference;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -38,10 +37,9 @@ final class FlattenCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        StateMachine machine = ModelReference.parse(reference).load();
+        StateMachine machine = ModelReader.flat(reference, spec);
         if (format == Format.XMI) {
-            AstahWriter.losses(machine)
-                    .forEach(loss -> spec.commandLine().getErr().println("note: " + loss));
+            AstahWriter.losses(machine).forEach(loss -> Output.note(spec, loss));
         }
         return Output.print(spec, format == Format.XMI ? AstahWriter.write(machine) : TransitionTable.write(machine));
     }

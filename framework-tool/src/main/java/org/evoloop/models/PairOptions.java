@@ -14,12 +14,17 @@ import org.evoloop.models.checking.Drawing;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
+import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
 
 /** The two models of an evolution, and what their author knows of the device. */
 @SuppressWarnings("NullAway.Init") // picocli sets the fields
 final class PairOptions {
+    @Spec(Spec.Target.MIXEE)
+    private CommandSpec spec;
+
     @Parameters(index = "0", paramLabel = "ORIGINAL", description = "What the device does: FILE#NAME.")
     private String original;
 
@@ -65,7 +70,7 @@ final class PairOptions {
 
     /** Reads both models. */
     ModelPair read() {
-        return ModelReader.pair(original, evolved);
+        return ModelReader.pair(original, evolved, spec);
     }
 
     /** Where the parts of both models stand in their files. */

@@ -24,6 +24,9 @@ import org.jspecify.annotations.Nullable;
  *       side by side all see it, in the order in which they are drawn, and are left and entered in that order.
  *   <li>Each part of a transition through pseudostates leaves and enters what lies between its two ends. A history
  *       remembers its region when the state around that is left; a region that has reached its final state is forgotten.
+ *   <li>A local transition between a state and one in it leaves the region of the inner one alone, and enters it by default
+ *       if it ends at the outer one. From a state to itself it leaves and enters again what is in the state; of a state
+ *       without regions it is internal.
  *   <li>A state without do activity is complete when it is entered, or when all its regions have reached their final
  *       states; its transition without event is taken at once. If its guard does not hold then, it never is. The end of
  *       a do activity on which a transition waits is an event, {@code completion(NAME)}, that somebody must raise.

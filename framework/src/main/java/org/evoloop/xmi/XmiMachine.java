@@ -1,5 +1,6 @@
 package org.evoloop.xmi;
 
+import java.util.List;
 import java.util.Optional;
 import org.evoloop.statechart.Flattening;
 import org.evoloop.statechart.Statechart;
@@ -64,6 +65,16 @@ public final class XmiMachine {
         Statechart chart = drawn.statechart(name(), problems);
         require(problems);
         return chart;
+    }
+
+    /**
+     * What its author should know though the machine can be read, one line each: how something was taken, or that it says
+     * nothing.
+     */
+    public List<String> notes() {
+        Problems problems = new Problems();
+        drawn.statechart(name(), problems);
+        return problems.notes().stream().map(note -> file + ": " + note).toList();
     }
 
     /**

@@ -254,6 +254,14 @@ final class Interpreter {
 
     private Set<String> exits(Arc arc) {
         Set<String> exits = new HashSet<>();
+        String loop = Drawing.loop(arc);
+        if (loop != null) {
+            drawing.order.stream()
+                    .filter(key ->
+                            isActive(drawing.vertex(key)) && drawing.isInside(drawing.state(loop), drawing.vertex(key)))
+                    .forEach(exits::add);
+            return exits;
+        }
         Region scope = drawing.scope(arc);
         for (String key : drawing.order) {
             if (isActive(drawing.vertex(key)) && Drawing.contains(drawing.around(drawing.vertex(key)), scope)) {
@@ -282,6 +290,14 @@ final class Interpreter {
             Vertex target = drawing.vertex(arc.target());
             if (arc.kind() == Arc.Kind.INTERNAL) {
                 actions.addAll(arc.effects());
+                return;
+            }
+            String loop = Drawing.loop(arc);
+            if (loop != null) {
+                List<Region> inside = drawing.state(loop).regions();
+                inside.forEach(region -> exit(current.get(region)));
+                actions.addAll(arc.effects());
+                inside.forEach(region -> enter(region, Set.of()));
                 return;
             }
             Region scope = drawing.scope(arc);
@@ -319,7 +335,8 @@ final class Interpreter {
             } else if (drawing.is(target, Kind.CHOICE) || drawing.is(target, Kind.JUNCTION)) {
                 open(drawing.around(target), scope, opened);
             } else {
-                enter(scope, Set.of(target));
+                boolean around = target instanceof ChartState outer && Drawing.contains(outer.regions(), scope);
+                enter(scope, around ? Set.of() : Set.of(target));
             }
         }
         for (ChartState state : opened) {

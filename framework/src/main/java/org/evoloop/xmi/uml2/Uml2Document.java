@@ -42,14 +42,14 @@ final class Uml2Document {
             "node", "edge", "group", "structuredNode", "partition", "fragment", "lifeline", "message", "formalGate");
 
     private final String file;
-    private final boolean starUml;
+    private final String exporter;
     private final Map<String, XmlNode> byId = new HashMap<>();
     private final Set<String> ambiguous = new HashSet<>();
     private final List<Uml2Element> machines = new ArrayList<>();
 
     private Uml2Document(XmiHead head, XmiStream stream) {
         this.file = stream.file();
-        this.starUml = head.exporter().startsWith("StarUML");
+        this.exporter = head.exporter();
     }
 
     /** @param stream as {@link XmiHead#read} leaves it */
@@ -118,9 +118,9 @@ final class Uml2Document {
         return file;
     }
 
-    /** Whether StarUML wrote it, which calls every event that has no other kind an {@code AnyReceiveEvent}. */
-    boolean starUml() {
-        return starUml;
+    /** Whether the tool whose name begins so wrote it. */
+    boolean isBy(String tool) {
+        return exporter.startsWith(tool);
     }
 
     List<Uml2Element> machines() {

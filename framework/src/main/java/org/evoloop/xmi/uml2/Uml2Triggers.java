@@ -92,7 +92,8 @@ final class Uml2Triggers {
 
     private String any(Uml2Element event, Uml2Element trigger) {
         String name = ANY.matcher(event.name()).matches() ? trigger.name() : event.name();
-        if (event.document().starUml() || !ANY.matcher(name).matches()) {
+        // StarUML calls every event that has no other kind an AnyReceiveEvent.
+        if (event.document().isBy("StarUML") || !ANY.matcher(name).matches()) {
             return name;
         }
         problems.add(
