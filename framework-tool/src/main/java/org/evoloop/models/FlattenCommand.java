@@ -5,6 +5,7 @@ import org.evoloop.models.flat.AstahWriter;
 import org.evoloop.models.flat.TransitionTable;
 import org.evoloop.statemachine.StateMachine;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -26,6 +27,9 @@ final class FlattenCommand implements Callable<Integer> {
     @Spec
     private CommandSpec spec;
 
+    @Mixin
+    private ReadingOptions reading;
+
     @Parameters(paramLabel = "FILE#NAME", description = "The file, and which of its machines.")
     private String reference;
 
@@ -37,7 +41,7 @@ final class FlattenCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        StateMachine machine = ModelReader.flat(reference, spec);
+        StateMachine machine = ModelReader.flat(reading.reference(reference), spec);
         if (format == Format.XMI) {
             AstahWriter.losses(machine).forEach(loss -> Output.note(spec, loss));
         }

@@ -57,25 +57,24 @@ final class ModelReader {
     }
 
     /** The flat machine that {@code reference} names; {@code command} says what its author should know. */
-    static StateMachine flat(String reference, CommandSpec command) {
-        XmiMachine machine = ModelReference.parse(reference).find();
+    static StateMachine flat(ModelReference reference, CommandSpec command) {
+        XmiMachine machine = reference.find();
         StateMachine flat = machine.toStateMachine();
         machine.notes().forEach(note -> Output.note(command, note));
         return flat;
     }
 
     /** The machine that {@code reference} names, to find places in. */
-    static Drawing drawing(String reference) {
-        ModelReference named = ModelReference.parse(reference);
-        XmiMachine machine = named.find();
+    static Drawing drawing(ModelReference reference) {
+        XmiMachine machine = reference.find();
         return new Drawing(
-                named.file().toString(),
+                reference.file().toString(),
                 machine.statechart(),
                 machine.flattening().leaves());
     }
 
     /** The two machines of an evolution, flat; whether they are one is for others to say. */
-    static ModelPair pair(String original, String evolved, CommandSpec command) {
+    static ModelPair pair(ModelReference original, ModelReference evolved, CommandSpec command) {
         return new ModelPair(flat(original, command), flat(evolved, command));
     }
 }

@@ -14,6 +14,8 @@ import org.evoloop.models.checking.Drawing;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
+import org.evoloop.xmi.ModelReference;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -24,6 +26,9 @@ import picocli.CommandLine.Spec;
 final class PairOptions {
     @Spec(Spec.Target.MIXEE)
     private CommandSpec spec;
+
+    @Mixin
+    private ReadingOptions reading;
 
     @Parameters(index = "0", paramLabel = "ORIGINAL", description = "What the device does: FILE#NAME.")
     private String original;
@@ -60,23 +65,23 @@ final class PairOptions {
             description = "States of the device through which no way may lead.")
     private List<String> doNotPass = List.of();
 
-    String original() {
-        return original;
+    ModelReference original() {
+        return reading.reference(original);
     }
 
-    String evolved() {
-        return evolved;
+    ModelReference evolved() {
+        return reading.reference(evolved);
     }
 
     /** Reads both models. */
     ModelPair read() {
-        return ModelReader.pair(original, evolved, spec);
+        return ModelReader.pair(original(), evolved(), spec);
     }
 
     /** Where the parts of both models stand in their files. */
     Function<Element, String> places() {
-        Drawing originalDrawing = ModelReader.drawing(original);
-        Drawing evolvedDrawing = ModelReader.drawing(evolved);
+        Drawing originalDrawing = ModelReader.drawing(original());
+        Drawing evolvedDrawing = ModelReader.drawing(evolved());
         return element -> (element.side() == Element.Side.ORIGINAL ? originalDrawing : evolvedDrawing).place(element);
     }
 

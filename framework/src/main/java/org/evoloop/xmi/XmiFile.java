@@ -2,6 +2,7 @@ package org.evoloop.xmi;
 
 import java.io.InputStream;
 import java.nio.file.Path;
+import java.time.temporal.ChronoUnit;
 import java.util.List;
 import java.util.stream.Collectors;
 import org.evoloop.statemachine.ModelException;
@@ -88,6 +89,17 @@ public final class XmiFile {
      */
     public static StateMachine machine(String reference) {
         return ModelReference.parse(reference).load();
+    }
+
+    /**
+     * The same file, in which time triggers are of this unit where they have a number without one.
+     *
+     * @param unit milliseconds or seconds
+     */
+    public XmiFile withTimeUnit(ChronoUnit unit) {
+        return new XmiFile(
+                file,
+                machines.stream().map(machine -> machine.withTimeUnit(unit)).toList());
     }
 
     /** Every machine of the file, in the file's order; empty if it holds none. */

@@ -8,8 +8,8 @@ import org.evoloop.xmi.dialect.Problems;
 
 /** The names of the events that trigger something. */
 final class Uml2Triggers {
-    /** Words with which a text already says that it is a time or a change. */
-    private static final Pattern SAYS_SO = Pattern.compile("(?i)(after|at|tm|when)\\b.*", Pattern.DOTALL);
+    /** A text that already says that it is a time or a change: by a word, or by being a duration of ISO 8601. */
+    private static final Pattern SAYS_SO = Pattern.compile("(?i:(after|at|tm|when)\\b.*)|PT?[0-9].*", Pattern.DOTALL);
 
     /** Names that say no more than that any event is meant. */
     private static final Pattern ANY = Pattern.compile("(?i)(AnyReceiveEvent\\d*|all|any|\\*)?");

@@ -30,6 +30,8 @@ class Uml2TransitionTest {
                 "TimeEvent     | isRelative='true' | <when><expr xmi:type='uml:LiteralInteger' value='1000'/></when>    | after 1000",
                 "TimeEvent     | isRelative='true' | <when xmi:type='uml:TimeExpression'><expr xmi:type='uml:OpaqueExpression'><body>after(3 min)</body></expr></when> | after(3 min)",
                 "TimeEvent     | name='x'          | <when><expr xmi:type='uml:LiteralString' value='12:00'/></when>    | at 12:00",
+                "TimeEvent     | name='x'          | <when><expr xmi:type='uml:LiteralString' value='PT5S'/></when>     | PT5S",
+                "TimeEvent     | isRelative='true' | <when><expr xmi:type='uml:LiteralString' value='P1DT2H'/></when>   | P1DT2H",
                 "TimeEvent     | name='after 2 s'  |                                          | after 2 s",
                 "ChangeEvent   | name='x'          | <changeExpression xmi:type='uml:OpaqueExpression' body='p &gt; 3'/> | when p > 3",
                 "ChangeEvent   | name='full'       |                                          | full",
