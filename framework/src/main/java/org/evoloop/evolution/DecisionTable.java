@@ -278,6 +278,16 @@ public final class DecisionTable {
         return taken == null ? trigger : taken;
     }
 
+    /**
+     * Whether {@code event} is to wait, if it comes in {@code at}, until a state of the new model that does not defer it
+     * (UML 2.5.1, clause 14.2.3.4.4); it is then not to be decided. What the device has done already waits for nothing.
+     *
+     * @param event as {@link #resolve} gives it
+     */
+    public boolean defers(Configuration at, Event event) {
+        return pair.evolved().defers(at.evolved(), event);
+    }
+
     /** Whether {@code step} is where its trigger leads now. */
     public boolean isOpen(Step step, Predicate<String> holds) {
         return !step.conditional() || step.event().equals(originalGuards.resolve(step.source(), step.trigger(), holds));

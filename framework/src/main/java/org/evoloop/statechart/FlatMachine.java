@@ -89,7 +89,13 @@ final class FlatMachine {
         builder.initial(flat(start).state().name()).initialEffects(effects);
         for (Flat flat : flats) {
             for (Move move : flat.reached().moves) {
-                builder.transition(transition(flat, move), "");
+                if (move.deferred()) {
+                    builder.defers(flat.state().name(), event(move.cause().name(), move.guards()));
+                }
+                // Under guards it must stand in the way of the transitions behind it.
+                if (!move.deferred() || !move.guards().isEmpty()) {
+                    builder.transition(transition(flat, move), "");
+                }
             }
         }
         net.chart().events().stream().filter(event -> !event.isBlank()).forEach(builder::event);

@@ -30,13 +30,16 @@ import org.jspecify.annotations.Nullable;
  *   <li>A state without do activity is complete when it is entered, or when all its regions have reached their final
  *       states; its transition without event is taken at once. If its guard does not hold then, it never is. The end of
  *       a do activity on which a transition waits is an event, {@code completion(NAME)}, that somebody must raise.
+ *   <li>An event that a state defers waits if no transition of that state, of one in it, or of a region beside it counts
+ *       for it; states around the deferring one do not see it. See
+ *       {@link org.evoloop.statemachine.StateMachine#defers}.
  *   <li>A time trigger belongs to the state it leaves and goes on as long as that is not left; see
  *       {@link org.evoloop.statemachine.Transition#keeps}.
  *   <li>A transition that is internal and has no effects stands for an event that is swallowed.
  * </ul>
  *
- * <p>States that no event leads to are kept, as if something led there. Deferred events, and two transitions of which
- * nothing says which is taken, are problems.
+ * <p>States that no event leads to are kept, as if something led there. Two transitions of which nothing says which is taken
+ * are a problem.
  *
  * <p>Threading: immutable.
  */

@@ -69,10 +69,9 @@ final class Rules {
             refuse(node, "state without a name", "give it one");
         }
         for (String event : state.deferred()) {
-            refuse(
-                    node,
-                    node + " defers the event '" + event + "', which a flat machine cannot",
-                    "draw a transition for it, or let the sender wait");
+            if (net.isTime(event)) {
+                refuse(node, node + " defers the time trigger '" + event + "'", "let the state's timer wait longer");
+            }
         }
         if (node.hasRivals()) {
             rivals(node);

@@ -13,7 +13,11 @@ public final class TimeUnits {
         this.unit = unit;
     }
 
-    /** @param unit milliseconds or seconds */
+    /**
+     * The chart with units.
+     *
+     * @param unit milliseconds or seconds
+     */
     public static Statechart add(Statechart chart, ChronoUnit unit) {
         TimeUnits units = new TimeUnits(unit);
         return new Statechart(chart.name(), chart.place(), units.regions(chart.regions()), units.names(chart.events()));

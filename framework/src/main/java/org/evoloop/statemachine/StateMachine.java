@@ -117,6 +117,26 @@ public final class StateMachine {
         return traitsOf(state).activities();
     }
 
+    /**
+     * The events that {@code state} defers where no transition of it counts for them, in order; with guards where they are
+     * deferred under those alone.
+     */
+    public Set<Event> deferred(State state) {
+        return traitsOf(state).deferred();
+    }
+
+    /**
+     * Whether {@code event} is to wait, if it comes in {@code state}, until a state that does not defer it. A transition that
+     * counts goes first.
+     *
+     * @param event under the guards under which it comes; as it is told by a monitor if none of those drawn for it hold
+     */
+    public boolean defers(State state, Event event) {
+        Set<Event> waiting = traitsOf(state).deferred();
+        return !waiting.isEmpty()
+                && (waiting.contains(event) || (find(state, event) == null && waiting.contains(event.trigger())));
+    }
+
     private StateTraits traitsOf(State state) {
         return traits.getOrDefault(state, StateTraits.NONE);
     }

@@ -61,6 +61,16 @@ public final class StateMachineBuilder {
     }
 
     /**
+     * Adds a state that defers an event, see {@link StateMachine#defers}.
+     *
+     * @param event with the guards under which it is deferred, if under others it is not
+     */
+    public StateMachineBuilder defers(String state, Event event) {
+        addEvent(event, "");
+        return traits(state, known -> known.withDeferred(event));
+    }
+
+    /**
      * Adds a state that differs from others only in what the machine remembers.
      *
      * @param plain what it is without that, see {@link StateMachine#withoutMemory}

@@ -41,6 +41,7 @@ final class Interpreter {
     private List<String> actions = new ArrayList<>();
     private Predicate<String> guards = guard -> true;
     private int now;
+    private boolean waits;
 
     Interpreter(Statechart chart) {
         this.chart = chart;
@@ -75,8 +76,10 @@ final class Interpreter {
         } else {
             List<List<Arc>> fires = new ArrayList<>();
             chart.regions().forEach(region -> fires.addAll(enabled(region, event)));
-            List<List<Arc>> chosen = withoutConflicts(fires);
+            List<List<Arc>> chosen = withoutConflicts(
+                    fires.stream().filter(fire -> !fire.isEmpty()).toList());
             if (chosen.isEmpty()) {
+                waits = !fires.isEmpty();
                 return null;
             }
             chosen.forEach(this::fire);
@@ -87,8 +90,14 @@ final class Interpreter {
 
     private void begin(Predicate<String> guardValues) {
         actions = new ArrayList<>();
+        waits = false;
         guards = guardValues;
         now++;
+    }
+
+    /** Whether the last event was deferred. */
+    boolean waits() {
+        return waits;
     }
 
     /** The innermost active vertices, in document order. */
@@ -162,6 +171,7 @@ final class Interpreter {
 
     // Selection
 
+    /** The transitions that could be taken, and an empty list for each state that defers the event. */
     private List<List<Arc>> enabled(Region region, String event) {
         if (!(current.get(region) instanceof ChartState state)) {
             return List.of();
@@ -173,9 +183,12 @@ final class Interpreter {
         }
         String trigger = event.contains(OWNER) ? event.substring(0, event.indexOf(OWNER)) : event;
         boolean others = event.contains(OWNER) && !event.endsWith(OWNER + state.key());
-        return others
-                ? List.of()
-                : choose(drawing.leaving(state).filter(arc -> arc.triggers().contains(trigger)));
+        if (others) {
+            return List.of();
+        }
+        List<List<Arc>> own =
+                choose(drawing.leaving(state).filter(arc -> arc.triggers().contains(trigger)));
+        return own.isEmpty() && state.deferred().contains(event) ? List.of(List.of()) : own;
     }
 
     /** The path that the first of some arcs opens: guarded arcs, plain arcs, else. */
