@@ -24,6 +24,8 @@ import org.jspecify.annotations.Nullable;
  *       side by side all see it, in the order in which they are drawn, and are left and entered in that order.
  *   <li>Each part of a transition through pseudostates leaves and enters what lies between its two ends. A history
  *       remembers its region when the state around that is left; a region that has reached its final state is forgotten.
+ *   <li>A guard on the only transition of an initial pseudostate, or on the default one of a history, is not asked for,
+ *       since nothing else could be entered.
  *   <li>A local transition between a state and one in it leaves the region of the inner one alone, and enters it by default
  *       if it ends at the outer one. From a state to itself it leaves and enters again what is in the state; of a state
  *       without regions it is internal.

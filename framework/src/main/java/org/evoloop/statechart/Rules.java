@@ -106,7 +106,6 @@ final class Rules {
         if (node.is(Kind.INITIAL)) {
             refuseIncoming(node);
             requireOne(node);
-            node.outgoing.forEach(link -> refuseGuard(link, "draw a choice behind it"));
         } else if (node.is(Kind.JUNCTION) || node.is(Kind.CHOICE)) {
             branches(node);
         } else if (node.is(Kind.FORK)) {
@@ -117,7 +116,6 @@ final class Rules {
             if (node.outgoing.size() > 1) {
                 refuse(node, node + " has " + node.outgoing.size() + " default transitions", "keep one");
             }
-            node.outgoing.forEach(link -> refuseGuard(link, "draw a choice behind it"));
         } else if (node.is(Kind.TERMINATE)) {
             refuseOutgoing(node);
         } else if (node.border == null) {

@@ -86,7 +86,7 @@ public final class XmiMachine {
      */
     public List<String> notes() {
         Problems problems = new Problems();
-        drawn.statechart(name(), problems);
+        DefaultGuards.note(drawn.statechart(name(), problems), problems);
         return problems.notes().stream().map(note -> file + ": " + note).toList();
     }
 

@@ -43,7 +43,6 @@ class FlatteningRefusalTest {
                 "A fork e; fork junction; junction A | does not end in a state",
                 "C.D join e; C.F join x; join A | have different triggers",
                 "i2 join; join A              | does not begin in a state",
-                "A history e; history C.D [g] | must have no guard",
                 "terminate A                  | leaves a terminate",
                 "A B tm(2)                    | time trigger 'tm(2)' has no unit",
                 "A A; A B e                   | transitions without events lead in an endless circle through state 'A'",

@@ -65,6 +65,15 @@ public final class Problems {
         }
     }
 
+    /** The name of a state, or its id if it has none, which is noted. */
+    public String nameOrId(String name, String id, int line) {
+        if (!name.isEmpty() || id.isEmpty()) {
+            return name;
+        }
+        note(line, "state without a name is called by its id, " + quote(id) + "; give it a name");
+        return id;
+    }
+
     /** What was noted, in the file's order. */
     public List<String> notes() {
         return notes.stream()
