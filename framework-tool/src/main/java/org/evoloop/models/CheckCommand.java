@@ -21,7 +21,6 @@ import org.evoloop.models.checking.FindingsText;
 import org.evoloop.models.diagram.Diagram;
 import org.evoloop.models.diagram.SvgWriter;
 import org.evoloop.models.temporal.PropertyCheck;
-import org.evoloop.xmi.ModelReference;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -116,7 +115,7 @@ final class CheckCommand implements Callable<Integer> {
     }
 
     private Path propertiesFile() {
-        Path models = ModelReference.parse(options.evolved()).file();
+        Path models = options.evolved().file();
         String name = String.valueOf(models.getFileName());
         int dot = name.lastIndexOf('.');
         return properties != null

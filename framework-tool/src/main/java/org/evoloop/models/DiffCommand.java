@@ -8,6 +8,7 @@ import org.evoloop.models.evolution.DifferenceDiagram;
 import org.evoloop.models.evolution.DifferenceJson;
 import org.evoloop.models.evolution.DifferenceText;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -30,6 +31,9 @@ final class DiffCommand implements Callable<Integer> {
     @Spec
     private CommandSpec spec;
 
+    @Mixin
+    private ReadingOptions reading;
+
     @Parameters(index = "0", paramLabel = "ORIGINAL", description = "What the device does: FILE#NAME.")
     private String original;
 
@@ -44,7 +48,7 @@ final class DiffCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        ModelPair pair = ModelReader.pair(original, evolved);
+        ModelPair pair = ModelReader.pair(reading.reference(original), reading.reference(evolved), spec);
         String shown = switch (format) {
             case TEXT -> DifferenceText.write(pair);
             case JSON -> DifferenceJson.write(pair);

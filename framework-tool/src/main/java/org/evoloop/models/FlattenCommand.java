@@ -4,8 +4,8 @@ import java.util.concurrent.Callable;
 import org.evoloop.models.flat.AstahWriter;
 import org.evoloop.models.flat.TransitionTable;
 import org.evoloop.statemachine.StateMachine;
-import org.evoloop.xmi.ModelReference;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -27,6 +27,9 @@ final class FlattenCommand implements Callable<Integer> {
     @Spec
     private CommandSpec spec;
 
+    @Mixin
+    private ReadingOptions reading;
+
     @Parameters(paramLabel = "FILE#NAME", description = "The file, and which of its machines.")
     private String reference;
 
@@ -38,7 +41,10 @@ final class FlattenCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        StateMachine machine = ModelReference.parse(reference).load();
+        StateMachine machine = ModelReader.flat(reading.reference(reference), spec);
+        if (format == Format.XMI) {
+            AstahWriter.losses(machine).forEach(loss -> Output.note(spec, loss));
+        }
         return Output.print(spec, format == Format.XMI ? AstahWriter.write(machine) : TransitionTable.write(machine));
     }
 }

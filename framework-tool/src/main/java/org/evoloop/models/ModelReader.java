@@ -6,9 +6,11 @@ import org.evoloop.evolution.ModelPair;
 import org.evoloop.models.checking.Drawing;
 import org.evoloop.statechart.Statechart;
 import org.evoloop.statemachine.ModelException;
+import org.evoloop.statemachine.StateMachine;
 import org.evoloop.xmi.ModelReference;
 import org.evoloop.xmi.XmiFile;
 import org.evoloop.xmi.XmiMachine;
+import picocli.CommandLine.Model.CommandSpec;
 
 /** Reads what the command line names. */
 final class ModelReader {
@@ -17,9 +19,10 @@ final class ModelReader {
     /**
      * Machines as drawn.
      *
+     * @param notes what their authors should know, a message each
      * @param problems of the machines that cannot be read, a message each
      */
-    record Drawn(List<Statechart> charts, List<String> problems) {}
+    record Drawn(List<Statechart> charts, List<String> notes, List<String> problems) {}
 
     /**
      * The machine that {@code reference} names, or all of the file's.
@@ -29,38 +32,49 @@ final class ModelReader {
     static Drawn drawn(String reference) {
         ModelReference named = ModelReference.parse(reference);
         if (named.machine().isPresent()) {
-            return new Drawn(List.of(named.find().statechart()), List.of());
+            return only(named.find());
         }
         XmiFile file = XmiFile.read(named.file());
         if (file.machines().isEmpty()) {
-            return new Drawn(List.of(file.findOnly().statechart()), List.of());
+            return only(file.findOnly());
         }
         List<Statechart> charts = new ArrayList<>();
+        List<String> notes = new ArrayList<>();
         List<String> problems = new ArrayList<>();
         for (XmiMachine machine : file.machines()) {
             try {
                 charts.add(machine.statechart());
+                notes.addAll(machine.notes());
             } catch (ModelException unusable) {
                 problems.add(unusable.getMessage());
             }
         }
-        return new Drawn(charts, problems);
+        return new Drawn(charts, notes, problems);
+    }
+
+    private static Drawn only(XmiMachine machine) {
+        return new Drawn(List.of(machine.statechart()), machine.notes(), List.of());
+    }
+
+    /** The flat machine that {@code reference} names; {@code command} says what its author should know. */
+    static StateMachine flat(ModelReference reference, CommandSpec command) {
+        XmiMachine machine = reference.find();
+        StateMachine flat = machine.toStateMachine();
+        machine.notes().forEach(note -> Output.note(command, note));
+        return flat;
     }
 
     /** The machine that {@code reference} names, to find places in. */
-    static Drawing drawing(String reference) {
-        ModelReference named = ModelReference.parse(reference);
-        XmiMachine machine = named.find();
+    static Drawing drawing(ModelReference reference) {
+        XmiMachine machine = reference.find();
         return new Drawing(
-                named.file().toString(),
+                reference.file().toString(),
                 machine.statechart(),
                 machine.flattening().leaves());
     }
 
     /** The two machines of an evolution, flat; whether they are one is for others to say. */
-    static ModelPair pair(String original, String evolved) {
-        return new ModelPair(
-                ModelReference.parse(original).load(),
-                ModelReference.parse(evolved).load());
+    static ModelPair pair(ModelReference original, ModelReference evolved, CommandSpec command) {
+        return new ModelPair(flat(original, command), flat(evolved, command));
     }
 }

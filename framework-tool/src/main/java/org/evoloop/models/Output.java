@@ -7,6 +7,11 @@ import picocli.CommandLine.Model.CommandSpec;
 final class Output {
     private Output() {}
 
+    /** Says on the standard error what is good to know. */
+    static void note(CommandSpec spec, String text) {
+        spec.commandLine().getErr().println("note: " + text);
+    }
+
     /** Prints {@code result} and returns the exit status of a command that has done its work. */
     static int print(CommandSpec spec, String result) {
         PrintWriter out = spec.commandLine().getOut();

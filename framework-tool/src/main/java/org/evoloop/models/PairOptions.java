@@ -14,12 +14,22 @@ import org.evoloop.models.checking.Drawing;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
+import org.evoloop.xmi.ModelReference;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
 
 /** The two models of an evolution, and what their author knows of the device. */
 @SuppressWarnings("NullAway.Init") // picocli sets the fields
 final class PairOptions {
+    @Spec(Spec.Target.MIXEE)
+    private CommandSpec spec;
+
+    @Mixin
+    private ReadingOptions reading;
+
     @Parameters(index = "0", paramLabel = "ORIGINAL", description = "What the device does: FILE#NAME.")
     private String original;
 
@@ -55,23 +65,23 @@ final class PairOptions {
             description = "States of the device through which no way may lead.")
     private List<String> doNotPass = List.of();
 
-    String original() {
-        return original;
+    ModelReference original() {
+        return reading.reference(original);
     }
 
-    String evolved() {
-        return evolved;
+    ModelReference evolved() {
+        return reading.reference(evolved);
     }
 
     /** Reads both models. */
     ModelPair read() {
-        return ModelReader.pair(original, evolved);
+        return ModelReader.pair(original(), evolved(), spec);
     }
 
     /** Where the parts of both models stand in their files. */
     Function<Element, String> places() {
-        Drawing originalDrawing = ModelReader.drawing(original);
-        Drawing evolvedDrawing = ModelReader.drawing(evolved);
+        Drawing originalDrawing = ModelReader.drawing(original());
+        Drawing evolvedDrawing = ModelReader.drawing(evolved());
         return element -> (element.side() == Element.Side.ORIGINAL ? originalDrawing : evolvedDrawing).place(element);
     }
 
@@ -108,7 +118,7 @@ final class PairOptions {
 
     private static State state(String name, StateMachine device) {
         State state = new State(name.strip());
-        if (!device.hasState(state)) {
+        if (device.alike(state).isEmpty()) {
             throw new IllegalArgumentException(
                     "--do-not-pass: " + name + " is no state of the original model; there is "
                             + device.states().stream().map(State::name).collect(Collectors.joining(", ")));

@@ -12,7 +12,6 @@ import org.evoloop.evolution.check.Finding;
 import org.evoloop.evolution.check.Rule;
 import org.evoloop.models.checking.FindingsText;
 import org.evoloop.models.scaffold.Scaffold;
-import org.evoloop.xmi.ModelReference;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -56,13 +55,8 @@ final class ScaffoldCommand implements Callable<Integer> {
             spec.commandLine().getErr().println("error: no converter of this pair could run; mend the models first");
             return 1;
         }
-        Scaffold.write(new Scaffold.Request(
-                pair,
-                device,
-                ModelReference.parse(options.original()),
-                ModelReference.parse(options.evolved()),
-                javaPackage,
-                directory));
+        Scaffold.write(
+                new Scaffold.Request(pair, device, options.original(), options.evolved(), javaPackage, directory));
         return Output.print(spec, "wrote " + directory + "; go on with: cd " + directory + " && ./mvnw -q verify\n");
     }
 }

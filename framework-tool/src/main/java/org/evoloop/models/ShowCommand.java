@@ -58,6 +58,7 @@ final class ShowCommand implements Callable<Integer> {
             case SVG ->
                 SvgWriter.write(reference, charts.stream().map(ChartDiagram::of).toList());
         };
+        drawn.notes().forEach(note -> Output.note(spec, note));
         drawn.problems().forEach(problem -> spec.commandLine().getErr().println("error: " + problem));
         Output.print(spec, charts.isEmpty() ? "" : shown);
         return drawn.problems().isEmpty() ? 0 : ExitCode.USAGE;

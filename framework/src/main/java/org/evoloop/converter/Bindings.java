@@ -115,7 +115,7 @@ final class Bindings implements Predicate<String> {
             }
         }
         for (State state : doNotPass) {
-            if (!pair.original().hasState(state)) {
+            if (pair.original().alike(state).isEmpty()) {
                 problems.add(state + " is not to be passed, but is not a state of the original model");
             }
         }

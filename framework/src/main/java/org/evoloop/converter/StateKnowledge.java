@@ -76,10 +76,12 @@ public class StateKnowledge extends Knowledge {
         }
     }
 
-    /** Runs {@code function} whenever the new state {@code state} is entered. */
+    /** Runs {@code function} whenever the new state {@code state} is entered, whatever the new model remembers then. */
     protected final void function(String state, NewFunction function) {
         requireNonNull(function, "the function of " + state + " is null; NewFunction.none() does nothing");
-        noteIfRepeated("a function", state, functions.put(new State(state), function));
+        for (State each : drawn(state)) {
+            noteIfRepeated("a function", state, functions.put(each, function));
+        }
     }
 
     private void noteIfRepeated(String what, String where, @Nullable Object before) {
@@ -88,19 +90,23 @@ public class StateKnowledge extends Knowledge {
         }
     }
 
+    /** All that a state as drawn is, or the one that is named with what is remembered in it, or that does not exist. */
+    private List<State> drawn(String name) {
+        State state = new State(name);
+        List<State> all = pair.evolved().alike(state);
+        return all.isEmpty() || !pair.evolved().withoutMemory(state).equals(state) ? List.of(state) : all;
+    }
+
     /**
      * Raises {@code event} when {@code state} has lasted for {@code delay}. Time triggers written in the model, such as
      * {@code tm(2s)}, need no call.
      */
     protected final void timer(String state, String event, Duration delay) {
-        State during = new State(state);
-        Map<Event, Duration> ofState = timers.get(during);
-        if (ofState == null) {
-            ofState = new LinkedHashMap<>();
-            timers.put(during, ofState);
-        }
         requireNonNull(delay, "the delay of " + event + " in " + state + " is null");
-        noteIfRepeated("a timer", event + " in " + state, ofState.put(new Event(event), delay));
+        for (State during : drawn(state)) {
+            Map<Event, Duration> ofState = timers.computeIfAbsent(during, key -> new LinkedHashMap<>());
+            noteIfRepeated("a timer", event + " in " + state, ofState.put(new Event(event), delay));
+        }
         allTimers.clear();
     }
 

@@ -113,7 +113,7 @@ final class Arrivals {
     /** Gives the next occurrence its turn if nothing is in progress; those that come to nothing end at once. */
     void begin(long atNanos) {
         while (ledger.work == null && ledger.open) {
-            Pending next = ledger.line.next(occurrence -> false);
+            Pending next = ledger.line.next(this::isDeferred);
             if (next == null && ledger.followOwed) {
                 next = owedFinding(atNanos);
             }
@@ -122,6 +122,13 @@ final class Arrivals {
             }
             giveTurn(next);
         }
+    }
+
+    /** Whether an event waits until the new model's state does not defer it any more. What has happened waits for nothing. */
+    private boolean isDeferred(Pending pending) {
+        return !pending.hasHappened()
+                && pending.occurrence() instanceof Occurrence.Heard heard
+                && ledger.rules.table().defers(ledger.place.at(), heard.event());
     }
 
     /** In place of the facts that were lost: the new model is put where the device is. */

@@ -59,13 +59,13 @@ final class Line {
 
     /** The first that may have its turn; null if none may. */
     @Nullable
-    Pending next(Predicate<Occurrence> deferred) {
+    Pending next(Predicate<Pending> deferred) {
         Pending first = waiting.peek();
-        if (first == null || !deferred.test(first.occurrence())) {
+        if (first == null || !deferred.test(first)) {
             return waiting.poll();
         }
         for (Pending pending : waiting) {
-            if (!deferred.test(pending.occurrence())) {
+            if (!deferred.test(pending)) {
                 waiting.remove(pending);
                 return pending;
             }

@@ -325,6 +325,16 @@ public final class DecisionTable {
         return taken == null ? trigger : taken;
     }
 
+    /**
+     * Whether {@code event} is to wait, if it comes in {@code at}, until a state of the new model that does not defer it
+     * (UML 2.5.1, clause 14.2.3.4.4); it is then not to be decided. What the device has done already waits for nothing.
+     *
+     * @param event as {@link #resolve} gives it
+     */
+    public boolean defers(Configuration at, Event event) {
+        return pair.evolved().defers(at.evolved(), event);
+    }
+
     /** Whether {@code step} is where its trigger leads now. */
     public boolean isOpen(Step step, Predicate<String> holds) {
         return !step.conditional() || step.event().equals(originalGuards.resolve(step.source(), step.trigger(), holds));
@@ -332,14 +342,25 @@ public final class DecisionTable {
 
     /**
      * What it means that the device was found in {@code original}: the new model stays where it is if the two can stand
-     * together, that is if events as they should go can lead there; else it follows the device.
+     * together, that is if events as they should go can lead there; else it follows the device. Of several states that
+     * differ in what the new model remembers it goes to the first that can stand together with the device's.
      *
      * @param original a state of the original model
      */
     public Decision.Resynchronization find(Configuration at, State original) {
         Configuration kept = at.withOriginal(original);
-        return new Decision.Resynchronization(
-                at, situations.containsKey(kept) ? kept : new Configuration(original, original));
+        return new Decision.Resynchronization(at, situations.containsKey(kept) ? kept : followed(original));
+    }
+
+    private Configuration followed(State original) {
+        List<State> same = pair.evolvedStates(original);
+        for (State state : same) {
+            Configuration together = new Configuration(original, state);
+            if (situations.containsKey(together)) {
+                return together;
+            }
+        }
+        return new Configuration(original, same.isEmpty() ? original : same.get(0));
     }
 
     /** Every configuration that can be reached, first reached first. */

@@ -36,7 +36,7 @@ final class EventConversion {
         this.devicesOwn = new HashSet<>(pair.original().triggers());
         devicesOwn.removeAll(device.sendable());
         this.newStates = new HashSet<>(pair.evolved().states());
-        newStates.removeAll(pair.original().states());
+        newStates.removeIf(state -> !pair.isNew(state));
     }
 
     /** Whether only the device itself can take {@code trigger}. */
@@ -79,14 +79,16 @@ final class EventConversion {
             return new Decision.NewFunction(
                     before, new Configuration(original, target), steps, transition, effectsLeft(transition, steps));
         }
-        Optional<List<Step>> way = taken ? planner.shortestPath(original, target) : wayFor(original, same, target);
+        List<State> goals = pair.deviceStates(target);
+        Optional<List<Step>> way = taken ? planner.shortestPath(original, goals) : wayFor(original, same, goals);
         if (way.isEmpty()) {
             return new Decision.Impossible(
                     before, before.withOriginal(original), steps, transition, noWay(original, event, target));
         }
         List<Step> all = joined(steps, way.get());
+        State reached = all.isEmpty() ? original : all.get(all.size() - 1).target();
         return new Decision.ExistingFunction(
-                before, new Configuration(target, target), all, transition, effectsLeft(transition, all));
+                before, new Configuration(reached, target), all, transition, effectsLeft(transition, all));
     }
 
     /** See {@link DecisionTable#react}. */
@@ -101,19 +103,18 @@ final class EventConversion {
             return new Decision.NewFunction(
                     at, at.withEvolved(target), List.of(), transition, effectsLeft(transition, done));
         }
-        if (follow && own != null && own.target().equals(target)) {
+        List<State> goals = pair.deviceStates(target);
+        if (follow && own != null && goals.contains(own.target())) {
             return new Decision.ExistingFunction(
                     at, at.withEvolved(target), List.of(), transition, effectsLeft(transition, done));
         }
-        Optional<List<Step>> way = planner.shortestPath(at.original(), target);
-        return way.isEmpty()
-                ? new Decision.Impossible(at, at, List.of(), transition, noWay(at.original(), event, target))
-                : new Decision.ExistingFunction(
-                        at,
-                        new Configuration(target, target),
-                        way.get(),
-                        transition,
-                        effectsLeft(transition, joined(done, way.get())));
+        List<Step> way = planner.shortestPath(at.original(), goals).orElse(null);
+        if (way == null) {
+            return new Decision.Impossible(at, at, List.of(), transition, noWay(at.original(), event, target));
+        }
+        State reached = way.isEmpty() ? at.original() : way.get(way.size() - 1).target();
+        return new Decision.ExistingFunction(
+                at, new Configuration(reached, target), way, transition, effectsLeft(transition, joined(done, way)));
     }
 
     private static List<Step> joined(List<Step> first, List<Step> then) {
@@ -135,10 +136,10 @@ final class EventConversion {
                 : original.transition(source, event.trigger()).orElse(null);
     }
 
-    /** The incoming event itself if it leads there, even from a state to itself; else the shortest way. */
-    private Optional<List<Step>> wayFor(State original, @Nullable Transition same, State target) {
-        Step direct = same == null || !same.target().equals(target) ? null : planner.stepOver(same);
-        return direct == null ? planner.shortestPath(original, target) : Optional.of(List.of(direct));
+    /** The incoming event itself if it leads to one of {@code goals}, even from a state to itself; else the shortest way. */
+    private Optional<List<Step>> wayFor(State original, @Nullable Transition same, List<State> goals) {
+        Step direct = same == null || !goals.contains(same.target()) ? null : planner.stepOver(same);
+        return direct == null ? planner.shortestPath(original, goals) : Optional.of(List.of(direct));
     }
 
     /** What the new model's transition asks for and the device does not do by itself on its way. */

@@ -53,7 +53,7 @@ public record ModelPair(StateMachine original, StateMachine evolved) {
             }
         }
         for (State state : original.states()) {
-            if (!evolved.hasState(state)) {
+            if (evolvedStates(state).isEmpty()) {
                 found.add(new Violation.MissingState(state));
             }
         }
@@ -70,7 +70,7 @@ public record ModelPair(StateMachine original, StateMachine evolved) {
         for (Violation violation : violations()) {
             problems.add(violation.toString());
         }
-        if (!original.initial().equals(evolved.initial())) {
+        if (!deviceStates(evolved.initial()).contains(original.initial())) {
             problems.add("the new model starts in " + evolved.initial() + ", the device in " + original.initial());
         }
         if (!problems.isEmpty()) {
@@ -85,8 +85,26 @@ public record ModelPair(StateMachine original, StateMachine evolved) {
         return new Configuration(original.initial(), evolved.initial());
     }
 
+    /**
+     * The device's states that {@code state} of the new model is: the one of its name, or where a machine remembers
+     * something in them, all that differ from it in that alone. Empty for a new state.
+     */
+    public List<State> deviceStates(State state) {
+        List<State> same = original.alike(state);
+        return same.isEmpty() ? original.alike(evolved.withoutMemory(state)) : same;
+    }
+
+    /**
+     * The new model's states that {@code state} of the device is, in the order of the new model; none only if the pair is
+     * no evolution.
+     */
+    public List<State> evolvedStates(State state) {
+        List<State> same = evolved.alike(state);
+        return same.isEmpty() ? evolved.alike(original.withoutMemory(state)) : same;
+    }
+
     /** Whether {@code state} is one that only the new model has: a function that the converter runs. */
     public boolean isNew(State state) {
-        return !original.hasState(state);
+        return deviceStates(state).isEmpty();
     }
 }

@@ -33,13 +33,17 @@ final class PathPlanner {
         this.guards = new GuardedTriggers(original);
     }
 
-    /** The steps from {@code source} to {@code target}: none if they are the same, empty if there is no way. */
-    Optional<List<Step>> shortestPath(State source, State target) {
-        if (source.equals(target)) {
+    /**
+     * The steps from {@code source} to the one of {@code goals} to which the cheapest way leads: none if it is one of them,
+     * empty if there is no way.
+     */
+    Optional<List<Step>> shortestPath(State source, List<State> goals) {
+        if (goals.contains(source)) {
             return Optional.of(List.of());
         }
         PathSearch search = searchFrom(source);
-        Step last = search.lastStepTo(target);
+        State goal = goals.size() == 1 ? goals.get(0) : search.nearest(goals);
+        Step last = goal == null ? null : search.lastStepTo(goal);
         if (last == null) {
             return Optional.empty();
         }
@@ -82,6 +86,6 @@ final class PathPlanner {
     }
 
     boolean mayPass(State state) {
-        return !device.doNotPass().contains(state);
+        return !device.doNotPass().contains(state) && !device.doNotPass().contains(original.withoutMemory(state));
     }
 }

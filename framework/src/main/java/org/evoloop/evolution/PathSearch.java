@@ -60,6 +60,19 @@ final class PathSearch {
         arrive(new Arrival(source, 0, 0, null, null, 0));
     }
 
+    /** The one of {@code goals} to which the cheapest way leads; null if there is no way to any. */
+    @Nullable
+    State nearest(List<State> goals) {
+        Arrival nearest = null;
+        for (State goal : goals) {
+            Arrival arrival = lastStepTo(goal) == null ? null : arrivals.get(goal);
+            if (arrival != null && (nearest == null || arrival.compareTo(nearest) < 0)) {
+                nearest = arrival;
+            }
+        }
+        return nearest == null ? null : nearest.state;
+    }
+
     /** The last step of the cheapest way to {@code target}; null for the source itself and if there is no way. */
     @Nullable
     Step lastStepTo(State target) {

@@ -31,7 +31,10 @@ public record Arc(
     public enum Kind {
         /** Leaves it. */
         EXTERNAL,
-        /** Leaves only what is inside. */
+        /**
+         * Does not leave the one of its ends that is around the other. Between a state and itself it leaves and enters what
+         * is in the state; else it is the same as an external one.
+         */
         LOCAL,
         /** Leaves nothing. */
         INTERNAL

@@ -67,6 +67,10 @@ final class Body {
             if (link.isInternal()) {
                 return exited;
             }
+            if (link.isLocalLoop()) {
+                link.target.zones.forEach(zone -> exited.add(requireNonNull(active.in(zone))));
+                return exited;
+            }
             Node node = active.in(domain(link));
             if (node != null) {
                 exited.add(node);
@@ -117,6 +121,12 @@ final class Body {
                 effects.addAll(link.arc.effects());
                 return;
             }
+            if (link.isLocalLoop()) {
+                link.target.zones.forEach(zone -> leave(active.in(zone)));
+                effects.addAll(link.arc.effects());
+                link.target.zones.forEach(zone -> enter(zone, Map.of()));
+                return;
+            }
             Zone domain = domain(link);
             leave(active.in(domain));
             together.forEach(one -> effects.addAll(one.arc.effects()));
@@ -136,6 +146,8 @@ final class Body {
             active.terminate(node);
             entered.add(node);
             completions.clear();
+        } else if (domain.owner == node) {
+            enter(domain, Map.of());
         } else if (node.isTarget()) {
             enter(domain, explicit(domain, List.of(node)));
         } else if (node.is(Kind.FORK)) {

@@ -41,8 +41,13 @@ final class Explorer {
         this.alone = new Reached[net.nodes().size()];
     }
 
-    /** What happens for some values of the guards; {@code outcome} is null if nothing does. */
-    private record Case(List<String> guards, @Nullable Outcome outcome) {}
+    /**
+     * What happens for some values of the guards.
+     *
+     * @param outcome null if nothing does
+     * @param deferred whether the event waits then
+     */
+    private record Case(List<String> guards, @Nullable Outcome outcome, boolean deferred) {}
 
     void explore() {
         try {
@@ -126,7 +131,7 @@ final class Explorer {
     private List<Move> moves(Reached state) {
         Node node = PlainSteps.alone(net, state.snapshot);
         List<Move> moves = new ArrayList<>();
-        if (node == null || node.hasRivals()) {
+        if (node == null || node.hasRivals() || !node.deferred().isEmpty()) {
             for (Cause cause : causes(state.snapshot)) {
                 step(state, cause, moves);
             }
@@ -155,7 +160,7 @@ final class Explorer {
         visited.set(link.target.index);
         Reached known = alone[link.target.index];
         Reached target = known == null ? reach(Snapshot.of(link.target)) : known;
-        return new Move(cause, List.of(), target, PlainSteps.effects(link), false, left);
+        return new Move(cause, List.of(), target, PlainSteps.effects(link), false, left, false);
     }
 
     /** Adds what a cause does. */
@@ -175,7 +180,15 @@ final class Explorer {
             Outcome outcome = one.outcome();
             if (outcome != null) {
                 found.add(new Move(
-                        cause, one.guards(), found(outcome), outcome.effects(), outcome.still(), outcome.left()));
+                        cause,
+                        one.guards(),
+                        found(outcome),
+                        outcome.effects(),
+                        outcome.still(),
+                        outcome.left(),
+                        false));
+            } else if (one.deferred()) {
+                found.add(new Move(cause, one.guards(), state, List.of(), true, Set.of(), true));
             } else if (hides(one, cases.subList(i + 1, cases.size()))) {
                 found.add(nothing(cause, one.guards(), state));
             }
@@ -188,7 +201,7 @@ final class Explorer {
     }
 
     private static Move nothing(Cause cause, List<String> guards, Reached state) {
-        return new Move(cause, guards, state, List.of(), true, Set.of());
+        return new Move(cause, guards, state, List.of(), true, Set.of(), false);
     }
 
     /** Whether a later move would wrongly be taken for this case, in which nothing happens. */
@@ -226,8 +239,9 @@ final class Explorer {
         Guards guards = new Guards();
         List<Case> cases = new ArrayList<>();
         do {
-            Outcome outcome = run.apply(new Step(net, guards));
-            cases.add(new Case(guards.held(), outcome));
+            Step step = new Step(net, guards);
+            Outcome outcome = run.apply(step);
+            cases.add(new Case(guards.held(), outcome, outcome == null && step.isDeferring()));
             if (cases.size() > MAX_CASES) {
                 throw new Refused(
                         net.chart().place(),
@@ -248,6 +262,9 @@ final class Explorer {
             for (Node node = net.node(leaf); node != null && seen.add(node); node = node.zone.owner) {
                 for (String trigger : node.triggers()) {
                     causes.add(cause(trigger, node));
+                }
+                for (String event : node.deferred()) {
+                    causes.add(cause(event, node));
                 }
                 if (awaitsActivity(node) && !isDone(state, node)) {
                     causes.add(new Cause(Cause.Kind.COMPLETION, "", node));

@@ -41,8 +41,10 @@ final class FlatMachine {
         this.naming =
                 new FlatNames(net, ordered.stream().map(state -> state.snapshot).toList());
         List<String> names = naming.all();
+        List<String> plain = naming.withoutMemory(names);
         for (Reached state : ordered) {
-            Flat flat = new Flat(state, new State(names.get(flats.size())), goingOn(state.snapshot));
+            int number = flats.size();
+            Flat flat = new Flat(state, new State(names.get(number)), plain.get(number), goingOn(state.snapshot));
             flats.add(flat);
             byNumber[state.index] = flat;
             findAmbiguous(flat);
@@ -52,7 +54,8 @@ final class FlatMachine {
         }
     }
 
-    private record Flat(Reached reached, State state, Set<Owned> goingOn) {}
+    /** @param plain the name without what is remembered */
+    private record Flat(Reached reached, State state, String plain, Set<Owned> goingOn) {}
 
     /** What goes on while a state as drawn is active. */
     private record Owned(Node owner, String name, boolean activity) {}
@@ -80,12 +83,19 @@ final class FlatMachine {
                     activities.add(name(owned));
                 }
             }
-            builder.activities(flat.state().name(), activities);
+            builder.remembering(flat.state().name(), flat.plain())
+                    .activities(flat.state().name(), activities);
         }
         builder.initial(flat(start).state().name()).initialEffects(effects);
         for (Flat flat : flats) {
             for (Move move : flat.reached().moves) {
-                builder.transition(transition(flat, move), "");
+                if (move.deferred()) {
+                    builder.defers(flat.state().name(), event(move.cause().name(), move.guards()));
+                }
+                // Under guards it must stand in the way of the transitions behind it.
+                if (!move.deferred() || !move.guards().isEmpty()) {
+                    builder.transition(transition(flat, move), "");
+                }
             }
         }
         net.chart().events().stream().filter(event -> !event.isBlank()).forEach(builder::event);

@@ -1,6 +1,7 @@
 package org.evoloop.statechart;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.BitSet;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -64,6 +65,31 @@ final class FlatNames {
             tellApart(names, state -> " " + number[0]++);
         }
         return names;
+    }
+
+    /**
+     * What each would be called if nothing were remembered, in their order; {@code names} where that tells nothing.
+     *
+     * @param names as {@link #all} gives them
+     */
+    List<String> withoutMemory(List<String> names) {
+        Map<String, int[]> leavesOf = new HashMap<>();
+        Set<String> ambiguous = new HashSet<>();
+        List<String> plain = new ArrayList<>(states.size());
+        for (Snapshot state : states) {
+            String name = leaves(state);
+            int[] others = leavesOf.putIfAbsent(name, state.leaves());
+            if (others != null && !Arrays.equals(others, state.leaves())) {
+                ambiguous.add(name);
+            }
+            plain.add(name);
+        }
+        for (int i = 0; i < names.size(); i++) {
+            if (ambiguous.contains(plain.get(i))) {
+                plain.set(i, names.get(i));
+            }
+        }
+        return plain;
     }
 
     private static boolean areDifferent(List<String> names) {

@@ -24,16 +24,24 @@ import org.jspecify.annotations.Nullable;
  *       side by side all see it, in the order in which they are drawn, and are left and entered in that order.
  *   <li>Each part of a transition through pseudostates leaves and enters what lies between its two ends. A history
  *       remembers its region when the state around that is left; a region that has reached its final state is forgotten.
+ *   <li>A guard on the only transition of an initial pseudostate, or on the default one of a history, is not asked for,
+ *       since nothing else could be entered.
+ *   <li>A local transition between a state and one in it leaves the region of the inner one alone, and enters it by default
+ *       if it ends at the outer one. From a state to itself it leaves and enters again what is in the state; of a state
+ *       without regions it is internal.
  *   <li>A state without do activity is complete when it is entered, or when all its regions have reached their final
  *       states; its transition without event is taken at once. If its guard does not hold then, it never is. The end of
  *       a do activity on which a transition waits is an event, {@code completion(NAME)}, that somebody must raise.
+ *   <li>An event that a state defers waits if no transition of that state, of one in it, or of a region beside it counts
+ *       for it; states around the deferring one do not see it. See
+ *       {@link org.evoloop.statemachine.StateMachine#defers}.
  *   <li>A time trigger belongs to the state it leaves and goes on as long as that is not left; see
  *       {@link org.evoloop.statemachine.Transition#keeps}.
  *   <li>A transition that is internal and has no effects stands for an event that is swallowed.
  * </ul>
  *
- * <p>States that no event leads to are kept, as if something led there. Deferred events, and two transitions of which
- * nothing says which is taken, are problems.
+ * <p>States that no event leads to are kept, as if something led there. Two transitions of which nothing says which is taken
+ * are a problem.
  *
  * <p>Threading: immutable.
  */

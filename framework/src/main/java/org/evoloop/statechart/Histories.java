@@ -35,7 +35,13 @@ final class Histories {
     private record Appearance(List<Integer> leaves, List<Integer> done) {}
 
     private record Reaction(
-            Cause cause, List<String> guards, List<String> effects, boolean still, Set<Node> left, int target) {}
+            Cause cause,
+            List<String> guards,
+            List<String> effects,
+            boolean still,
+            Set<Node> left,
+            boolean deferred,
+            int target) {}
 
     private record Signature(int block, List<Reaction> reactions) {}
 
@@ -85,6 +91,7 @@ final class Histories {
                     move.effects(),
                     move.still(),
                     move.left(),
+                    move.deferred(),
                     blocks[move.target().index]));
         }
         return reactions;

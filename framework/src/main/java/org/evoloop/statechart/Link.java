@@ -18,8 +18,18 @@ final class Link {
         this.target = target;
     }
 
+    /** Whether it leaves nothing; a local one from a state without regions to itself has nothing to leave. */
     boolean isInternal() {
-        return arc.kind() == Arc.Kind.INTERNAL;
+        return arc.kind() == Arc.Kind.INTERNAL || (isLocalLoop() && source.zones.isEmpty());
+    }
+
+    /** Whether it leaves and enters what is in its state, and not the state. */
+    boolean isLocalLoop() {
+        return isLocal() && source == target && source.isState();
+    }
+
+    private boolean isLocal() {
+        return arc.kind() == Arc.Kind.LOCAL;
     }
 
     boolean isElse() {
@@ -55,7 +65,14 @@ final class Link {
      */
     @org.jspecify.annotations.Nullable
     Zone domain() {
-        if (source.is(Vertex.Kind.ENTRY_POINT) || arc.kind() == Arc.Kind.LOCAL) {
+        if (isLocal()) {
+            for (Zone inner : target.zones) {
+                if (within(inner, source)) {
+                    return inner;
+                }
+            }
+        }
+        if (source.is(Vertex.Kind.ENTRY_POINT) || isLocal()) {
             Node outer = source.border == null ? source : source.border;
             for (Zone inner : outer.zones) {
                 if (target != outer && inner.depth <= target.zone.depth && within(inner, target)) {

@@ -10,5 +10,13 @@ import java.util.Set;
  * @param effects the behaviors that run, in order
  * @param still whether nothing is left or entered
  * @param left the states that are left, even if they are entered again
+ * @param deferred whether nothing happens, and the event waits
  */
-record Move(Cause cause, List<String> guards, Reached target, List<String> effects, boolean still, Set<Node> left) {}
+record Move(
+        Cause cause,
+        List<String> guards,
+        Reached target,
+        List<String> effects,
+        boolean still,
+        Set<Node> left,
+        boolean deferred) {}

@@ -61,6 +61,7 @@ final class NetBuilder {
         Map<String, Node> named = new HashMap<>();
         nodes.forEach(node -> node.arrange(named));
         Set<String> timeTriggers = new HashSet<>(named.keySet());
+        nodes.forEach(node -> timeTriggers.addAll(node.deferred()));
         timeTriggers.removeIf(name -> !isTime(name));
         boolean calm = timeTriggers.isEmpty()
                 && nodes.stream().allMatch(node -> node.activities().isEmpty());

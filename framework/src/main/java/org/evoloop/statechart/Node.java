@@ -140,6 +140,11 @@ final class Node {
         return state == null ? List.of() : state.doActivities();
     }
 
+    /** The events that wait while it lasts. */
+    List<String> deferred() {
+        return state == null ? List.of() : state.deferred();
+    }
+
     /** Whether transitions wait for it to be complete. */
     boolean wantsCompletion() {
         return isState() && !completion.isEmpty();

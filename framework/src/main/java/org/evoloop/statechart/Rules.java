@@ -69,10 +69,9 @@ final class Rules {
             refuse(node, "state without a name", "give it one");
         }
         for (String event : state.deferred()) {
-            refuse(
-                    node,
-                    node + " defers the event '" + event + "', which a flat machine cannot",
-                    "draw a transition for it, or let the sender wait");
+            if (net.isTime(event)) {
+                refuse(node, node + " defers the time trigger '" + event + "'", "let the state's timer wait longer");
+            }
         }
         if (node.hasRivals()) {
             rivals(node);
@@ -107,7 +106,6 @@ final class Rules {
         if (node.is(Kind.INITIAL)) {
             refuseIncoming(node);
             requireOne(node);
-            node.outgoing.forEach(link -> refuseGuard(link, "draw a choice behind it"));
         } else if (node.is(Kind.JUNCTION) || node.is(Kind.CHOICE)) {
             branches(node);
         } else if (node.is(Kind.FORK)) {
@@ -118,7 +116,6 @@ final class Rules {
             if (node.outgoing.size() > 1) {
                 refuse(node, node + " has " + node.outgoing.size() + " default transitions", "keep one");
             }
-            node.outgoing.forEach(link -> refuseGuard(link, "draw a choice behind it"));
         } else if (node.is(Kind.TERMINATE)) {
             refuseOutgoing(node);
         } else if (node.border == null) {

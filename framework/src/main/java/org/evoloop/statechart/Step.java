@@ -21,6 +21,7 @@ final class Step {
     private final Body body;
 
     private final Set<Node> asleep = new HashSet<>();
+    private boolean deferring;
 
     Step(Net net, Guards guards) {
         this.guards = guards;
@@ -69,6 +70,11 @@ final class Step {
         return body.outcome();
     }
 
+    /** Whether the event to which nothing reacted is deferred. */
+    boolean isDeferring() {
+        return deferring;
+    }
+
     private List<Take> select(Cause cause) {
         List<Node> active = body.active().all();
         active.sort(Comparator.<Node>comparingInt(node -> -node.zone.depth).thenComparingInt(node -> node.index));
@@ -78,6 +84,9 @@ final class Step {
                 Take take = first(state, state.on(cause.name()));
                 if (take != null) {
                     takes.add(take);
+                    passOver(state);
+                } else if (cause.owner() == null && state.deferred().contains(cause.name())) {
+                    deferring = true;
                     passOver(state);
                 }
             }

@@ -1,6 +1,7 @@
 package org.evoloop.statemachine;
 
 import java.time.Duration;
+import java.time.temporal.ChronoUnit;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
@@ -44,6 +45,22 @@ public record Event(String name, List<String> guards) implements Comparable<Even
      */
     public Optional<Duration> timeTrigger() {
         return TimeTrigger.parse(name);
+    }
+
+    /**
+     * The name of a time trigger with a unit, where it has a number without one; any other name as it is.
+     *
+     * @param name of an event, such as {@code after 2}
+     * @param unit milliseconds or seconds
+     */
+    public static String withTimeUnit(String name, ChronoUnit unit) {
+        return TimeTrigger.withUnit(
+                name,
+                switch (unit) {
+                    case MILLIS -> "ms";
+                    case SECONDS -> "s";
+                    default -> throw new IllegalArgumentException("the unit is " + unit + "; use MILLIS or SECONDS");
+                });
     }
 
     // By hand, see State.

@@ -28,7 +28,10 @@ public final class StateMachine {
     private final Map<State, List<Transition>> outgoing;
     private final Map<State, Map<Event, Transition>> byEvent;
     private final List<String> initialEffects;
-    private final Map<State, List<String>> activities;
+    /** Only of states that have any. */
+    private final Map<State, StateTraits> traits;
+    /** By what they are without memory; only where that is not each by itself. */
+    private final Map<State, List<State>> alike;
 
     StateMachine(
             String name,
@@ -37,7 +40,7 @@ public final class StateMachine {
             Set<Event> events,
             Map<State, Map<Event, Transition>> outgoing,
             List<String> initialEffects,
-            Map<State, List<String>> activities) {
+            Map<State, StateTraits> traits) {
         this.name = name;
         this.initial = initial;
         this.states = Collections.unmodifiableSet(new LinkedHashSet<>(states));
@@ -49,7 +52,8 @@ public final class StateMachine {
             this.byEvent.put(row.getKey(), Map.copyOf(row.getValue()));
         }
         this.initialEffects = List.copyOf(initialEffects);
-        this.activities = Map.copyOf(activities);
+        this.traits = Map.copyOf(traits);
+        this.alike = findAlike();
     }
 
     private StateMachine(StateMachine same, String name) {
@@ -60,7 +64,27 @@ public final class StateMachine {
         this.outgoing = same.outgoing;
         this.byEvent = same.byEvent;
         this.initialEffects = same.initialEffects;
-        this.activities = same.activities;
+        this.traits = same.traits;
+        this.alike = same.alike;
+    }
+
+    private Map<State, List<State>> findAlike() {
+        Map<State, List<State>> found = new HashMap<>();
+        traits.forEach((state, own) -> {
+            if (own.withoutMemory() != null) {
+                found.put(own.withoutMemory(), new ArrayList<>());
+            }
+        });
+        if (!found.isEmpty()) {
+            for (State state : states) {
+                List<State> several = found.get(withoutMemory(state));
+                if (several != null) {
+                    several.add(state);
+                }
+            }
+            found.replaceAll((state, several) -> List.copyOf(several));
+        }
+        return found;
     }
 
     /** The same machine, which messages call {@code otherName}. */
@@ -90,7 +114,52 @@ public final class StateMachine {
 
     /** Names of the behaviors that go on while {@code state} lasts (UML's do activities), outer ones first. */
     public List<String> activities(State state) {
-        return activities.getOrDefault(state, List.of());
+        return traitsOf(state).activities();
+    }
+
+    /**
+     * The events that {@code state} defers where no transition of it counts for them, in order; with guards where they are
+     * deferred under those alone.
+     */
+    public Set<Event> deferred(State state) {
+        return traitsOf(state).deferred();
+    }
+
+    /**
+     * Whether {@code event} is to wait, if it comes in {@code state}, until a state that does not defer it. A transition that
+     * counts goes first.
+     *
+     * @param event under the guards under which it comes; as it is told by a monitor if none of those drawn for it hold
+     */
+    public boolean defers(State state, Event event) {
+        Set<Event> waiting = traitsOf(state).deferred();
+        return !waiting.isEmpty()
+                && (waiting.contains(event) || (find(state, event) == null && waiting.contains(event.trigger())));
+    }
+
+    private StateTraits traitsOf(State state) {
+        return traits.getOrDefault(state, StateTraits.NONE);
+    }
+
+    /**
+     * What {@code state} is if nothing is said of what the machine remembers in it: which state a history restores, or that
+     * an activity has ended. {@code Off} for {@code Off [history Dim]}, the state itself for most. It need not be one of
+     * {@link #states()}; drawn states of this name are what people mean.
+     */
+    public State withoutMemory(State state) {
+        State plain = traitsOf(state).withoutMemory();
+        return plain == null ? state : plain;
+    }
+
+    /**
+     * The states that differ from {@code state} at most in what the machine remembers, itself included, in order.
+     *
+     * @param state with its memory or without, see {@link #withoutMemory}
+     * @return empty if this machine has none
+     */
+    public List<State> alike(State state) {
+        List<State> several = alike.get(withoutMemory(state));
+        return several != null ? several : hasState(state) ? List.of(state) : List.of();
     }
 
     /** S, never empty. */

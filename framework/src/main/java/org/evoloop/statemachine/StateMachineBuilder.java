@@ -7,6 +7,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -24,7 +25,7 @@ public final class StateMachineBuilder {
 
     private final List<String> problems = new ArrayList<>();
     private final List<String> initialEffects = new ArrayList<>();
-    private final Map<State, List<String>> activities = new LinkedHashMap<>();
+    private final Map<State, StateTraits> traits = new LinkedHashMap<>();
     private @Nullable State initial;
 
     StateMachineBuilder(String name) {
@@ -56,11 +57,32 @@ public final class StateMachineBuilder {
 
     /** Adds a state and the behaviors that go on while it lasts. */
     public StateMachineBuilder activities(String state, List<String> names) {
+        return names.isEmpty() ? state(state) : traits(state, known -> known.withActivities(names));
+    }
+
+    /**
+     * Adds a state that defers an event, see {@link StateMachine#defers}.
+     *
+     * @param event with the guards under which it is deferred, if under others it is not
+     */
+    public StateMachineBuilder defers(String state, Event event) {
+        addEvent(event, "");
+        return traits(state, known -> known.withDeferred(event));
+    }
+
+    /**
+     * Adds a state that differs from others only in what the machine remembers.
+     *
+     * @param plain what it is without that, see {@link StateMachine#withoutMemory}
+     */
+    public StateMachineBuilder remembering(String state, String plain) {
+        return state.equals(plain) ? state(state) : traits(state, known -> known.withWithoutMemory(new State(plain)));
+    }
+
+    private StateMachineBuilder traits(String state, UnaryOperator<StateTraits> change) {
         State owner = new State(state);
         states.add(owner);
-        if (!names.isEmpty()) {
-            activities.put(owner, List.copyOf(names));
-        }
+        traits.put(owner, change.apply(traits.getOrDefault(owner, StateTraits.NONE)));
         return this;
     }
 
@@ -145,6 +167,6 @@ public final class StateMachineBuilder {
         if (start == null || !problems.isEmpty()) {
             throw new ModelException("state machine '" + name + "': " + String.join("; ", problems));
         }
-        return new StateMachine(name, start, states, events, outgoing, initialEffects, activities);
+        return new StateMachine(name, start, states, events, outgoing, initialEffects, traits);
     }
 }

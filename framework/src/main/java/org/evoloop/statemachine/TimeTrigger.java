@@ -8,9 +8,11 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.jspecify.annotations.Nullable;
 
 /**
- * The text of a UML time trigger: {@code tm(2s)}, {@code after(500 ms)}, {@code after 2 s}, {@code after 1.5 minutes}.
+ * The text of a UML time trigger: {@code tm(2s)}, {@code after(500 ms)}, {@code after 2 s}, {@code after 1.5 minutes}, and
+ * with or without those words a duration of ISO 8601 such as {@code PT1M30S}.
  *
  * <p>Where states around each other have equal time triggers, their names tell whose timer it is: {@code tm(2s) in On}.
  *
@@ -18,45 +20,118 @@ import java.util.regex.Pattern;
  */
 final class TimeTrigger {
     private static final String OWNER = "(?:\\s+in\\s+.*)?";
-    private static final Pattern CALL =
-            Pattern.compile("(?:tm|after)\\s*\\((.*?)\\)" + OWNER, Pattern.CASE_INSENSITIVE);
-    private static final Pattern PHRASE = Pattern.compile("after\\s+([0-9.].*?)" + OWNER, Pattern.CASE_INSENSITIVE);
-    private static final Pattern DURATION = Pattern.compile(
-            "([0-9]+(?:\\.[0-9]+)?)\\s*(?:(ms|msec|milliseconds?)|(s|sec|seconds?)|(min|minutes?)|(h|hours?))");
+    private static final String NUMBER = "([0-9]+(?:[.,][0-9]+)?)";
+    private static final List<Pattern> FORMS = List.of(
+            Pattern.compile("(?:tm|after)\\s*\\((.*?)\\)" + OWNER, Pattern.CASE_INSENSITIVE),
+            Pattern.compile("after\\s+([0-9.].*?|PT?[0-9].*?)" + OWNER, Pattern.CASE_INSENSITIVE),
+            Pattern.compile("(P[0-9T.,YMWDHS]*[0-9][YMWDHS])" + OWNER));
+
+    private static final Pattern DURATION =
+            Pattern.compile("([0-9]+(?:\\.[0-9]+)?)\\s*(?:(ms|msec|milliseconds?)|(s|sec|seconds?)|(min|minutes?)"
+                    + "|(h|hours?)|(d|days?))");
 
     /** The unit of each group of {@link #DURATION} but the first. */
     private static final List<ChronoUnit> UNITS =
-            List.of(ChronoUnit.MILLIS, ChronoUnit.SECONDS, ChronoUnit.MINUTES, ChronoUnit.HOURS);
+            List.of(ChronoUnit.MILLIS, ChronoUnit.SECONDS, ChronoUnit.MINUTES, ChronoUnit.HOURS, ChronoUnit.DAYS);
+
+    private static final Pattern ISO = Pattern.compile("P(?=[0-9]|T[0-9])" + part('Y') + part('M') + part('W')
+            + part('D') + "(?:T(?=[0-9])" + part('H') + part('M') + part('S') + ")?");
+
+    /** The unit of each group of {@link #ISO}. */
+    private static final List<ChronoUnit> ISO_UNITS = List.of(
+            ChronoUnit.YEARS,
+            ChronoUnit.MONTHS,
+            ChronoUnit.WEEKS,
+            ChronoUnit.DAYS,
+            ChronoUnit.HOURS,
+            ChronoUnit.MINUTES,
+            ChronoUnit.SECONDS);
+
+    private static final Pattern WITHOUT_UNIT = Pattern.compile("[0-9]*\\.?[0-9]+");
 
     private TimeTrigger() {}
 
-    static Optional<Duration> parse(String eventName) {
+    private static String part(char unit) {
+        return "(?:" + NUMBER + unit + ")?";
+    }
+
+    /** The form of a time trigger, with what should be a duration as its first group; null for any other event. */
+    private static @Nullable Matcher form(String eventName) {
         String text = eventName.strip();
-        Matcher form = CALL.matcher(text);
-        if (!form.matches()) {
-            form = PHRASE.matcher(text);
-            if (!form.matches()) {
-                return Optional.empty();
+        for (Pattern pattern : FORMS) {
+            Matcher form = pattern.matcher(text);
+            if (form.matches()) {
+                return form;
             }
         }
-        Matcher duration = DURATION.matcher(form.group(1).strip().toLowerCase(Locale.ROOT));
+        return null;
+    }
+
+    static Optional<Duration> parse(String eventName) {
+        Matcher form = form(eventName);
+        if (form == null) {
+            return Optional.empty();
+        }
+        String text = form.group(1).strip();
+        Matcher iso = ISO.matcher(text.toUpperCase(Locale.ROOT));
+        if (iso.matches()) {
+            return Optional.of(iso(eventName, iso));
+        }
+        Matcher duration = DURATION.matcher(text.toLowerCase(Locale.ROOT));
         if (duration.matches()) {
             for (int unit = 0; unit < UNITS.size(); unit++) {
                 if (duration.group(2 + unit) != null) {
-                    return Optional.of(exact(eventName, new BigDecimal(duration.group(1)), UNITS.get(unit)));
+                    return Optional.of(exact(eventName, nanos(duration.group(1), UNITS.get(unit))));
                 }
             }
         }
-        throw new ModelException("time trigger '" + eventName
-                + "' needs a number and a unit (ms, s, min or h), for example tm(2s) or after 2 s");
+        throw new ModelException(
+                WITHOUT_UNIT.matcher(text).matches()
+                        ? "time trigger '" + eventName
+                                + "' has no unit; write one (ms, s, min, h or d), for example after " + text
+                                + " s, or give --time-unit ms or --time-unit s for all that have none"
+                        : "time trigger '" + eventName
+                                + "' needs a number and a unit (ms, s, min, h or d), for example tm(2s) or after 2 s, or"
+                                + " a duration of ISO 8601, for example PT2S");
     }
 
-    private static Duration exact(String eventName, BigDecimal amount, ChronoUnit unit) {
-        BigDecimal nanos = amount.multiply(BigDecimal.valueOf(unit.getDuration().toNanos()));
+    private static Duration iso(String eventName, Matcher iso) {
+        BigDecimal nanos = BigDecimal.ZERO;
+        for (int unit = 0; unit < ISO_UNITS.size(); unit++) {
+            String number = iso.group(1 + unit);
+            if (number != null && unit < ISO_UNITS.indexOf(ChronoUnit.WEEKS)) {
+                throw new ModelException("time trigger '" + eventName
+                        + "' counts years or months, which are not all of one length; count days");
+            }
+            if (number != null) {
+                nanos = nanos.add(nanos(number.replace(',', '.'), ISO_UNITS.get(unit)));
+            }
+        }
+        return exact(eventName, nanos);
+    }
+
+    private static BigDecimal nanos(String amount, ChronoUnit unit) {
+        return new BigDecimal(amount)
+                .multiply(BigDecimal.valueOf(unit.getDuration().toNanos()));
+    }
+
+    private static Duration exact(String eventName, BigDecimal nanos) {
         // Clocks count nanoseconds in a long: 292 years.
         if (nanos.compareTo(BigDecimal.valueOf(Long.MAX_VALUE)) > 0) {
             throw new ModelException("time trigger '" + eventName + "' is longer than 292 years; write a shorter one");
         }
         return Duration.ofNanos(nanos.longValue());
+    }
+
+    /** The same text with the unit of this abbreviation if it is a time trigger that has none. */
+    static String withUnit(String eventName, String abbreviation) {
+        Matcher form = form(eventName);
+        if (form == null || !WITHOUT_UNIT.matcher(form.group(1).strip()).matches()) {
+            return eventName;
+        }
+        String text = eventName.strip();
+        String number = form.group(1).strip();
+        int end = text.indexOf(number, form.start(1)) + number.length();
+        return text.substring(0, end) + " " + abbreviation + text.substring(end);
     }
 }

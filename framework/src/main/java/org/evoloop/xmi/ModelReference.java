@@ -3,6 +3,7 @@ package org.evoloop.xmi;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import java.time.temporal.ChronoUnit;
 import java.util.Optional;
 import org.evoloop.statemachine.ModelException;
 import org.evoloop.statemachine.StateMachine;
@@ -14,8 +15,35 @@ import org.evoloop.statemachine.StateMachine;
  *
  * @param file the XMI file
  * @param machine diagram name, machine name or id; empty for the file's only machine
+ * @param timeUnit of time triggers that have a number without one, milliseconds or seconds; empty to refuse those
  */
-public record ModelReference(Path file, Optional<String> machine) {
+public record ModelReference(Path file, Optional<String> machine, Optional<ChronoUnit> timeUnit) {
+
+    /** Time triggers have units. */
+    public ModelReference(Path file, Optional<String> machine) {
+        this(file, machine, Optional.empty());
+    }
+
+    /**
+     * The unit of time triggers as an option names it.
+     *
+     * @param abbreviation {@code ms} or {@code s}
+     * @throws ModelException if it is another one
+     */
+    public static ChronoUnit unit(String abbreviation) {
+        return switch (abbreviation.strip()) {
+            case "ms" -> ChronoUnit.MILLIS;
+            case "s" -> ChronoUnit.SECONDS;
+            default ->
+                throw new ModelException(
+                        "--time-unit: '" + abbreviation + "' is no unit of time triggers; give ms or s");
+        };
+    }
+
+    /** The same with a unit for time triggers. */
+    public ModelReference withTimeUnit(Optional<ChronoUnit> unit) {
+        return new ModelReference(file, machine, unit);
+    }
 
     /**
      * Splits at the last {@code #}, unless the whole text is the path of something that exists.
@@ -62,7 +90,8 @@ public record ModelReference(Path file, Optional<String> machine) {
      * @throws ModelException as {@link XmiFile#read}, {@link XmiFile#find} and {@link XmiFile#findOnly} do
      */
     public XmiMachine find() {
-        XmiFile read = XmiFile.read(file);
+        XmiFile whole = XmiFile.read(file);
+        XmiFile read = timeUnit.map(whole::withTimeUnit).orElse(whole);
         return machine.isPresent() ? read.find(machine.get()) : read.findOnly();
     }
 

@@ -2,7 +2,9 @@ package org.evoloop.xmi;
 
 import java.io.InputStream;
 import java.nio.file.Path;
+import java.time.temporal.ChronoUnit;
 import java.util.List;
+import java.util.Locale;
 import java.util.stream.Collectors;
 import org.evoloop.statemachine.ModelException;
 import org.evoloop.statemachine.StateMachine;
@@ -26,10 +28,13 @@ public final class XmiFile {
     private static final int NAMES_LISTED = 50;
 
     private final String file;
+    private final String exporter;
     private final List<XmiMachine> machines;
 
-    private XmiFile(String file, List<XmiMachine> machines) {
+    /** @param exporter as the file calls the tool that wrote it */
+    private XmiFile(String file, String exporter, List<XmiMachine> machines) {
         this.file = file;
+        this.exporter = exporter;
         this.machines = machines;
     }
 
@@ -70,6 +75,7 @@ public final class XmiFile {
                     String file = stream.file();
                     return new XmiFile(
                             file,
+                            head.exporter(),
                             dialect.read(head, stream).stream()
                                     .map(drawn -> new XmiMachine(file, drawn))
                                     .toList());
@@ -88,6 +94,18 @@ public final class XmiFile {
      */
     public static StateMachine machine(String reference) {
         return ModelReference.parse(reference).load();
+    }
+
+    /**
+     * The same file, in which time triggers are of this unit where they have a number without one.
+     *
+     * @param unit milliseconds or seconds
+     */
+    public XmiFile withTimeUnit(ChronoUnit unit) {
+        return new XmiFile(
+                file,
+                exporter,
+                machines.stream().map(machine -> machine.withTimeUnit(unit)).toList());
     }
 
     /** Every machine of the file, in the file's order; empty if it holds none. */
@@ -149,6 +167,10 @@ public final class XmiFile {
     }
 
     private void requireSome() {
+        if (machines.isEmpty() && exporter.toLowerCase(Locale.ROOT).startsWith("umbrello")) {
+            throw new ModelException(file + ": was written by Umbrello, which saves state diagrams as pictures, without"
+                    + " what is connected with what; draw the machine in another tool, or write it in SCXML");
+        }
         if (machines.isEmpty()) {
             throw new ModelException(file + ": holds no state machine; draw one and export the file again");
         }

@@ -1,12 +1,16 @@
 package org.evoloop.xmi;
 
+import java.time.temporal.ChronoUnit;
+import java.util.List;
 import java.util.Optional;
 import org.evoloop.statechart.Flattening;
 import org.evoloop.statechart.Statechart;
+import org.evoloop.statechart.TimeUnits;
 import org.evoloop.statemachine.ModelException;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.xmi.dialect.DrawnMachine;
 import org.evoloop.xmi.dialect.Problems;
+import org.jspecify.annotations.Nullable;
 
 /**
  * One state machine of an {@link XmiFile}, not checked yet.
@@ -16,10 +20,20 @@ import org.evoloop.xmi.dialect.Problems;
 public final class XmiMachine {
     private final String file;
     private final DrawnMachine drawn;
+    private final @Nullable ChronoUnit timeUnit;
 
     XmiMachine(String file, DrawnMachine drawn) {
+        this(file, drawn, null);
+    }
+
+    private XmiMachine(String file, DrawnMachine drawn, @Nullable ChronoUnit timeUnit) {
         this.file = file;
         this.drawn = drawn;
+        this.timeUnit = timeUnit;
+    }
+
+    XmiMachine withTimeUnit(ChronoUnit unit) {
+        return new XmiMachine(file, drawn, unit);
     }
 
     /** The {@code xmi.id}, unique in a file that its tool wrote; empty if the file gives none. */
@@ -63,7 +77,17 @@ public final class XmiMachine {
         Problems problems = new Problems();
         Statechart chart = drawn.statechart(name(), problems);
         require(problems);
-        return chart;
+        return timeUnit == null ? chart : TimeUnits.add(chart, timeUnit);
+    }
+
+    /**
+     * What its author should know though the machine can be read, one line each: how something was taken, or that it says
+     * nothing.
+     */
+    public List<String> notes() {
+        Problems problems = new Problems();
+        DefaultGuards.note(drawn.statechart(name(), problems), problems);
+        return problems.notes().stream().map(note -> file + ": " + note).toList();
     }
 
     /**

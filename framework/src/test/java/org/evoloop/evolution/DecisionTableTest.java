@@ -184,11 +184,12 @@ class DecisionTableTest {
                 .build();
         PathPlanner planner = new PathPlanner(original, new DeviceEvents(Set.copyOf(original.events()), Set.of()));
 
-        assertThat(planner.shortestPath(new State("A"), new State("D")).orElseThrow())
+        assertThat(planner.shortestPath(new State("A"), List.of(new State("D"))).orElseThrow())
                 .extracting(Step::event)
                 .containsExactly(new Event("x"), new Event("x"));
-        assertThat(planner.shortestPath(new State("A"), new State("A"))).contains(List.of());
-        assertThat(planner.shortestPath(new State("D"), new State("C")).orElseThrow())
+        assertThat(planner.shortestPath(new State("A"), List.of(new State("A"))))
+                .contains(List.of());
+        assertThat(planner.shortestPath(new State("D"), List.of(new State("C"))).orElseThrow())
                 .hasSize(2);
     }
 

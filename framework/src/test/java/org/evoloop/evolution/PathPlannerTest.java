@@ -29,7 +29,7 @@ class PathPlannerTest {
 
     private static List<String> way(StateMachine machine, DeviceEvents device, String from, String to) {
         return new PathPlanner(machine, device)
-                .shortestPath(new State(from), new State(to)).orElse(List.of()).stream()
+                .shortestPath(new State(from), List.of(new State(to))).orElse(List.of()).stream()
                         .map(Step::toString)
                         .toList();
     }
@@ -61,7 +61,7 @@ class PathPlannerTest {
     @Test
     void marksWhatTheDeviceDoesByItselfOnTheWay() {
         List<Step> way = new PathPlanner(robot, device)
-                .shortestPath(new State("On"), new State("Spot"))
+                .shortestPath(new State("On"), List.of(new State("Spot")))
                 .orElseThrow();
         assertThat(way.get(0).effects()).containsExactly("brushes");
         assertThat(way.get(1).effects()).isEmpty();
@@ -94,12 +94,16 @@ class PathPlannerTest {
     @Test
     void goesOnWithASearchThatWasStoppedAtANearerTarget() {
         PathPlanner planner = new PathPlanner(robot, device);
-        assertThat(planner.shortestPath(new State("On"), new State("Clean")).orElseThrow())
+        assertThat(planner.shortestPath(new State("On"), List.of(new State("Clean")))
+                        .orElseThrow())
                 .hasSize(1);
-        assertThat(planner.shortestPath(new State("On"), new State("Slow")).orElseThrow())
+        assertThat(planner.shortestPath(new State("On"), List.of(new State("Slow")))
+                        .orElseThrow())
                 .hasSize(2);
-        assertThat(planner.shortestPath(new State("On"), new State("Nowhere"))).isEmpty();
-        assertThat(planner.shortestPath(new State("On"), new State("Max")).orElseThrow())
+        assertThat(planner.shortestPath(new State("On"), List.of(new State("Nowhere"))))
+                .isEmpty();
+        assertThat(planner.shortestPath(new State("On"), List.of(new State("Max")))
+                        .orElseThrow())
                 .hasSize(1);
     }
 

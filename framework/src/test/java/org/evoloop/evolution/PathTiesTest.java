@@ -34,7 +34,7 @@ class PathTiesTest {
     private static List<String> way(StateMachine machine, Map<Event, Integer> costs, String from, String to) {
         DeviceEvents device = new DeviceEvents(machine.triggers(), Set.of()).withCosts(costs);
         return new PathPlanner(machine, device)
-                .shortestPath(new State(from), new State(to)).orElseThrow().stream()
+                .shortestPath(new State(from), List.of(new State(to))).orElseThrow().stream()
                         .map(step -> step.trigger().name())
                         .toList();
     }
@@ -70,7 +70,7 @@ class PathTiesTest {
         State from = machine.initial();
 
         for (State to : machine.states()) {
-            Optional<List<Transition>> found = planner.shortestPath(from, to)
+            Optional<List<Transition>> found = planner.shortestPath(from, List.of(to))
                     .map(way -> way.stream().map(Step::transition).toList());
             assertThat(found)
                     .as("seed %s, from %s to %s in %s", seed, from, to, machine.transitions())

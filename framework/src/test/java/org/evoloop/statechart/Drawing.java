@@ -101,7 +101,10 @@ final class Drawing {
         ChartState from = arc.kind() == Arc.Kind.LOCAL && vertex(arc.source()) instanceof ChartState state
                 ? state
                 : is(vertex(arc.source()), Kind.ENTRY_POINT) ? border(vertex(arc.source())) : null;
-        @Nullable ChartState to = is(target, Kind.EXIT_POINT) ? border(target) : null;
+        @Nullable
+        ChartState to = is(target, Kind.EXIT_POINT)
+                ? border(target)
+                : arc.kind() == Arc.Kind.LOCAL && target instanceof ChartState outer ? outer : null;
         for (Region region : from == null ? List.<Region>of() : from.regions()) {
             if (contains(around(target), region)) {
                 return region;
@@ -113,6 +116,11 @@ final class Drawing {
             }
         }
         return common(around(vertex(arc.source())), around(target));
+    }
+
+    /** The state that a local transition to itself does not leave; null for all others. */
+    static @Nullable String loop(Arc arc) {
+        return arc.kind() == Arc.Kind.LOCAL && arc.source().equals(arc.target()) ? arc.source() : null;
     }
 
     int depth(Region region) {

@@ -114,6 +114,26 @@ class FlatteningTest {
     }
 
     @Test
+    void aLocalTransitionDoesNotLeaveTheOuterOfItsEnds() {
+        Statechart chart = chart(
+                region(initial("i"), state("A", region(initial("j"), state("B"), state("C")))),
+                arc("i A"),
+                arc("j B"),
+                arc("B C next"),
+                local("C A up / rise"),
+                local("A A again / turn"),
+                local("C C stay / hold"));
+
+        assertThat(lines(Flattening.flatten(chart)))
+                .containsExactly(
+                        "B --next--> C / -B +C",
+                        "B --again--> B / -B turn +B",
+                        "C --up--> B / -C rise +B",
+                        "C --stay--> C / hold internal",
+                        "C --again--> B / -C turn +B");
+    }
+
+    @Test
     void aLocalTransitionDoesNotLeaveItsSource() {
         Statechart chart = chart(
                 region(initial("i"), state("A", region(initial("j"), state("B"), state("C")))),

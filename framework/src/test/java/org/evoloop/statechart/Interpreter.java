@@ -41,6 +41,7 @@ final class Interpreter {
     private List<String> actions = new ArrayList<>();
     private Predicate<String> guards = guard -> true;
     private int now;
+    private boolean waits;
 
     Interpreter(Statechart chart) {
         this.chart = chart;
@@ -75,8 +76,10 @@ final class Interpreter {
         } else {
             List<List<Arc>> fires = new ArrayList<>();
             chart.regions().forEach(region -> fires.addAll(enabled(region, event)));
-            List<List<Arc>> chosen = withoutConflicts(fires);
+            List<List<Arc>> chosen = withoutConflicts(
+                    fires.stream().filter(fire -> !fire.isEmpty()).toList());
             if (chosen.isEmpty()) {
+                waits = !fires.isEmpty();
                 return null;
             }
             chosen.forEach(this::fire);
@@ -87,8 +90,14 @@ final class Interpreter {
 
     private void begin(Predicate<String> guardValues) {
         actions = new ArrayList<>();
+        waits = false;
         guards = guardValues;
         now++;
+    }
+
+    /** Whether the last event was deferred. */
+    boolean waits() {
+        return waits;
     }
 
     /** The innermost active vertices, in document order. */
@@ -126,6 +135,13 @@ final class Interpreter {
         return trigger.startsWith("tm(");
     }
 
+    /** The event of the flat machine as this interpreter calls it. */
+    static String drawn(String event) {
+        return event.replaceAll("completion\\((.*)\\)", "completion in $1")
+                .replace(" in ", OWNER)
+                .replace(OWNER + "S", OWNER + "s");
+    }
+
     private Stream<ChartState> activeStates() {
         return drawing.order.stream()
                 .map(drawing::vertex)
@@ -155,6 +171,7 @@ final class Interpreter {
 
     // Selection
 
+    /** The transitions that could be taken, and an empty list for each state that defers the event. */
     private List<List<Arc>> enabled(Region region, String event) {
         if (!(current.get(region) instanceof ChartState state)) {
             return List.of();
@@ -166,9 +183,12 @@ final class Interpreter {
         }
         String trigger = event.contains(OWNER) ? event.substring(0, event.indexOf(OWNER)) : event;
         boolean others = event.contains(OWNER) && !event.endsWith(OWNER + state.key());
-        return others
-                ? List.of()
-                : choose(drawing.leaving(state).filter(arc -> arc.triggers().contains(trigger)));
+        if (others) {
+            return List.of();
+        }
+        List<List<Arc>> own =
+                choose(drawing.leaving(state).filter(arc -> arc.triggers().contains(trigger)));
+        return own.isEmpty() && state.deferred().contains(event) ? List.of(List.of()) : own;
     }
 
     /** The path that the first of some arcs opens: guarded arcs, plain arcs, else. */
@@ -247,6 +267,14 @@ final class Interpreter {
 
     private Set<String> exits(Arc arc) {
         Set<String> exits = new HashSet<>();
+        String loop = Drawing.loop(arc);
+        if (loop != null) {
+            drawing.order.stream()
+                    .filter(key ->
+                            isActive(drawing.vertex(key)) && drawing.isInside(drawing.state(loop), drawing.vertex(key)))
+                    .forEach(exits::add);
+            return exits;
+        }
         Region scope = drawing.scope(arc);
         for (String key : drawing.order) {
             if (isActive(drawing.vertex(key)) && Drawing.contains(drawing.around(drawing.vertex(key)), scope)) {
@@ -275,6 +303,14 @@ final class Interpreter {
             Vertex target = drawing.vertex(arc.target());
             if (arc.kind() == Arc.Kind.INTERNAL) {
                 actions.addAll(arc.effects());
+                return;
+            }
+            String loop = Drawing.loop(arc);
+            if (loop != null) {
+                List<Region> inside = drawing.state(loop).regions();
+                inside.forEach(region -> exit(current.get(region)));
+                actions.addAll(arc.effects());
+                inside.forEach(region -> enter(region, Set.of()));
                 return;
             }
             Region scope = drawing.scope(arc);
@@ -312,7 +348,8 @@ final class Interpreter {
             } else if (drawing.is(target, Kind.CHOICE) || drawing.is(target, Kind.JUNCTION)) {
                 open(drawing.around(target), scope, opened);
             } else {
-                enter(scope, Set.of(target));
+                boolean around = target instanceof ChartState outer && Drawing.contains(outer.regions(), scope);
+                enter(scope, around ? Set.of() : Set.of(target));
             }
         }
         for (ChartState state : opened) {

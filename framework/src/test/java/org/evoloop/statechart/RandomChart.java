@@ -128,7 +128,7 @@ final class RandomChart {
                                 List.of("internal " + key),
                                 Arc.Kind.INTERNAL))
                         : List.of(),
-                List.of(),
+                chance(10) ? List.of(one(List.of("a", "b", "c"))) : List.of(),
                 regions,
                 connections);
         states.add(state);

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.time.Duration;
+import java.time.temporal.ChronoUnit;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -105,20 +106,78 @@ class StateMachineTest {
         "after(0.25 sec), 250",
         "tm(1h), 3600000",
         "after 0 ms, 0",
+        "after 2 days, 172800000",
+        "PT5S, 5000",
+        "PT1M30S, 90000",
+        "P1DT2H, 93600000",
+        "'PT0,5S', 500",
+        "P1W, 604800000",
+        "after PT5S, 5000",
+        "after(pt5s), 5000",
+        "tm( PT0.25S ), 250",
+        "PT5S in On, 5000",
+        "after PT5S in On, 5000",
     })
     void readsTimeTriggers(String name, long millis) {
         assertThat(new Event(name).timeTrigger()).contains(Duration.ofMillis(millis));
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"timeout", "switch", "afterwards", "after lunch", "tm", "atm(2s)", "onLogin(uname, pwd)"})
+    @ValueSource(
+            strings = {
+                "timeout",
+                "switch",
+                "afterwards",
+                "after lunch",
+                "tm",
+                "atm(2s)",
+                "onLogin(uname, pwd)",
+                "P",
+                "PT",
+                "P1",
+                "PD",
+                "Pump1S",
+                "after Party"
+            })
     void takesOtherNamesForOrdinaryEvents(String name) {
         assertThat(new Event(name).timeTrigger()).isEqualTo(Optional.empty());
     }
 
     @ParameterizedTest
+    @CsvSource({
+        "after 2, after 2 s",
+        "tm(2) in On, tm(2 s) in On",
+        "after( 0.5 ), after( 0.5 s )",
+        "tm(2ms), tm(2ms)",
+        "PT2S, PT2S",
+        "after lunch, after lunch",
+    })
+    void givesTimeTriggersAUnitThatHaveNone(String name, String withUnit) {
+        assertThat(Event.withTimeUnit(name, ChronoUnit.SECONDS)).isEqualTo(withUnit);
+    }
+
+    @Test
+    void namesTheOptionForTimeTriggersWithoutUnit() {
+        assertThatThrownBy(() -> new Event("after 2").timeTrigger())
+                .isInstanceOf(ModelException.class)
+                .hasMessage("time trigger 'after 2' has no unit; write one (ms, s, min, h or d), for example after 2 s,"
+                        + " or give --time-unit ms or --time-unit s for all that have none");
+    }
+
+    @ParameterizedTest
     @ValueSource(
-            strings = {"tm(2)", "tm()", "after(soon)", "after 2", "after 2 fortnights", "tm(-1s)", "tm(99999999999h)"})
+            strings = {
+                "P1M",
+                "after P1Y",
+                "PT999999999999H",
+                "tm(2)",
+                "tm()",
+                "after(soon)",
+                "after 2",
+                "after 2 fortnights",
+                "tm(-1s)",
+                "tm(99999999999h)"
+            })
     void refusesTimeTriggersWithoutADuration(String name) {
         assertThatThrownBy(() -> StateMachine.named("m")
                         .initial("A")

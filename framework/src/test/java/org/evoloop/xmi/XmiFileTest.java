@@ -4,7 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.evoloop.xmi.astah.AstahDocument.offOn;
 
+import java.io.ByteArrayInputStream;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -152,5 +154,19 @@ class XmiFileTest {
 
     private Path write(String name, String text) throws IOException {
         return Files.writeString(directory.resolve(name), text);
+    }
+
+    @Test
+    void saysThatUmbrelloSavesPictures() {
+        String document =
+                "<XMI xmi.version='1.2' xmlns:UML='http://schema.omg.org/spec/UML/1.4'><XMI.header><XMI.documentation>"
+                        + "<XMI.exporter>umbrello uml modeller http://umbrello.kde.org</XMI.exporter></XMI.documentation>"
+                        + "</XMI.header><XMI.content><UML:Model xmi.id='m'/></XMI.content></XMI>";
+
+        assertThatThrownBy(() -> XmiFile.read(
+                                "robot.xmi", new ByteArrayInputStream(document.getBytes(StandardCharsets.UTF_8)))
+                        .only())
+                .isInstanceOf(ModelException.class)
+                .hasMessageContaining("robot.xmi: was written by Umbrello, which saves state diagrams as pictures");
     }
 }

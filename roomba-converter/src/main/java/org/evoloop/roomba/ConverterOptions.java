@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.text.DecimalFormat;
 import java.text.DecimalFormatSymbols;
 import java.time.Duration;
+import java.time.temporal.ChronoUnit;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -46,6 +47,13 @@ final class ConverterOptions {
             paramLabel = "FILE#NAME",
             description = "The model that the owner wants; with --original, instead of --models.")
     private @Nullable String evolved;
+
+    @Option(
+            names = "--time-unit",
+            paramLabel = "ms|s",
+            description = "Unit of the models' time triggers that have a number without one; unless given, those are "
+                    + "refused.")
+    private @Nullable String timeUnit;
 
     @Option(
             names = "--start-point",
@@ -158,17 +166,19 @@ final class ConverterOptions {
         String originalReference = original;
         String evolvedReference = evolved;
         Path named = models;
+        Optional<ChronoUnit> unit = Optional.ofNullable(timeUnit).map(ModelReference::unit);
         if (originalReference == null && evolvedReference == null) {
             Path file = named == null ? ModelFiles.find("models/cleaning-robot.xml", ConverterOptions.class) : named;
-            XmiFile read = XmiFile.read(file);
+            XmiFile whole = XmiFile.read(file);
+            XmiFile read = unit.map(whole::withTimeUnit).orElse(whole);
             return new ModelPair(named(read.pick("original"), file), named(read.pick("new"), file));
         }
         if (originalReference == null || evolvedReference == null || named != null) {
             throw new IllegalArgumentException(
                     "--original and --new go together, and not with --models; give both or neither");
         }
-        ModelReference from = ModelReference.parse(originalReference);
-        ModelReference to = ModelReference.parse(evolvedReference);
+        ModelReference from = ModelReference.parse(originalReference).withTimeUnit(unit);
+        ModelReference to = ModelReference.parse(evolvedReference).withTimeUnit(unit);
         return new ModelPair(named(from.load(), from.file()), named(to.load(), to.file()));
     }
 

@@ -7,9 +7,10 @@ import org.evoloop.statechart.Arc;
 public final class ArcLabel {
     private ArcLabel() {}
 
-    /** {@code trigger, trigger [guard] / effect; effect}, without what is not there. */
+    /** {@code trigger, trigger [guard] / effect; effect {local}}, without what is not there. */
     public static String of(Arc arc) {
-        return of(String.join(", ", arc.triggers()), arc.guard(), arc.effects());
+        String label = of(String.join(", ", arc.triggers()), arc.guard(), arc.effects());
+        return arc.kind() == Arc.Kind.LOCAL ? (label + " {local}").strip() : label;
     }
 
     /** The same from its parts, each of which may be empty. */

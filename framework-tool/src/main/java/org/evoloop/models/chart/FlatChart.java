@@ -2,6 +2,8 @@ package org.evoloop.models.chart;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
+import java.util.function.Function;
 import org.evoloop.statechart.Arc;
 import org.evoloop.statechart.Place;
 import org.evoloop.statechart.Region;
@@ -25,15 +27,21 @@ public final class FlatChart {
                 machine.initial(),
                 List.copyOf(machine.states()),
                 machine.transitions(),
+                machine::deferred,
                 machine.events().stream().map(Event::name).distinct().toList());
     }
 
     /** A chart of any states and transitions, such as those of two machines together. */
     public static Statechart of(
-            String name, State initial, List<State> states, List<Transition> transitions, List<String> events) {
+            String name,
+            State initial,
+            List<State> states,
+            List<Transition> transitions,
+            Function<State, Set<Event>> deferred,
+            List<String> events) {
         List<Vertex> vertices = new ArrayList<>();
         vertices.add(new Vertex.Pseudostate(INITIAL, "", Place.NONE, Vertex.Kind.INITIAL));
-        states.forEach(state -> vertices.add(state(state, transitions)));
+        states.forEach(state -> vertices.add(state(state, transitions, deferred.apply(state))));
         List<Arc> arcs = new ArrayList<>();
         arcs.add(new Arc(Place.NONE, INITIAL, key(initial), List.of(), "", List.of(), Arc.Kind.EXTERNAL));
         transitions.stream()
@@ -43,7 +51,7 @@ public final class FlatChart {
         return new Statechart(name, Place.NONE, List.of(top), events);
     }
 
-    private static Vertex.ChartState state(State state, List<Transition> transitions) {
+    private static Vertex.ChartState state(State state, List<Transition> transitions, Set<Event> deferred) {
         List<Arc> internal = transitions.stream()
                 .filter(transition ->
                         transition.internal() && transition.source().equals(state))
@@ -57,7 +65,7 @@ public final class FlatChart {
                 List.of(),
                 List.of(),
                 internal,
-                List.of(),
+                deferred.stream().map(Event::toString).toList(),
                 List.of(),
                 List.of());
     }

@@ -40,6 +40,7 @@ public final class DifferenceDiagram {
                         pair.evolved().initial(),
                         states,
                         all,
+                        state -> (pair.evolved().hasState(state) ? pair.evolved() : pair.original()).deferred(state),
                         List.of()),
                 vertex -> vertexTones.getOrDefault(vertex.key(), Tone.PLAIN),
                 arc -> arcTones.getOrDefault(arc, Tone.PLAIN));

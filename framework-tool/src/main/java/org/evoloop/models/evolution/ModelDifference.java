@@ -3,15 +3,16 @@ package org.evoloop.models.evolution;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
-import java.util.Optional;
+import java.util.Set;
+import java.util.function.Predicate;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.Transition;
 
 /**
- * What the new model keeps, adds, reroutes and removes. States and events are the same if their names are, transitions if
- * they leave the same state on the same event.
+ * What the new model keeps, adds, reroutes and removes. States are the same if their names are, whatever a machine
+ * remembers in them, events if their names are, transitions if they leave the same state on the same event.
  *
  * <p>Threading: immutable.
  *
@@ -32,11 +33,12 @@ public record ModelDifference(
             removed = List.copyOf(removed);
         }
 
-        private static <T> Parts<T> of(Collection<T> original, Collection<T> evolved) {
+        private static <T> Parts<T> of(
+                Collection<T> original, Predicate<T> kept, Collection<T> evolved, Predicate<T> added) {
             return new Parts<>(
-                    evolved.stream().filter(original::contains).toList(),
-                    evolved.stream().filter(part -> !original.contains(part)).toList(),
-                    original.stream().filter(part -> !evolved.contains(part)).toList());
+                    evolved.stream().filter(added.negate()).toList(),
+                    evolved.stream().filter(added).toList(),
+                    original.stream().filter(kept.negate()).toList());
         }
     }
 
@@ -49,22 +51,38 @@ public record ModelDifference(
         List<Transition> added = new ArrayList<>();
         List<Rerouted> rerouted = new ArrayList<>();
         for (Transition after : pair.evolved().transitions()) {
-            Optional<Transition> before = pair.original().transition(after.source(), after.event());
+            List<Transition> before = pair.deviceStates(after.source()).stream()
+                    .flatMap(source -> pair.original().transition(source, after.event()).stream())
+                    .toList();
             if (before.isEmpty()) {
                 added.add(after);
-            } else if (before.get().equals(after)) {
+            } else if (before.stream().anyMatch(one -> isSame(one, after, pair))) {
                 kept.add(after);
             } else {
-                rerouted.add(new Rerouted(before.get(), after));
+                rerouted.add(new Rerouted(before.get(0), after));
             }
         }
         List<Transition> removed = pair.original().transitions().stream()
-                .filter(before -> !pair.evolved().hasTransition(before.source(), before.event()))
+                .filter(before -> pair.evolvedStates(before.source()).stream()
+                        .noneMatch(source -> pair.evolved().hasTransition(source, before.event())))
                 .toList();
+        Set<Event> known = pair.original().events();
+        Set<Event> heard = pair.evolved().events();
         return new ModelDifference(
-                Parts.of(pair.original().states(), pair.evolved().states()),
-                Parts.of(pair.original().events(), pair.evolved().events()),
+                Parts.of(
+                        pair.original().states(),
+                        state -> !pair.evolvedStates(state).isEmpty(),
+                        pair.evolved().states(),
+                        pair::isNew),
+                Parts.of(known, heard::contains, heard, event -> !known.contains(event)),
                 new Parts<>(kept, added, removed),
                 rerouted);
+    }
+
+    private static boolean isSame(Transition before, Transition after, ModelPair pair) {
+        return pair.deviceStates(after.target()).contains(before.target())
+                && before.effects().equals(after.effects())
+                && before.internal() == after.internal()
+                && before.keeps().equals(after.keeps());
     }
 }

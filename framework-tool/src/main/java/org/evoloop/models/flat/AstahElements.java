@@ -132,13 +132,22 @@ final class AstahElements {
 
     /** Behaviors in their role; nothing if there are none. */
     void actions(String role, String idPrefix, List<String> names) {
+        all(role, "Action", idPrefix, names);
+    }
+
+    private void all(String role, String element, String idPrefix, List<String> names) {
         if (!names.isEmpty()) {
             open(role);
             for (int i = 0; i < names.size(); i++) {
-                open("Action", idPrefix + i, names.get(i)).close(1);
+                open(element, idPrefix + i, names.get(i)).close(1);
             }
             close(1);
         }
+    }
+
+    /** The events that a state defers; nothing if there are none. */
+    void deferrable(String idPrefix, List<String> events) {
+        all("State.deferrableEvent", "Event", idPrefix, events);
     }
 
     private void end(String role, String vertex) {

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.Transition;
@@ -30,7 +31,8 @@ public final class AstahWriter {
 
     /**
      * What the document cannot say, a line each: timers and activities that outlast a transition, since flat states have
-     * nothing around them, and internal transitions with several guards, which become one text.
+     * nothing around them; internal transitions with several guards, which become one text; that states differ only in
+     * what the machine remembers; and that an event is deferred under a guard.
      */
     public static List<String> losses(StateMachine machine) {
         List<String> losses = new ArrayList<>();
@@ -41,6 +43,15 @@ public final class AstahWriter {
             }
             if (transition.internal() && transition.event().guards().size() > 1) {
                 losses.add("the guards of the internal transition " + transition + " become one text");
+            }
+        }
+        for (State state : machine.states()) {
+            machine.deferred(state).stream()
+                    .filter(event -> !event.guards().isEmpty())
+                    .forEach(event -> losses.add(state + " defers " + event + ", which a flat drawing swallows"));
+            if (!machine.withoutMemory(state).equals(state)) {
+                losses.add(state + " is the state " + machine.withoutMemory(state)
+                        + " with something remembered; a flat drawing makes it a state of its own");
             }
         }
         return losses;
@@ -77,6 +88,7 @@ public final class AstahWriter {
     private void state(State state) {
         xml.open("CompositeState", id(state), state.name());
         xml.actions("State.doActivity", id(state) + "-do", machine.activities(state));
+        xml.deferrable(id(state) + "-later", plainlyDeferred(state));
         for (int number = 0; number < transitions.size(); number++) {
             Transition transition = transitions.get(number);
             if (transition.internal() && transition.source().equals(state)) {
@@ -89,6 +101,13 @@ public final class AstahWriter {
             }
         }
         xml.close(1);
+    }
+
+    private List<String> plainlyDeferred(State state) {
+        return machine.deferred(state).stream()
+                .filter(event -> event.guards().isEmpty())
+                .map(Event::name)
+                .toList();
     }
 
     private void transition(int number) {

@@ -2,6 +2,8 @@ package org.evoloop.models.flat;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Collectors;
+import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.Transition;
@@ -29,6 +31,12 @@ public final class TransitionTable {
         for (State state : machine.states()) {
             if (!machine.activities(state).isEmpty()) {
                 text.append(state).append(" does ").append(String.join("; ", machine.activities(state)));
+                text.append('\n');
+            }
+            if (!machine.deferred(state).isEmpty()) {
+                text.append(state).append(" defers ");
+                text.append(
+                        machine.deferred(state).stream().map(Event::toString).collect(Collectors.joining("; ")));
                 text.append('\n');
             }
         }

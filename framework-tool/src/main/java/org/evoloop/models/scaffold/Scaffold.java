@@ -154,6 +154,12 @@ public final class Scaffold {
         String evolved = oneFile ? "models" : "new";
         values.put("originalFile", JavaText.literal(copy(request.original().file(), original)));
         values.put("evolvedFile", JavaText.literal(copy(request.evolved().file(), evolved)));
+        values.put(
+                "timeUnit",
+                request.original()
+                        .timeUnit()
+                        .map(unit -> "Optional.of(ChronoUnit." + unit.name() + ")")
+                        .orElse("Optional.empty()"));
         values.put("originalMachine", machine(request.original()));
         values.put("evolvedMachine", machine(request.evolved()));
     }

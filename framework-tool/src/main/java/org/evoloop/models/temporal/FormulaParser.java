@@ -5,13 +5,16 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Predicate;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.models.temporal.Formula.Kind;
 import org.evoloop.statemachine.ModelException;
 import org.evoloop.statemachine.State;
+import org.evoloop.statemachine.StateMachine;
 
 /**
  * Reads a formula, loosest first:
@@ -164,14 +167,13 @@ final class FormulaParser {
 
     private Formula known(Kind kind, String name) {
         Set<String> names = switch (kind) {
-            case STATE -> names(pair.evolved().states());
-            case DEVICE -> names(pair.original().states());
+            case STATE -> names(pair.evolved(), state -> true);
+            case DEVICE -> names(pair.original(), state -> true);
             case EVENT ->
                 pair.evolved().triggers().stream()
                         .map(event -> event.name())
                         .collect(Collectors.toCollection(java.util.TreeSet::new));
-            case FUNCTION ->
-                names(pair.evolved().states().stream().filter(pair::isNew).collect(Collectors.toSet()));
+            case FUNCTION -> names(pair.evolved(), pair::isNew);
         };
         if (!names.contains(name)) {
             String what = switch (kind) {
@@ -186,8 +188,12 @@ final class FormulaParser {
         return new Formula.Atom(kind, name);
     }
 
-    private static Set<String> names(Set<State> states) {
-        return states.stream().map(State::name).collect(Collectors.toCollection(java.util.TreeSet::new));
+    private static Set<String> names(StateMachine machine, Predicate<State> wanted) {
+        return machine.states().stream()
+                .filter(wanted)
+                .flatMap(state -> Stream.of(state, machine.withoutMemory(state)))
+                .map(State::name)
+                .collect(Collectors.toCollection(java.util.TreeSet::new));
     }
 
     private String name() {

@@ -3,6 +3,8 @@ package org.evoloop.models.temporal;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.State;
+import org.evoloop.statemachine.StateMachine;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -18,10 +20,15 @@ record Moment(Configuration at, @Nullable Event last) {
     /** Whether {@code atom} is so. */
     boolean shows(Formula.Atom atom, ModelPair pair) {
         return switch (atom.kind()) {
-            case STATE -> at.evolved().name().equals(atom.name());
-            case DEVICE -> at.original().name().equals(atom.name());
+            case STATE -> isCalled(atom.name(), at.evolved(), pair.evolved());
+            case DEVICE -> isCalled(atom.name(), at.original(), pair.original());
             case EVENT -> last != null && last.name().equals(atom.name());
-            case FUNCTION -> at.evolved().name().equals(atom.name()) && pair.isNew(at.evolved());
+            case FUNCTION -> isCalled(atom.name(), at.evolved(), pair.evolved()) && pair.isNew(at.evolved());
         };
+    }
+
+    /** With what the machine remembers in it, or without. */
+    private static boolean isCalled(String name, State state, StateMachine machine) {
+        return state.name().equals(name) || machine.withoutMemory(state).name().equals(name);
     }
 }

@@ -80,6 +80,7 @@ class AstahWriterTest {
         assertThat(read.events()).containsExactlyInAnyOrderElementsOf(machine.events());
         for (State state : machine.states()) {
             assertThat(read.activities(state)).isEqualTo(machine.activities(state));
+            assertThat(read.deferred(state)).isEqualTo(machine.deferred(state));
             assertThat(plain(read.transitionsFrom(state)))
                     .containsExactlyInAnyOrderElementsOf(plain(machine.transitionsFrom(state)));
         }
@@ -107,6 +108,19 @@ class AstahWriterTest {
                 .transition(guarded("C", "hot"), "")
                 .transition(guarded("C"), "")
                 .build());
+    }
+
+    @Test
+    void deferredEventsReadBack() {
+        StateMachine machine = StateMachine.named("m")
+                .initial("A")
+                .transition("A", "e", "B")
+                .transition("B", "f", "A")
+                .defers("B", new Event("e"))
+                .build();
+
+        assertReadsBack(machine);
+        assertThat(TransitionTable.write(machine)).contains("B defers e\n");
     }
 
     private static Transition guarded(String target, String... guards) {

@@ -61,7 +61,7 @@ public final class Check {
         }
         State device = pair.original().initial();
         State system = pair.evolved().initial();
-        if (!device.equals(system)) {
+        if (!pair.deviceStates(system).contains(device)) {
             findings.add(new Finding(
                     Rule.INITIAL_DIFFERS,
                     new Element.OfState(Element.Side.NEW, system),

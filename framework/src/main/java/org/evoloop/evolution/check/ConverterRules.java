@@ -41,7 +41,9 @@ final class ConverterRules {
     private void function(State state, Set<String> functions) {
         boolean timed = evolved.transitionsFrom(state).stream()
                 .anyMatch(transition -> transition.event().timeTrigger().isPresent());
-        if (input.pair().isNew(state) && !timed && !functions.contains(state.name())) {
+        boolean known = functions.contains(state.name())
+                || functions.contains(evolved.withoutMemory(state).name());
+        if (input.pair().isNew(state) && !timed && !known) {
             findings.add(new Finding(
                     Rule.NO_FUNCTION,
                     new Element.OfState(Element.Side.NEW, state),

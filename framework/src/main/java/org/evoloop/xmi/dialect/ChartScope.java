@@ -2,11 +2,9 @@ package org.evoloop.xmi.dialect;
 
 import java.util.ArrayList;
 import java.util.HashMap;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 import org.evoloop.statechart.Arc;
 
 /**
@@ -29,7 +27,6 @@ public final class ChartScope<M> {
 
     private final Map<String, String> keys = new HashMap<>();
     private final Map<String, String> outerStates = new HashMap<>();
-    private final Set<String> composites = new HashSet<>();
     private final Map<String, ChartScope<M>> submachines = new HashMap<>();
     private final Map<String, List<Arc>> internal = new HashMap<>();
 
@@ -65,7 +62,6 @@ public final class ChartScope<M> {
         String key = key(id);
         if (!outerStateKey.isEmpty()) {
             outerStates.put(key, outerStateKey);
-            composites.add(outerStateKey);
         }
         if (id.isEmpty()) {
             return " has no id; export the model again with ids";
@@ -93,7 +89,6 @@ public final class ChartScope<M> {
         if (outer.contains(submachine) || outer.size() > MAX_NESTED_MACHINES) {
             return Optional.empty();
         }
-        composites.add(key(stateId));
         ChartScope<M> scope = new ChartScope<>(submachine, key(stateId) + "/", List.copyOf(outer), vertices);
         submachines.put(stateId, scope);
         return Optional.of(scope);
@@ -114,11 +109,6 @@ public final class ChartScope<M> {
         return ++vertices[0] <= MAX_VERTICES;
     }
 
-    /** Whether the vertex with this key is a state with something in it. */
-    public boolean isComposite(String key) {
-        return composites.contains(key);
-    }
-
     /** Whether the vertex stands in the state, at any depth, or is it. */
     public boolean isWithin(String key, String stateKey) {
         String outer = key;
@@ -126,11 +116,6 @@ public final class ChartScope<M> {
             outer = outerStates.get(outer);
         }
         return outer != null;
-    }
-
-    /** What a local transition is: outside of a composite state the word says nothing, though tools write it. */
-    public Arc.Kind local(String source, String target) {
-        return isComposite(source) && isWithin(target, source) ? Arc.Kind.LOCAL : Arc.Kind.EXTERNAL;
     }
 
     /** Takes an internal transition. */

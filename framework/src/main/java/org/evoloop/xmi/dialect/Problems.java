@@ -2,7 +2,9 @@ package org.evoloop.xmi.dialect;
 
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Set;
 import java.util.stream.Collectors;
 
 /** What is wrong with one machine, one line each; a machine with thousands of problems gets the first of them. */
@@ -12,6 +14,7 @@ public final class Problems {
 
     private final List<Problem> listed = new ArrayList<>();
     private int unlisted;
+    private final Set<Problem> notes = new LinkedHashSet<>();
 
     private record Problem(int line, String text) {
         /** What stands nowhere comes last. */
@@ -29,6 +32,7 @@ public final class Problems {
     public void addAll(Problems earlier) {
         earlier.listed.forEach(problem -> add(problem.line(), problem.text()));
         unlisted += earlier.unlisted;
+        notes.addAll(earlier.notes);
     }
 
     /**
@@ -47,6 +51,35 @@ public final class Problems {
         } else {
             unlisted++;
         }
+    }
+
+    /**
+     * Adds what its author should know though it can be read: how something was taken, or that it says nothing.
+     *
+     * @param line as of {@link #add}
+     * @param text as of {@link #add}
+     */
+    public void note(int line, String text) {
+        if (notes.size() < LISTED) {
+            notes.add(new Problem(line, text));
+        }
+    }
+
+    /** The name of a state, or its id if it has none, which is noted. */
+    public String nameOrId(String name, String id, int line) {
+        if (!name.isEmpty() || id.isEmpty()) {
+            return name;
+        }
+        note(line, "state without a name is called by its id, " + quote(id) + "; give it a name");
+        return id;
+    }
+
+    /** What was noted, in the file's order. */
+    public List<String> notes() {
+        return notes.stream()
+                .sorted(Comparator.comparingInt(Problem::order))
+                .map(Problem::toString)
+                .toList();
     }
 
     /** Whether nothing is wrong. */

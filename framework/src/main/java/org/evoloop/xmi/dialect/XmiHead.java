@@ -1,7 +1,9 @@
 package org.evoloop.xmi.dialect;
 
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import javax.xml.namespace.QName;
@@ -57,6 +59,13 @@ public record XmiHead(
             }
         }
         return new XmiHead(root, attributes, namespaces, version, exporter, line);
+    }
+
+    /** The root without what is in it. */
+    public XmlNode node() {
+        List<String> pairs = new ArrayList<>();
+        attributes.forEach((name, value) -> pairs.addAll(List.of(name, value)));
+        return new XmlNode(root, line, pairs);
     }
 
     /** For messages. */

@@ -60,7 +60,7 @@ public final class XmiStream extends StreamReaderDelegate implements AutoCloseab
             throw new ModelException(file + ": is a directory; name a file in it");
         }
         try {
-            return of(file.toString(), Files.newInputStream(file));
+            return of(file.toString(), ZippedModel.unpacked(file));
         } catch (NoSuchFileException missing) {
             throw new ModelException(file + ": does not exist; correct the path", missing);
         } catch (AccessDeniedException denied) {

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Predicate;
+import javax.xml.namespace.QName;
 import javax.xml.stream.XMLStreamConstants;
 import org.jspecify.annotations.Nullable;
 
@@ -42,6 +43,37 @@ public final class XmlNode {
             characters += attributes[2 * i + 1].length();
         }
         stream.keep(characters);
+    }
+
+    XmlNode(QName name, int line, List<String> attributes) {
+        this.namespace = name.getNamespaceURI();
+        this.name = name.getLocalPart();
+        this.line = line;
+        this.attributes = attributes.toArray(new String[0]);
+    }
+
+    private XmlNode(XmlNode from, String name, List<String> attributes, List<XmlNode> children) {
+        this.namespace = from.namespace;
+        this.name = name;
+        this.line = from.line;
+        this.attributes = attributes.toArray(new String[0]);
+        this.children.addAll(children);
+        this.text = from.text;
+    }
+
+    /** The same element by another name, with other elements in it. */
+    public XmlNode as(String otherName, List<XmlNode> otherChildren) {
+        return new XmlNode(this, otherName, List.of(attributes), otherChildren);
+    }
+
+    /**
+     * An element that stands in no file.
+     *
+     * @param attributes name, value, name, value and so on
+     * @param from gives the line and the namespace
+     */
+    public static XmlNode made(XmlNode from, String name, List<String> attributes, List<XmlNode> children) {
+        return new XmlNode(from, name, attributes, children);
     }
 
     /** What {@link #attribute(String)} would say of the element whose start tag is the current event. */

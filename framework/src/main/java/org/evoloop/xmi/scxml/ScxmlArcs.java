@@ -1,7 +1,8 @@
 package org.evoloop.xmi.scxml;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
@@ -73,7 +74,9 @@ final class ScxmlArcs {
     /** Reads the transitions of all states in a container and further in. */
     void readAll(@Nullable XmlNode container) {
         for (XmlNode vertex : tree.vertices(container)) {
-            if (vertex.name().equals("history")) {
+            if (vertex.name().equals("history") && ScxmlTree.isParallel(container)) {
+                historyOfRegions(vertex, requireNonNull(container));
+            } else if (vertex.name().equals("history")) {
                 vertex.children("transition")
                         .forEach(transition -> unconditional(
                                 transition, tree.key(vertex), region(vertex), ScxmlActions.in(transition)));
@@ -86,19 +89,60 @@ final class ScxmlArcs {
         }
     }
 
+    /** The key of what stands for a history of a parallel state in the region of one of its children. */
+    String historyKey(XmlNode history, XmlNode child) {
+        return tree.key(history) + "#" + tree.key(child);
+    }
+
+    /** What leads to a history of a parallel state leads to those of all its regions; so does its default. */
+    private void historyOfRegions(XmlNode history, XmlNode parallel) {
+        Place place = ScxmlTree.place(history);
+        String region = region(parallel);
+        forks.computeIfAbsent(region, any -> new ArrayList<>())
+                .add(new Pseudostate(tree.key(history), "", place, Kind.FORK));
+        List<XmlNode> transitions = history.children("transition");
+        String label = "default of " + ScxmlVocabulary.label(history);
+        List<XmlNode> defaults = transitions.stream()
+                .flatMap(transition -> tree.targets(ids(transition), transition.line(), label).stream())
+                .toList();
+        List<String> effects = transitions.stream()
+                .flatMap(transition -> ScxmlActions.in(transition).stream())
+                .toList();
+        for (XmlNode child : tree.vertices(parallel)) {
+            if (child.name().equals("history")) {
+                continue;
+            }
+            String key = historyKey(history, child);
+            add(arcs, region, new Arc(place, tree.key(history), key, List.of(), "", List.of(), Arc.Kind.EXTERNAL));
+            XmlNode target = defaults.stream()
+                    .filter(end -> tree.isInside(end, child))
+                    .findFirst()
+                    .orElse(child);
+            add(arcs, region(child), new Arc(place, key, tree.key(target), List.of(), "", effects, Arc.Kind.EXTERNAL));
+            effects = List.of();
+        }
+    }
+
     /** The default of a history or the way to an initial state. */
     void unconditional(XmlNode transition, String source, String region, List<String> effects) {
         String label = "transition in line " + transition.line();
-        if (!transition.attribute("event").isEmpty()
-                || !transition.attribute("cond").isEmpty()) {
-            problems.add(transition.line(), label + " of an initial or history has an event or condition; remove it");
+        if (!transition.attribute("event").isEmpty()) {
+            problems.add(transition.line(), label + " of an initial or history has an event; remove it");
         }
-        lead(source, region, ids(transition), label, effects, new Place("", transition.line()));
+        String condition = transition.attribute("cond").strip();
+        List<XmlNode> targets = tree.targets(ids(transition), transition.line(), label);
+        lead(source, region, targets, condition, label, effects, new Place("", transition.line()));
     }
 
     /** An arc that is always taken. */
-    void lead(String source, String region, String ids, String label, List<String> effects, Place place) {
-        List<XmlNode> targets = tree.targets(ids, place.line(), label);
+    void lead(
+            String source,
+            String region,
+            List<XmlNode> targets,
+            String condition,
+            String label,
+            List<String> effects,
+            Place place) {
         if (targets.isEmpty()) {
             problems.add(place.line(), label + " has no target; give it one");
             return;
@@ -106,7 +150,14 @@ final class ScxmlArcs {
         add(
                 arcs,
                 region,
-                new Arc(place, source, target(targets, label, place), List.of(), "", effects, Arc.Kind.EXTERNAL));
+                new Arc(
+                        place,
+                        source,
+                        target(targets, label, place),
+                        List.of(),
+                        condition,
+                        effects,
+                        Arc.Kind.EXTERNAL));
     }
 
     /** Ids of the targets; the drafts of SCXML had elements for them. */
@@ -150,8 +201,9 @@ final class ScxmlArcs {
             requireLasting(transition, state, targets, label);
             if (free(List.of(""), condition, taken).isEmpty()) {
                 never(transition, label);
+            } else {
+                arc(transition, state, state, targets, List.of(), condition, label);
             }
-            arc(transition, state, state, targets, List.of(), condition, label);
         } else {
             arc(transition, state, state, targets, List.of("when " + condition), "", label);
         }
@@ -162,18 +214,21 @@ final class ScxmlArcs {
         if (causes.isEmpty()) {
             return causes;
         }
-        List<T> free = Collections.disjoint(taken, causes)
+        List<T> free = taken.isEmpty()
                 ? causes
-                : causes.stream().filter(cause -> !taken.contains(cause)).toList();
-        if (condition.isEmpty()) {
-            taken.addAll(causes);
+                : causes.stream()
+                        .filter(cause -> !taken.contains(cause) && !taken.contains(List.of(cause, condition)))
+                        .toList();
+        for (T cause : causes) {
+            taken.add(condition.isEmpty() ? cause : List.of(cause, condition));
         }
         return free;
     }
 
     private void never(XmlNode transition, String label) {
-        problems.add(
-                transition.line(), label + " is never taken, since earlier ones always take its events; remove it");
+        problems.note(
+                transition.line(),
+                label + " is never taken, since earlier ones always take its events, and is passed over; remove it");
     }
 
     private void requireLasting(XmlNode transition, XmlNode state, List<XmlNode> targets, String label) {

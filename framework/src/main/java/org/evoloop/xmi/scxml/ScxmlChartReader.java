@@ -92,8 +92,8 @@ final class ScxmlChartReader {
                     "initial of " + (container == null ? "scxml" : ScxmlVocabulary.label(container))
                             + " is not one transition; write one");
         } else {
-            String target = ids.isBlank() ? firstState(container) : ids;
-            arcs.lead(key, region, target, "initial", effects, place);
+            List<XmlNode> targets = ids.isBlank() ? firstState(container) : tree.targets(ids, place.line(), "initial");
+            arcs.lead(key, region, targets, "", "initial", effects, place);
         }
         return new Pseudostate(key, "", place, Kind.INITIAL);
     }
@@ -102,12 +102,11 @@ final class ScxmlChartReader {
         return container == null ? tree.document().attribute(name) : container.attribute(name);
     }
 
-    private String firstState(@Nullable XmlNode container) {
+    private List<XmlNode> firstState(@Nullable XmlNode container) {
         return tree.vertices(container).stream()
                 .filter(vertex -> !vertex.name().equals("history"))
-                .map(vertex -> vertex.attribute("id"))
-                .findFirst()
-                .orElse("");
+                .limit(1)
+                .toList();
     }
 
     private void vertex(XmlNode node, List<Vertex> vertices) {
@@ -115,14 +114,8 @@ final class ScxmlChartReader {
         String key = tree.key(node);
         Place place = ScxmlTree.place(node);
         switch (node.name()) {
-            case "history" -> {
-                String type = node.attribute("type");
-                vertices.add(new Pseudostate(
-                        key,
-                        node.attribute("id").strip(),
-                        place,
-                        type.equals("deep") ? Kind.DEEP_HISTORY : Kind.SHALLOW_HISTORY));
-            }
+            case "history" ->
+                vertices.add(new Pseudostate(key, node.attribute("id").strip(), place, kind(node)));
             case "final" -> end(node, vertices);
             default -> {
                 if (node.attribute("final").equals("true")) {
@@ -145,14 +138,22 @@ final class ScxmlChartReader {
                         actions(node, "onentry").stream(),
                         node.children("donedata").stream().map(ScxmlActions::text))
                 .toList();
-        if (entry.isEmpty()) {
+        List<String> exit = actions(node, "onexit");
+        if (entry.isEmpty() && exit.isEmpty()) {
             vertices.add(new FinalState(tree.key(node), name, place));
             return;
+        }
+        if (!exit.isEmpty() && tree.parent(node) != null) {
+            problems.note(
+                    place.line(),
+                    "onexit of " + ScxmlVocabulary.label(node)
+                            + " is run as soon as that is entered, not when the state"
+                            + " around it is left; move it there if that matters");
         }
         FinalState end = new FinalState(tree.madeUpKey(), name, place);
         arcs.complete(node, end);
         vertices.add(new ChartState(
-                tree.key(node), name, place, entry, List.of(), List.of(), List.of(), List.of(), List.of(), List.of()));
+                tree.key(node), name, place, entry, exit, List.of(), List.of(), List.of(), List.of(), List.of()));
         vertices.add(end);
     }
 
@@ -165,10 +166,6 @@ final class ScxmlChartReader {
         List<Region> regions = new ArrayList<>();
         for (XmlNode child : tree.vertices(state)) {
             if (child.name().equals("history")) {
-                problems.add(
-                        child.line(),
-                        ScxmlVocabulary.label(child) + " stands directly in " + ScxmlVocabulary.label(state)
-                                + ", which is not supported; draw one in each child");
                 continue;
             }
             String initial = tree.madeUpKey();
@@ -176,6 +173,7 @@ final class ScxmlChartReader {
             vertices.add(new Pseudostate(initial, "", ScxmlTree.place(child), Kind.INITIAL));
             vertex(child, vertices);
             vertices.addAll(arcs.forksIn(arcs.region(child)));
+            histories(state, child, vertices);
             List<Arc> inRegion = new ArrayList<>();
             inRegion.add(new Arc(
                     ScxmlTree.place(child), initial, tree.key(child), List.of(), "", List.of(), Arc.Kind.EXTERNAL));
@@ -185,10 +183,25 @@ final class ScxmlChartReader {
         return regions;
     }
 
+    /** A history of a parallel state is one of each of its regions. */
+    private void histories(XmlNode parallel, XmlNode child, List<Vertex> vertices) {
+        for (XmlNode vertex : tree.vertices(parallel)) {
+            if (vertex.name().equals("history")) {
+                String name = vertex.attribute("id").strip();
+                vertices.add(
+                        new Pseudostate(arcs.historyKey(vertex, child), name, ScxmlTree.place(vertex), kind(vertex)));
+            }
+        }
+    }
+
+    private static Kind kind(XmlNode history) {
+        return history.attribute("type").equals("deep") ? Kind.DEEP_HISTORY : Kind.SHALLOW_HISTORY;
+    }
+
     private ChartState state(XmlNode node, List<Region> regions) {
         return new ChartState(
                 tree.key(node),
-                node.attribute("id").strip(),
+                name(node),
                 ScxmlTree.place(node),
                 actions(node, "onentry"),
                 actions(node, "onexit"),
@@ -197,6 +210,17 @@ final class ScxmlChartReader {
                 List.of(),
                 regions,
                 List.of());
+    }
+
+    /** The id; without one, which SCXML allows, the line tells states apart. */
+    private String name(XmlNode state) {
+        String id = state.attribute("id").strip();
+        if (!id.isEmpty()) {
+            return id;
+        }
+        String name = state.name() + " of line " + state.line();
+        problems.note(state.line(), "state without a name is called " + Problems.quote(name) + "; give it an id");
+        return name;
     }
 
     private static List<String> actions(XmlNode node, String block) {

@@ -8,6 +8,8 @@ import java.util.Map;
 import java.util.NavigableSet;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.evoloop.xmi.dialect.Problems;
 import org.evoloop.xmi.dialect.XmlNode;
 import org.jspecify.annotations.Nullable;
@@ -20,6 +22,11 @@ import org.jspecify.annotations.Nullable;
 final class ScxmlEvents {
     private static final String DONE = "done.state.";
     private static final String ANY = "*";
+    /** A time trigger such as {@code after 2 s} or {@code tm( 2 s )}, or else a word. */
+    private static final Pattern DESCRIPTOR = Pattern.compile("(?i:after|tm)\\s*\\([^)]*\\)(?=\\s|$)"
+            + "|(?i:after)\\s+(?:(?i:PT?[0-9]\\S*)|[0-9.]+(?:\\s*(?i:ms|msec|milliseconds?|s|sec|seconds?|min"
+            + "|minutes?|h|hours?|d|days?))?)(?=\\s|$)"
+            + "|\\S+");
 
     private final ScxmlTree tree;
     private final Problems problems;
@@ -57,14 +64,29 @@ final class ScxmlEvents {
     /** Each without what says no more than that it is a prefix. */
     private static List<String> split(String attribute) {
         List<String> names = new ArrayList<>();
-        for (String descriptor : ScxmlTree.words(attribute)) {
+        for (String descriptor : descriptors(attribute)) {
             String name = descriptor;
+            if (descriptor.indexOf(' ') >= 0 || descriptor.indexOf('(') >= 0) {
+                // A time trigger is no prefix.
+                names.add(descriptor);
+                continue;
+            }
             while (name.endsWith(".*") || name.endsWith(".")) {
                 name = name.substring(0, name.lastIndexOf('.'));
             }
             names.add(name.equals(ANY) ? "" : name);
         }
         return names;
+    }
+
+    /** Between white space, but for that in a time trigger. */
+    private static List<String> descriptors(String attribute) {
+        Matcher descriptor = DESCRIPTOR.matcher(attribute.strip());
+        List<String> found = new ArrayList<>(1);
+        while (descriptor.find()) {
+            found.add(descriptor.group().replaceAll("\\s+", " "));
+        }
+        return found;
     }
 
     private void name(List<String> names) {

@@ -49,9 +49,6 @@ final class ScxmlTree {
         String id = vertex.attribute("id").strip();
         List<XmlNode> inner = verticesAmong(vertex.children());
         vertices.put(vertex, new Placed(id.isEmpty() ? madeUpKey() : id, parent, inner));
-        if (id.isEmpty() && (vertex.name().equals("state") || vertex.name().equals("parallel"))) {
-            problems.add(vertex.line(), vertex.name() + " without a name; give it an id");
-        }
         XmlNode namesake = id.isEmpty() ? null : byId.putIfAbsent(id, vertex);
         if (namesake != null) {
             problems.add(

@@ -46,7 +46,7 @@ final class ScxmlVocabulary {
             "parallel",
             Set.of("id", "state", "parallel", "transition", "onentry", "onexit", "datamodel", "invoke", "history"),
             "final",
-            Set.of("id", "onentry", "donedata"),
+            Set.of("id", "onentry", "onexit", "donedata"),
             "history",
             Set.of("id", "type", "transition"),
             "initial",

@@ -150,9 +150,7 @@ final class Uml14ChartReader {
     }
 
     private ChartState state(Uml14Element state, String key, ChartScope<Uml14Element> scope) {
-        if (state.name().isEmpty()) {
-            problems.add(state.line(), "state without a name (id " + Problems.quote(state.id()) + "); give it one");
-        }
+        String name = problems.nameOrId(state.name(), state.id(), state.line());
         for (Uml14Element transition : state.owned("internalTransition")) {
             arc(transition, Optional.of(key), Optional.of(key), Arc.Kind.INTERNAL)
                     .ifPresent(scope::addInternal);
@@ -160,7 +158,7 @@ final class Uml14ChartReader {
         List<Region> regions = scope.submachine(state.id()).map(this::content).orElseGet(() -> regions(state, scope));
         return new ChartState(
                 key,
-                state.name(),
+                name,
                 state.place(),
                 texts.actions(state, "entry"),
                 texts.actions(state, "exit"),

@@ -79,6 +79,22 @@ final class Uml2Arcs {
                 .toList();
     }
 
+    /** As drawn, but by Enterprise Architect, which writes the word on every transition that its author left as it was. */
+    private Arc.Kind local(Uml2Element transition, ChartScope<Uml2Element> scope, String source, String target) {
+        if (!transition.document().isBy("Enterprise Architect")
+                || (!source.equals(target) && scope.isWithin(target, source))) {
+            return Arc.Kind.LOCAL;
+        }
+        if (scope.isWithin(source, target)) {
+            problems.note(
+                    transition.line(),
+                    "transition " + transition.label() + " is taken as external, though its kind is local, since "
+                            + "Enterprise Architect writes that on every transition: it leaves and enters its state; "
+                            + "make it internal if it should not");
+        }
+        return Arc.Kind.EXTERNAL;
+    }
+
     private Arc.Kind kind(Uml2Element transition, ChartScope<Uml2Element> scope, String source, String target) {
         String kind = transition.attribute("kind");
         switch (kind) {
@@ -86,7 +102,7 @@ final class Uml2Arcs {
                 return Arc.Kind.EXTERNAL;
             }
             case "local" -> {
-                return scope.local(source, target);
+                return local(transition, scope, source, target);
             }
             case "internal" -> {
                 if (!source.equals(target)) {

@@ -81,7 +81,7 @@ final class Uml2ChartReader {
                                 .add(arc);
                     }
                 });
-                requireGuards(transition);
+                noteOthersThanGuards(transition);
             }
             region.owned("subvertex").forEach(vertex -> arcs(vertex, scope, drawn));
         }
@@ -97,7 +97,7 @@ final class Uml2ChartReader {
                     vertex(vertex, scope, drawn).ifPresent(vertices::add);
                 }
             }
-            requireGuards(region);
+            noteOthersThanGuards(region);
             regions.add(
                     new Region(region.name(), region.place(), vertices, drawn.getOrDefault(region.node(), List.of())));
         }
@@ -106,7 +106,7 @@ final class Uml2ChartReader {
 
     private Optional<Vertex> vertex(Uml2Element vertex, ChartScope<Uml2Element> scope, Map<XmlNode, List<Arc>> drawn) {
         Uml2Vocabulary.check(vertex, problems);
-        return switch (vertex.type()) {
+        return switch (Uml2Vertices.type(vertex)) {
             case "State" -> Optional.of(state(vertex, scope, drawn));
             case "FinalState" -> Optional.of(new FinalState(scope.key(vertex.id()), vertex.name(), vertex.place()));
             case "Pseudostate" -> pseudostate(vertex, scope).map(pseudostate -> pseudostate);
@@ -140,9 +140,7 @@ final class Uml2ChartReader {
     }
 
     private ChartState state(Uml2Element state, ChartScope<Uml2Element> scope, Map<XmlNode, List<Arc>> drawn) {
-        if (state.name().isEmpty()) {
-            problems.add(state.line(), "state without a name (id " + Problems.quote(state.id()) + "); give it one");
-        }
+        String name = problems.nameOrId(state.name(), state.id(), state.line());
         List<Region> regions = regions(state, scope, drawn);
         List<Pseudostate> connections = new ArrayList<>(points(state, scope));
         Optional<ChartScope<Uml2Element>> submachine = scope.submachine(state.id());
@@ -156,10 +154,10 @@ final class Uml2ChartReader {
             regions = content(submachine.get());
             connections.addAll(points(submachine.get().machine(), submachine.get()));
         }
-        requireGuards(state);
+        noteOthersThanGuards(state);
         return new ChartState(
                 scope.key(state.id()),
-                state.name(),
+                name,
                 state.place(),
                 texts.behaviors(state, "entry"),
                 texts.behaviors(state, "exit"),
@@ -170,14 +168,14 @@ final class Uml2ChartReader {
                 connections);
     }
 
-    /** A constraint is a guard, or something that nobody reads. */
-    private void requireGuards(Uml2Element owner) {
+    /** A constraint is a guard, or a remark about what the machine keeps to. */
+    private void noteOthersThanGuards(Uml2Element owner) {
         for (Uml2Element rule : owner.owned("ownedRule")) {
             if (!texts.isGuard(rule)) {
-                problems.add(
+                problems.note(
                         rule.line(),
                         "constraint " + rule.label() + " of " + owner.type() + " " + owner.label()
-                                + " is no guard, which is not supported; make it the guard of a transition or a comment");
+                                + " is no guard and is passed over; make it the guard of a transition if it should be one");
             }
         }
     }

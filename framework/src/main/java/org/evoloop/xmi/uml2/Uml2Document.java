@@ -37,24 +37,28 @@ final class Uml2Document {
     private static final Set<String> ALONE =
             Set.of("Signal", "Operation", "Reception", "Activity", "Interaction", "Port", "Property");
 
+    private static final Set<String> PACKAGES = Set.of("Model", "Package", "Profile");
+
     /** What activities and interactions are made of; a behavior is called by its name, whatever is in it. */
     private static final Set<String> INSIDE_BEHAVIORS = Set.of(
             "node", "edge", "group", "structuredNode", "partition", "fragment", "lifeline", "message", "formalGate");
 
     private final String file;
-    private final boolean starUml;
+    private final String exporter;
     private final Map<String, XmlNode> byId = new HashMap<>();
     private final Set<String> ambiguous = new HashSet<>();
     private final List<Uml2Element> machines = new ArrayList<>();
+    private final LooseVertices loose = new LooseVertices();
 
     private Uml2Document(XmiHead head, XmiStream stream) {
         this.file = stream.file();
-        this.starUml = head.exporter().startsWith("StarUML");
+        this.exporter = head.exporter();
     }
 
     /** @param stream as {@link XmiHead#read} leaves it */
     static Uml2Document read(XmiHead head, XmiStream stream) {
         Uml2Document document = new Uml2Document(head, stream);
+        document.loose.open(0, head.node());
         boolean more = stream.isStartElement() || stream.nextElementWithin(0);
         while (more) {
             if (isExtension(stream)) {
@@ -65,16 +69,34 @@ final class Uml2Document {
             }
             more = stream.nextElementWithin(0);
         }
+        document.takeLoose();
         return document;
     }
 
     private void element(XmiStream stream) {
         String type = Uml2Element.type(
                 XmlNode.attribute(stream, "xmi:type"), String.valueOf(stream.getNamespaceURI()), stream.getLocalName());
-        if (WHOLE.contains(type) || type.endsWith("Event")) {
-            index(XmlNode.read(stream, Uml2Document::isUnwanted));
+        int depth = stream.depth();
+        if (PACKAGES.contains(type)) {
+            loose.open(depth, XmlNode.alone(stream));
+        } else if (WHOLE.contains(type) || type.endsWith("Event")) {
+            XmlNode node = XmlNode.read(stream, Uml2Document::isUnwanted);
+            index(node);
+            if (type.endsWith("StateMachine")) {
+                loose.machine(depth, node);
+            }
+        } else if (LooseVertices.isPart(type)) {
+            loose.add(depth, XmlNode.read(stream, Uml2Document::isUnwanted));
         } else if (ALONE.contains(type)) {
             remember(XmlNode.alone(stream));
+        }
+    }
+
+    private void takeLoose() {
+        for (LooseVertices.Found found : loose.machines()) {
+            machines.removeIf(machine -> found.shells().contains(machine.node()));
+            byId.remove(found.machine().attribute("xmi:id"));
+            index(found.machine());
         }
     }
 
@@ -118,9 +140,9 @@ final class Uml2Document {
         return file;
     }
 
-    /** Whether StarUML wrote it, which calls every event that has no other kind an {@code AnyReceiveEvent}. */
-    boolean starUml() {
-        return starUml;
+    /** Whether the tool whose name begins so wrote it. */
+    boolean isBy(String tool) {
+        return exporter.startsWith(tool);
     }
 
     List<Uml2Element> machines() {

@@ -6,9 +6,11 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import org.evoloop.statemachine.ModelException;
 import org.evoloop.xmi.dialect.Problems;
 import org.evoloop.xmi.dialect.XmiHead;
@@ -38,6 +40,13 @@ final class Uml2References {
                 byId(owner, role, id).ifPresent(found::add);
             }
         }
+        found.addAll(inside(owner, role));
+        return withoutRepetition(found);
+    }
+
+    /** The same without those that an attribute refers to. */
+    List<Uml2Element> inside(Uml2Element owner, String role) {
+        List<Uml2Element> found = new ArrayList<>();
         for (XmlNode child : owner.node().children(role)) {
             if (!child.attribute("xmi:idref").isEmpty()) {
                 byId(owner, role, child.attribute("xmi:idref")).ifPresent(found::add);
@@ -47,6 +56,13 @@ final class Uml2References {
                 found.add(new Uml2Element(child, owner.document()));
             }
         }
+        return found;
+    }
+
+    /** Visual Paradigm writes what stands in an element a second time as a reference. */
+    private static List<Uml2Element> withoutRepetition(List<Uml2Element> found) {
+        Set<String> ids = new HashSet<>();
+        found.removeIf(element -> !element.id().isEmpty() && !ids.add(element.id()));
         return found;
     }
 

@@ -75,7 +75,11 @@ final class Uml2Texts {
 
     /** The condition of a transition; empty for none. */
     String guard(Uml2Element transition) {
-        List<Uml2Element> constraints = new ArrayList<>(references.all(transition, "guard"));
+        // Visual Paradigm writes the guard in the transition and something of it as an attribute.
+        List<Uml2Element> constraints = new ArrayList<>(references.inside(transition, "guard"));
+        if (constraints.isEmpty()) {
+            constraints.addAll(references.all(transition, "guard"));
+        }
         constraints.addAll(references.all(transition, "preCondition"));
         if (constraints.size() > 1) {
             problems.add(

@@ -8,8 +8,8 @@ import org.evoloop.xmi.dialect.Problems;
 
 /** The names of the events that trigger something. */
 final class Uml2Triggers {
-    /** Words with which a text already says that it is a time or a change. */
-    private static final Pattern SAYS_SO = Pattern.compile("(?i)(after|at|tm|when)\\b.*", Pattern.DOTALL);
+    /** A text that already says that it is a time or a change: by a word, or by being a duration of ISO 8601. */
+    private static final Pattern SAYS_SO = Pattern.compile("(?i:(after|at|tm|when)\\b.*)|PT?[0-9].*", Pattern.DOTALL);
 
     /** Names that say no more than that any event is meant. */
     private static final Pattern ANY = Pattern.compile("(?i)(AnyReceiveEvent\\d*|all|any|\\*)?");
@@ -92,7 +92,8 @@ final class Uml2Triggers {
 
     private String any(Uml2Element event, Uml2Element trigger) {
         String name = ANY.matcher(event.name()).matches() ? trigger.name() : event.name();
-        if (event.document().starUml() || !ANY.matcher(name).matches()) {
+        // StarUML calls every event that has no other kind an AnyReceiveEvent.
+        if (event.document().isBy("StarUML") || !ANY.matcher(name).matches()) {
             return name;
         }
         problems.add(

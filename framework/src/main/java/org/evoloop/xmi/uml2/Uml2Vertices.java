@@ -25,6 +25,13 @@ final class Uml2Vertices {
         return vertex.type().equals("Pseudostate") && POINTS.contains(vertex.attribute("kind"));
     }
 
+    /** The type; Visual Paradigm writes a final state as a pseudostate of that kind. */
+    static String type(Uml2Element vertex) {
+        boolean end =
+                vertex.type().equals("Pseudostate") && vertex.attribute("kind").equals("final");
+        return end ? "FinalState" : vertex.type();
+    }
+
     /** Entry and exit points of a state or machine. */
     static List<Uml2Element> points(Uml2Element owner) {
         List<Uml2Element> points = new ArrayList<>(owner.owned("connectionPoint"));

@@ -29,7 +29,6 @@ class AstahRefusalTest {
                 "<UML:CompositeState xmi.id=\"x\" name=\"n\" xmlns:a=\"http://www.w3.org/2001/XMLSchema-instance\" a:nil=\"true\"/>"
                         + " | unknown attribute {http://www.w3.org/2001/XMLSchema-instance}nil",
                 "<UML:CompositeState xmi.id=\"x\" name=\"n\">words</UML:CompositeState> | text between the elements of state 'n'",
-                "<UML:CompositeState xmi.id=\"x\" name=\"+\"/>               | state without a name (id 'x'); give it one",
                 "<UML:CompositeState xmi.id=\"x\" name=\"Off\"/>             | state 'Off' has the name of the state in line 13, id off (id 'x'); ",
                 "<UML:CompositeState xmi.id=\"off\" name=\"n\"/>             | id 'off' is also the id of an element in line 13",
                 "<UML:Pseudostate xmi.id=\"x\" name=\"\" kind=\"initial\"/>  | second initial pseudostate",

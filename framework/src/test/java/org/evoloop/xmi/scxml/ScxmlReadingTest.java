@@ -84,6 +84,23 @@ class ScxmlReadingTest {
     }
 
     @Test
+    void shouldReadTimeTriggersThoughTheyHaveBlanks() {
+        assertThat(ChartText.of(scxml("""
+                        <state id='s'>
+                          <transition event='after 2 s' target='s'/><transition event='a after  1.5 min b' target='s'/>
+                          <transition event='tm( 3s ) after (4 s)' target='s'/><transition event='PT5S' target='s'/>
+                          <transition event='after PT6S after 7' target='s'/><transition event='after' target='s'/>
+                        </state>""")))
+                .contains(
+                        "s -> s : after 2 s",
+                        "s -> s : a, after 1.5 min, b",
+                        "s -> s : tm( 3s ), after (4 s)",
+                        "s -> s : PT5S",
+                        "s -> s : after PT6S, after 7",
+                        "s -> s : after");
+    }
+
+    @Test
     void shouldKeepExecutableContentAsText() {
         assertThat(ChartText.of(scxml("""
                         <datamodel><data id='n' expr='1'/><data id='m'>[1, 2]</data></datamodel>

@@ -180,7 +180,6 @@ class Uml14ReadingTest {
     @CsvSource(
             delimiter = '|',
             value = {
-                "<UML:SimpleState xmi.id='a'/>                | state without a name (id 'a'); give it one",
                 "<UML:SimpleState xmi.id='a' name='A'/><UML:SimpleState xmi.id='a' name='B'/> | SimpleState 'B' (id 'a') has the id of another vertex",
                 "<UML:SynchState xmi.id='a' name='A'/>        | SynchState 'A' (id 'a') is not supported; draw states",
                 "<UML:Pseudostate xmi.id='a' kind='odd'/>     | pseudostate '' (id 'a') is of the unknown kind 'odd'",

@@ -54,7 +54,6 @@ class Uml2RefusalTest {
                 "''             | <guard xmi:id='g1' name='x'/><guard xmi:id='g2' name='y'/> | transition '' (id 't') has 2 guards; join them into one",
                 "''             | <guard xmi:id='g'><specification xmi:type='uml:InstanceValue' xmi:id='v'/></guard> | value of type InstanceValue",
                 "''             | <effect xmi:type='uml:Activity' xmi:id='f'><node xmi:id='n'/></effect> | effect of Transition '' (id 't') is a Activity (id 'f') without a name; give it one",
-                "''             | <ownedRule xmi:type='uml:Constraint' xmi:id='c' name='C'/> | constraint 'C' (id 'c') of Transition '' (id 't') is no guard",
                 "''             | <postCondition xmi:id='p'/>     | element postCondition (id 'p') of Transition",
                 "''             | <target xmi:idref='a'/>         | transition '' (id 't') has more than one target; draw it",
                 "kind='odd'     | ''                              | transition '' (id 't') is of the unknown kind 'odd'; use internal",

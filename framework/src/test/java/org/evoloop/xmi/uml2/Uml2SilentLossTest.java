@@ -73,9 +73,27 @@ class Uml2SilentLossTest {
     }
 
     @Test
-    void shouldNameTheStateThatHasNoName() {
-        assertThat(ChartText.refusal(machine(state("a", ""))))
-                .contains("line " + Uml2Text.FIRST_LINE + ": state without a name (id 'a'); give it one");
+    void shouldCallAStateWithoutNameByItsId() {
+        XmiMachine machine = ChartText.machines(machine(state("a", ""))).get(0);
+
+        assertThat(ChartText.of(machine.statechart())).containsExactly("state a a");
+        assertThat(machine.notes())
+                .singleElement()
+                .asString()
+                .contains("line " + Uml2Text.FIRST_LINE + ": state without a name is called by its id, 'a'");
+    }
+
+    @Test
+    void shouldNoteAConstraintThatIsNoGuard() {
+        XmiMachine machine = ChartText.machines(
+                        transition("", "<ownedRule xmi:type='uml:Constraint' xmi:id='c' name='C'/>"))
+                .get(0);
+
+        assertThat(ChartText.of(machine.statechart())).contains("a -> b");
+        assertThat(machine.notes())
+                .singleElement()
+                .asString()
+                .contains("constraint 'C' (id 'c') of Transition '' (id 't') is no guard and is passed over");
     }
 
     @Test

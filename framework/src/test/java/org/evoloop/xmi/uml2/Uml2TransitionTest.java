@@ -1,10 +1,13 @@
 package org.evoloop.xmi.uml2;
 
+import static org.assertj.core.api.Assertions.as;
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.InstanceOfAssertFactories.STRING;
 import static org.evoloop.xmi.uml2.Uml2Text.machine;
 import static org.evoloop.xmi.uml2.Uml2Text.state;
 import static org.evoloop.xmi.uml2.Uml2Text.transition;
 
+import org.evoloop.statemachine.Transition;
 import org.evoloop.xmi.ChartText;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -27,6 +30,8 @@ class Uml2TransitionTest {
                 "TimeEvent     | isRelative='true' | <when><expr xmi:type='uml:LiteralInteger' value='1000'/></when>    | after 1000",
                 "TimeEvent     | isRelative='true' | <when xmi:type='uml:TimeExpression'><expr xmi:type='uml:OpaqueExpression'><body>after(3 min)</body></expr></when> | after(3 min)",
                 "TimeEvent     | name='x'          | <when><expr xmi:type='uml:LiteralString' value='12:00'/></when>    | at 12:00",
+                "TimeEvent     | name='x'          | <when><expr xmi:type='uml:LiteralString' value='PT5S'/></when>     | PT5S",
+                "TimeEvent     | isRelative='true' | <when><expr xmi:type='uml:LiteralString' value='P1DT2H'/></when>   | P1DT2H",
                 "TimeEvent     | name='after 2 s'  |                                          | after 2 s",
                 "ChangeEvent   | name='x'          | <changeExpression xmi:type='uml:OpaqueExpression' body='p &gt; 3'/> | when p > 3",
                 "ChangeEvent   | name='full'       |                                          | full",
@@ -53,7 +58,7 @@ class Uml2TransitionTest {
                         "<trigger xmi:idref='tr'/><effect xmi:type='uml:OpaqueBehavior' xmi:id='f' body='on()'/>",
                         "<packagedElement xmi:type='uml:Trigger' xmi:id='tr' name='toggle'>"
                                 + "<event xmi:type='uml:Event' xmi:id='e'/></packagedElement>")))
-                .contains("a -> b : toggle / on()");
+                .contains("a -> b : toggle / on() LOCAL");
     }
 
     @Test
@@ -133,7 +138,47 @@ class Uml2TransitionTest {
                         "  state a A",
                         "state b B",
                         "c -> a : LOCAL",
-                        "c -> b",
-                        "b -> b");
+                        "c -> b : LOCAL",
+                        "b -> b : LOCAL");
+    }
+
+    @Test
+    void shouldNotLeaveAStateOnALocalTransitionToItself() {
+        String document = machine("<subvertex xmi:type='uml:Pseudostate' xmi:id='i'/>"
+                + "<subvertex xmi:type='uml:State' xmi:id='a' name='Bound'>"
+                + "<entry xmi:type='uml:OpaqueBehavior' name='start'/></subvertex>"
+                + "<transition xmi:id='0' source='i' target='a'/>"
+                + "<transition xmi:id='1' source='a' target='a' kind='local'><trigger xmi:id='t' name='ack'/>"
+                + "<effect xmi:type='uml:OpaqueBehavior' name='renew'/></transition>");
+
+        Transition transition = ChartText.machines(document)
+                .get(0)
+                .toStateMachine()
+                .transitions()
+                .get(0);
+
+        assertThat(transition.internal()).isTrue();
+        assertThat(transition.effects()).containsExactly("renew");
+    }
+
+    @Test
+    void shouldNoteThatEnterpriseArchitectMeansNothingByLocal() {
+        String arc = "<transition xmi:id='%s' source='%s' target='%s' kind='local'/>";
+        String document = machine("<subvertex xmi:type='uml:State' xmi:id='c' name='C'><region>" + state("a", "A")
+                        + "</region></subvertex>"
+                        + state("b", "B")
+                        + arc.formatted("1", "c", "a")
+                        + arc.formatted("2", "c", "b")
+                        + arc.formatted("3", "b", "b"))
+                .replace(
+                        "<uml:Model",
+                        "<xmi:XMI xmlns:xmi='http://schema.omg.org/spec/XMI/2.1'>"
+                                + "<xmi:Documentation exporter='Enterprise Architect'/><uml:Model")
+                .replace("</uml:Model>", "</uml:Model></xmi:XMI>");
+
+        assertThat(ChartText.of(document)).contains("c -> a : LOCAL", "c -> b", "b -> b");
+        assertThat(ChartText.machines(document).get(0).notes())
+                .singleElement(as(STRING))
+                .contains("F.xml: line 6: transition '' (id '3') is taken as external");
     }
 }

@@ -1,0 +1,68 @@
+package org.evoloop.statechart;
+
+import java.time.temporal.ChronoUnit;
+import java.util.List;
+import org.evoloop.statechart.Vertex.ChartState;
+import org.evoloop.statemachine.Event;
+
+/** Gives the time triggers of a chart a unit where they have none. */
+public final class TimeUnits {
+    private final ChronoUnit unit;
+
+    private TimeUnits(ChronoUnit unit) {
+        this.unit = unit;
+    }
+
+    /**
+     * The chart with units.
+     *
+     * @param unit milliseconds or seconds
+     */
+    public static Statechart add(Statechart chart, ChronoUnit unit) {
+        TimeUnits units = new TimeUnits(unit);
+        return new Statechart(chart.name(), chart.place(), units.regions(chart.regions()), units.names(chart.events()));
+    }
+
+    private List<Region> regions(List<Region> regions) {
+        return regions.stream()
+                .map(region -> new Region(
+                        region.name(),
+                        region.place(),
+                        region.vertices().stream().map(this::vertex).toList(),
+                        arcs(region.arcs())))
+                .toList();
+    }
+
+    private Vertex vertex(Vertex vertex) {
+        return vertex instanceof ChartState state
+                ? new ChartState(
+                        state.key(),
+                        state.name(),
+                        state.place(),
+                        state.entry(),
+                        state.exit(),
+                        state.doActivities(),
+                        arcs(state.internal()),
+                        state.deferred(),
+                        regions(state.regions()),
+                        state.connections())
+                : vertex;
+    }
+
+    private List<Arc> arcs(List<Arc> arcs) {
+        return arcs.stream()
+                .map(arc -> new Arc(
+                        arc.place(),
+                        arc.source(),
+                        arc.target(),
+                        names(arc.triggers()),
+                        arc.guard(),
+                        arc.effects(),
+                        arc.kind()))
+                .toList();
+    }
+
+    private List<String> names(List<String> names) {
+        return names.stream().map(name -> Event.withTimeUnit(name, unit)).toList();
+    }
+}

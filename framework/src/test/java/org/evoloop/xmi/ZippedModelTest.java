@@ -1,0 +1,72 @@
+package org.evoloop.xmi;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.zip.ZipEntry;
+import java.util.zip.ZipOutputStream;
+import org.evoloop.statemachine.ModelException;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Projects that are a zip with a document in it. */
+class ZippedModelTest {
+    private static final String DOCUMENT = """
+            <XMI xmi.version='1.2' xmlns:UML='org.omg.xmi.namespace.UML'>
+              <XMI.header><XMI.documentation><XMI.exporter>ArgoUML</XMI.exporter></XMI.documentation></XMI.header>
+              <XMI.content><UML:StateMachine xmi.id='m' name='M'>
+                <UML:StateMachine.top><UML:CompositeState xmi.id='top'><UML:CompositeState.subvertex>
+                  <UML:Pseudostate xmi.id='i' kind='initial'/><UML:SimpleState xmi.id='a' name='A'/>
+                </UML:CompositeState.subvertex></UML:CompositeState></UML:StateMachine.top>
+                <UML:StateMachine.transitions><UML:Transition xmi.id='t' source='i' target='a'/>
+                </UML:StateMachine.transitions>
+              </UML:StateMachine></XMI.content>
+            </XMI>
+            """;
+
+    @TempDir
+    private Path directory;
+
+    private Path zip(String... names) throws IOException {
+        Path file = directory.resolve("robot.zargo");
+        try (ZipOutputStream zip = new ZipOutputStream(Files.newOutputStream(file))) {
+            for (String name : names) {
+                zip.putNextEntry(new ZipEntry(name));
+                zip.write(DOCUMENT.getBytes(StandardCharsets.UTF_8));
+            }
+        }
+        return file;
+    }
+
+    @Test
+    void readsTheOnlyDocument() throws IOException {
+        Path project = zip("robot.argo", "robot.xmi", "robot_1.pgml");
+
+        assertThat(XmiFile.read(project).only().initial()).hasToString("A");
+        Files.delete(project);
+    }
+
+    @Test
+    void refusesSeveralAndNone() throws IOException {
+        Path several = zip("a.xmi", "b.xmi");
+        assertThatThrownBy(() -> XmiFile.read(several))
+                .isInstanceOf(ModelException.class)
+                .hasMessageContaining("2 XMI documents in it (a.xmi, b.xmi); unpack it and name one");
+        Path none = zip("project.jude");
+        assertThatThrownBy(() -> XmiFile.read(none))
+                .isInstanceOf(ModelException.class)
+                .hasMessageContaining("is a zip archive");
+    }
+
+    @Test
+    void refusesADamagedArchive() throws IOException {
+        Path damaged = Files.write(directory.resolve("x.zargo"), new byte[] {'P', 'K', 3, 4, 0, 0});
+        assertThatThrownBy(() -> XmiFile.read(damaged))
+                .isInstanceOf(ModelException.class)
+                .hasMessageContaining("x.zargo: is a zip archive");
+    }
+}

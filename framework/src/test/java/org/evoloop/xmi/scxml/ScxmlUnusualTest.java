@@ -1,0 +1,107 @@
+package org.evoloop.xmi.scxml;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.evoloop.xmi.scxml.ScxmlReadingTest.scxml;
+
+import java.util.List;
+import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.State;
+import org.evoloop.statemachine.StateMachine;
+import org.evoloop.xmi.ChartText;
+import org.evoloop.xmi.XmiMachine;
+import org.junit.jupiter.api.Test;
+
+/** What is seldom written, and read all the same; where that loses something it is noted. */
+class ScxmlUnusualTest {
+    private static List<String> notes(String content) {
+        return ChartText.machines(scxml(content)).get(0).notes();
+    }
+
+    private static StateMachine flat(String content) {
+        return ChartText.machines(scxml(content)).get(0).toStateMachine();
+    }
+
+    @Test
+    void ofTwoTransitionsOnOneEventTheFirstCounts() {
+        String content = """
+                <state id='a'>
+                  <transition event='e' target='b'/><transition event='e' target='a'/>
+                  <transition event='f' cond='x' target='a'/><transition event='f' cond='x' target='b'/>
+                  <transition event='f e' target='b'/>
+                </state><state id='b'/>""";
+
+        assertThat(ChartText.of(scxml(content)))
+                .contains("a -> b : e", "a -> a : f [x]", "a -> b : f")
+                .doesNotContain("a -> a : e", "a -> b : f [x]");
+        assertThat(notes(content))
+                .hasSize(2)
+                .allMatch(note -> note.contains("is never taken, since earlier ones always take its events"));
+        assertThat(flat(content).nextState(new State("a"), new Event("e"))).contains(new State("b"));
+    }
+
+    @Test
+    void aFinalStateMayDoSomethingOnExit() {
+        String content = "<state id='s'><state id='a'><transition event='e' target='f'/></state>"
+                + "<final id='f'><onexit><script>bye</script></onexit></final></state>";
+
+        assertThat(ChartText.of(scxml(content))).contains("  state f f exit[bye]");
+        assertThat(flat(content).transitions().get(0).effects()).containsExactly("bye");
+        assertThat(notes(content)).singleElement().asString().contains("onexit of final 'f' is run as soon as");
+    }
+
+    @Test
+    void aGuardOfTheInitialTransitionIsNotAsked() {
+        String content = "<state id='s'><initial><transition cond='x' target='a'/></initial>"
+                + "<state id='a'><transition event='e' target='s'/></state></state>";
+
+        assertThat(ChartText.of(scxml(content))).contains("  #2 -> a : [x]");
+        assertThat(flat(content).initial()).isEqualTo(new State("a"));
+        assertThat(notes(content)).singleElement().asString().contains("the guard [x]", "is not asked");
+    }
+
+    @Test
+    void aHistoryOfAParallelStateIsOneOfAllItsRegions() {
+        String parallel = """
+                <parallel id='p'>
+                  <history id='h' type='%s'><transition target='a2'><script>first</script></transition></history>
+                  <state id='a'><state id='a1'><transition event='x' target='a2'/></state><state id='a2'/></state>
+                  <state id='b'><state id='b1'><transition event='x' target='b2'/></state><state id='b2'/></state>
+                  <transition event='out' target='o'/>
+                </parallel>
+                <state id='o'><transition event='back' target='h'/></state>""";
+
+        StateMachine deep =
+                flat("<state id='s'><transition event='go' target='p'/></state>".concat(parallel.formatted("deep")));
+        assertThat(run(deep, "go", "x", "out", "back")).isEqualTo("(a2, b2)");
+        assertThat(run(deep, "go", "out", "back")).isEqualTo("(a1, b1)");
+
+        StateMachine shallow =
+                flat("<state id='s'><transition event='go' target='p'/></state>".concat(parallel.formatted("shallow")));
+        assertThat(run(shallow, "go", "x", "out", "back")).isEqualTo("(a1, b1)");
+
+        StateMachine never =
+                flat("<state id='s'><transition event='go' target='h'/></state>".concat(parallel.formatted("deep")));
+        assertThat(run(never, "go")).isEqualTo("(a2, b1)");
+        assertThat(never.transition(never.initial(), new Event("go"))
+                        .orElseThrow()
+                        .effects())
+                .containsExactly("first");
+    }
+
+    private static String run(StateMachine machine, String... events) {
+        State at = machine.initial();
+        for (String event : events) {
+            at = machine.nextState(at, new Event(event)).orElseThrow();
+        }
+        return machine.withoutMemory(at).name();
+    }
+
+    @Test
+    void aStateWithoutIdIsCalledByItsLine() {
+        XmiMachine machine = ChartText.machines(scxml("<state/><parallel><state id='b'/></parallel>"))
+                .get(0);
+
+        assertThat(ChartText.of(machine.statechart())).contains("state #1 state of line 2");
+        assertThat(machine.notes()).hasSize(2);
+    }
+}
