@@ -57,7 +57,11 @@ final class CommandSet {
      * @throws Exception whatever the command throws
      */
     void perform(String line, PrintStream out) throws Exception {
-        List<String> words = split(line);
+        perform(split(line), out);
+    }
+
+    /** The same for a line that has been split into its words. */
+    void perform(List<String> words, PrintStream out) throws Exception {
         if (!words.isEmpty()) {
             ConsoleCommand command = require(words.get(0));
             List<String> arguments = words.subList(1, words.size());

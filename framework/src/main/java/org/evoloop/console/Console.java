@@ -3,6 +3,8 @@ package org.evoloop.console;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.PrintStream;
+import java.util.ArrayDeque;
+import java.util.Deque;
 import org.evoloop.converter.SystemEventConverter;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -25,6 +27,7 @@ public final class Console {
     private static final Logger LOG = LoggerFactory.getLogger(Console.class);
 
     private final SystemEventConverter converter;
+    private final Deque<SystemEventConverter> others = new ArrayDeque<>();
     private final InputStream in;
     private final PrintStream out;
     private final PrintStream err;
@@ -43,7 +46,30 @@ public final class Console {
         this.in = in;
         this.out = out;
         this.err = err;
-        ConverterCommands.addTo(commands, converter, () -> ending = true);
+        ConverterCommands.addTo(commands, converter);
+        commands.add(ConsoleCommand.of(
+                "exit",
+                "ends the program; so do Ctrl-C, Ctrl-D and the end of the input",
+                (arguments, ignored) -> ending = true));
+    }
+
+    /**
+     * Puts another converter under this console, before {@link #run}: its commands follow its name, as in {@code door
+     * status}. The console closes it, the one that was added last first.
+     *
+     * @param other built
+     * @throws IllegalArgumentException if there is a command of its name
+     */
+    public void addConverter(SystemEventConverter other) {
+        String name = other.status().name();
+        CommandSet own = new CommandSet();
+        ConverterCommands.addTo(own, other);
+        commands.add(ConsoleCommand.of(
+                        name + " COMMAND [ARGUMENT] [ARGUMENT]",
+                        "controls the converter " + name + ": " + String.join(", ", own.names()),
+                        own::perform)
+                .completing(own::completions));
+        others.push(other);
     }
 
     /** Adds a command, before {@link #run}. @throws IllegalArgumentException if there is one of that name */
@@ -110,6 +136,7 @@ public final class Console {
             }
             return converse(io);
         } finally {
+            others.forEach(SystemEventConverter::close);
             converter.close();
         }
     }

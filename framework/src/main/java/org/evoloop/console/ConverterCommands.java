@@ -19,8 +19,7 @@ final class ConverterCommands {
         this.commands = commands;
     }
 
-    /** @param exit ends the console */
-    static void addTo(CommandSet commands, SystemEventConverter converter, Runnable exit) {
+    static void addTo(CommandSet commands, SystemEventConverter converter) {
         ConverterCommands own = new ConverterCommands(converter, commands);
         commands.add(ConsoleCommand.of(
                 "start", "opens the loop: events are converted from now on", (arguments, out) -> converter.start()));
@@ -45,10 +44,6 @@ final class ConverterCommands {
                 own::history));
         commands.add(ConsoleCommand.of("help [COMMAND]", "lists the commands, or explains one", own::help)
                 .completing(before -> before.isEmpty() ? commands.names() : List.of()));
-        commands.add(ConsoleCommand.of(
-                "exit",
-                "ends the program; so do Ctrl-C, Ctrl-D and the end of the input",
-                (arguments, out) -> exit.run()));
     }
 
     private void status(List<String> arguments, PrintStream out) {

@@ -56,6 +56,7 @@ class ExchangeUnderWayTest {
             assertThat(failed.outcome()).isEqualTo(Outcome.FAILED);
             assertThat(failed.detail()).isEqualTo("Device.execute: was interrupted: it did not return within 50 ms");
             assertThat(failed.after()).isEqualTo(at("On", "SpotWait"));
+            assertThat(robot.awaitHistory(5).occurrence().label()).isEqualTo("in doubt");
 
             robot.press("Clean");
             assertThat(take(robot.sent)).isEqualTo("Spare:Spot");
@@ -71,6 +72,7 @@ class ExchangeUnderWayTest {
         })) {
             robot.converter.exchange("Device", robot.device("Spare"));
             robot.awaitSpotWait();
+            robot.awaitHistory(5);
             robot.clock.advance(Duration.ofMillis(4999));
             robot.press("Spot");
             assertThat(robot.states()).isEqualTo(at("On", "SpotWait"));
@@ -86,6 +88,7 @@ class ExchangeUnderWayTest {
             awaitDeaf(atLast);
         })) {
             robot.converter.exchange("Device", robot.device("Spare"));
+            robot.awaitHistory(5);
             robot.press("Clean");
             assertThat(take(robot.sent)).isEqualTo("Spare:Spot");
 
