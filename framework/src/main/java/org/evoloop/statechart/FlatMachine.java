@@ -88,6 +88,9 @@ final class FlatMachine {
                 builder.transition(transition(flat, move), "");
             }
         }
+        for (Node node : net.nodes()) {
+            node.outgoing.forEach(link -> link.arc.spontaneous().forEach(builder::spontaneous));
+        }
         net.chart().events().stream().filter(event -> !event.isBlank()).forEach(builder::event);
         return builder.build();
     }
