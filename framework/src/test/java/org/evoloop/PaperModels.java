@@ -16,6 +16,7 @@ public final class PaperModels {
                         .transition("On", "Spot", "Spot")
                         .transition("Clean", "Clean", "On")
                         .transition("Spot", "endSpot", "On")
+                        .spontaneous("endSpot")
                         .build(),
                 StateMachine.named("new")
                         .initial("Off")

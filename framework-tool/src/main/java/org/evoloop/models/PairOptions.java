@@ -42,15 +42,17 @@ final class PairOptions {
             paramLabel = "EVENT",
             description =
                     "Events that can be sent to the device, with commas between; unless told otherwise all events of"
-                            + " the original model but time triggers.")
+                            + " the original model but time triggers and those that the device takes of its own accord.")
     private List<String> sendable = List.of();
 
     @Option(
-            names = "--device-only",
+            names = {"--spontaneous", "--device-only"},
             split = ",",
             paramLabel = "EVENT",
-            description = "Events that only the device raises, such as that it has finished: they cannot be sent.")
-    private List<String> deviceOnly = List.of();
+            description =
+                    "Events that the device takes of its own accord, such as that it has finished, or those of its"
+                            + " buttons; they cannot be sent unless --sendable names them too.")
+    private List<String> spontaneous = List.of();
 
     @Option(
             names = "--cost",
@@ -88,16 +90,18 @@ final class PairOptions {
     /** What passes between converter and device. @throws IllegalArgumentException for a name that the model lacks */
     DeviceEvents device(StateMachine device) {
         Set<Event> known = device.triggers();
+        Set<Event> own = new LinkedHashSet<>(events("--spontaneous", spontaneous, known));
         Set<Event> sent = new LinkedHashSet<>(events("--sendable", sendable, known));
         if (sendable.isEmpty()) {
             known.stream().filter(event -> event.timeTrigger().isEmpty()).forEach(sent::add);
+            sent.removeAll(own);
+            sent.removeAll(device.spontaneous());
         }
-        sent.removeAll(events("--device-only", deviceOnly, known));
         Map<Event, Integer> eventCosts = new LinkedHashMap<>();
         costs.forEach((name, cost) -> eventCosts.put(event("--cost", name, known), cost));
         Set<State> notPassed =
                 doNotPass.stream().map(name -> state(name, device)).collect(Collectors.toSet());
-        return new DeviceEvents(sent, Set.of())
+        return new DeviceEvents(sent, own)
                 .withCosts(eventCosts)
                 .withDoNotPass(notPassed)
                 .withBoundGuards(device.guards());

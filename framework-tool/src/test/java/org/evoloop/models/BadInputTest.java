@@ -50,7 +50,7 @@ class BadInputTest {
     @Test
     void eventsAndStatesThatTheDeviceDoesNotHaveAreNamed() {
         assertRefused(Tool.run("plan", ORIGINAL, NEW, "--sendable", "Clean,Dock"), "--sendable", "Dock", "endSpot");
-        assertRefused(Tool.run("plan", ORIGINAL, NEW, "--device-only", "timeout"), "--device-only", "timeout");
+        assertRefused(Tool.run("plan", ORIGINAL, NEW, "--spontaneous", "timeout"), "--spontaneous", "timeout");
         assertRefused(Tool.run("plan", ORIGINAL, NEW, "--do-not-pass", "Move"), "--do-not-pass", "Move", "Spot");
         assertRefused(Tool.run("plan", ORIGINAL, NEW, "--cost", "Clean=0"), "cost", "Clean");
         assertRefused(Tool.run("plan", ORIGINAL, NEW, "--cost", "Clean=much"), "--cost", "much");

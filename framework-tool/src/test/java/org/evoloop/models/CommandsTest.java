@@ -93,8 +93,8 @@ class CommandsTest {
 
     @Test
     void planTellsHowEachTransitionComesAbout() {
-        assertThat(good("plan", ORIGINAL, NEW, "--device-only", "endSpot").lines())
-                .contains("assumed: the converter can send Clean, Spot; all else the device does by itself")
+        assertThat(good("plan", ORIGINAL, NEW, "--spontaneous", "endSpot").lines())
+                .contains("assumed: the converter can send Clean, Spot; the device takes endSpot of its own accord")
                 .contains("(Off, Off)  Off --Clean--> On:  same event Clean")
                 .contains("(On, On)  On --Spot--> Move:  new function Move")
                 .contains("(Spot, Spot)  Spot --endSpot--> On:  the device has done it")
@@ -106,7 +106,7 @@ class CommandsTest {
     @Test
     void planObeysWhatMustNotBePassed() {
         JsonNode plan =
-                json("plan", ORIGINAL, NEW, "--device-only", "endSpot", "--do-not-pass", "On", "--format", "json");
+                json("plan", ORIGINAL, NEW, "--spontaneous", "endSpot", "--do-not-pass", "On", "--format", "json");
 
         JsonNode impossible = row(plan, "SpotWait", "Clean");
         assertThat(impossible.get("kind").asString()).isEqualTo("impossible");
@@ -137,7 +137,7 @@ class CommandsTest {
 
     @Test
     void checkFindsNothingInThePapersPairAndEverythingInItsReverse() {
-        assertThat(good("check", ORIGINAL, NEW, "--device-only", "endSpot")).isEqualTo("nothing found\n");
+        assertThat(good("check", ORIGINAL, NEW, "--spontaneous", "endSpot")).isEqualTo("nothing found\n");
 
         Tool broken = Tool.run("check", NEW, ORIGINAL, "--format", "json");
         assertThat(broken.status()).isEqualTo(1);
@@ -148,6 +148,29 @@ class CommandsTest {
         assertThat(finding.get("element").asString()).isEqualTo("arriveSpot");
         assertThat(finding.get("place").asString()).matches(".*cleaning-robot\\.xml, line \\d+, id .*");
         assertThat(finding.get("mend").asString()).isNotEmpty();
+    }
+
+    @Test
+    void checkTellsOnceOfAnEventThatNobodySendsOrDeclares() {
+        Tool undeclared = Tool.run("check", ORIGINAL, NEW, "--sendable", "Clean,Spot");
+        assertThat(undeclared.status()).isEqualTo(1);
+        assertThat(undeclared.out())
+                .contains("error", "unsendable-event: event endSpot of the original model")
+                .doesNotContain("no-path", "degradation");
+        assertThat(good("check", ORIGINAL, NEW, "--sendable", "Clean,Spot", "--spontaneous", "endSpot"))
+                .isEqualTo("nothing found\n");
+
+        String plan = good("plan", ORIGINAL, NEW, "--sendable", "Clean,Spot");
+        assertThat(plan)
+                .contains(
+                        "(Spot, Spot)  Spot --endSpot--> On:  IMPOSSIBLE: event endSpot is the device's, but can neither");
+    }
+
+    @Test
+    void checkSeesWhatButtonsOfTheDevicesOwnCanDo() {
+        assertThat(Tool.run("check", ORIGINAL, NEW, "--sendable", "Clean,Spot", "--spontaneous", "Clean,Spot,endSpot")
+                        .out())
+                .contains("hazard");
     }
 
     @Test

@@ -117,8 +117,13 @@ final class Assembly {
                 requireOriginal(pair, monitor.name() + " names as the device's own", events, problems);
             }
         }
-        DecisionTable table = DecisionTable.compile(
-                pair, knowledge.bindings().refine(new DeviceEvents(senders.keySet(), spontaneous)));
+        DeviceEvents device = new DeviceEvents(senders.keySet(), spontaneous);
+        for (Event event : device.unsendable(pair.original())) {
+            problems.add(
+                    "event " + event + " of the original model can be sent by no execute component and is not declared"
+                            + " to be the device's own; name it in sendableEvents, or in spontaneousEvents of a monitor");
+        }
+        DecisionTable table = DecisionTable.compile(pair, knowledge.bindings().refine(device));
         for (Decision.Impossible impossible : table.problems()) {
             problems.add("no plan in " + impossible.before() + ": " + impossible.reason());
         }

@@ -72,8 +72,9 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
     }
 
     /**
-     * Events that can be sent to the device but that it may take by itself as well, such as those of its own buttons.
-     * Events that cannot be sent need not be named: they are always the device's own.
+     * Events that the device takes by itself: those that it alone can take, such as that it has finished, and those that
+     * can be sent too, such as those of its own buttons. Time triggers of the original model, and what that itself
+     * declares, need not be named.
      */
     protected Set<String> spontaneousEvents() {
         return Set.of();

@@ -48,8 +48,8 @@ public final class DecisionTable {
 
     private DecisionTable(ModelPair pair, DeviceEvents device) {
         this.pair = pair;
-        this.device = device;
-        this.conversion = new EventConversion(pair, device);
+        this.device = device.declaredBy(pair.original());
+        this.conversion = new EventConversion(pair, this.device);
         this.originalGuards = new GuardedTriggers(pair.original());
         this.evolvedGuards = new GuardedTriggers(pair.evolved());
         pair.evolved().events().forEach(this::giveNumber);
@@ -73,7 +73,7 @@ public final class DecisionTable {
         table.explore(new ArrayDeque<>(List.of(pair.initial())), false, table.problems);
         Queue<Configuration> interfered = new ArrayDeque<>();
         for (Configuration at : table.configurations()) {
-            follow(table.interference(at), table.hazards, interfered);
+            table.follow(table.interference(at), table.hazards, interfered);
         }
         table.explore(interfered, true, table.hazards);
         table.asked.link(decision -> table.situation(decision.after()));
@@ -93,10 +93,13 @@ public final class DecisionTable {
         }
     }
 
-    private static void follow(List<Turn> turns, Set<Decision.Impossible> impossible, Queue<Configuration> frontier) {
+    private void follow(List<Turn> turns, Set<Decision.Impossible> impossible, Queue<Configuration> frontier) {
         for (Turn turn : turns) {
             if (turn.decision() instanceof Decision.Impossible found) {
-                impossible.add(found);
+                // An event that cannot come is one problem of its own, not one in each configuration.
+                if (!conversion.isUnsendable(turn.event().trigger())) {
+                    impossible.add(found);
+                }
             } else {
                 frontier.add(turn.decision().after());
             }
@@ -116,7 +119,7 @@ public final class DecisionTable {
             }
         }
         for (Transition transition : pair.original().transitionsFrom(at.original())) {
-            if (conversion.isDevicesOwn(transition.event().trigger()) && isUnheard(at, transition)) {
+            if (device.isOwn(transition.event().trigger()) && isUnheard(at, transition)) {
                 turns.add(turn(at, situation, transition.event(), false));
             }
         }
@@ -126,7 +129,7 @@ public final class DecisionTable {
     /** What can happen in {@code at} when the device does by itself what it could have been asked for. */
     public List<Turn> interference(Configuration at) {
         List<Turn> turns = new ArrayList<>();
-        if (device.spontaneous().isEmpty()) {
+        if (device.spontaneous().stream().noneMatch(device.sendable()::contains)) {
             return turns;
         }
         int situation = situation(at);
@@ -146,7 +149,8 @@ public final class DecisionTable {
     }
 
     private boolean isSpontaneous(Transition transition) {
-        return device.spontaneous().contains(transition.event().trigger());
+        Event trigger = transition.event().trigger();
+        return device.spontaneous().contains(trigger) && device.sendable().contains(trigger);
     }
 
     /** Whether the device may take {@code transition} with the new model not accepting its event. */
@@ -294,7 +298,7 @@ public final class DecisionTable {
 
     /** Whether only the device itself can take {@code trigger}. */
     public boolean isDevicesOwn(Event trigger) {
-        return conversion.isDevicesOwn(trigger);
+        return device.isOwn(trigger);
     }
 
     /**
@@ -393,6 +397,11 @@ public final class DecisionTable {
         }
         drawn.retainAll(missing);
         return drawn;
+    }
+
+    /** What passes between converter and device, with what the original model declares. */
+    public DeviceEvents device() {
+        return device;
     }
 
     /** Decisions that lead to a state of the device to which no plan leads; an evolution must have none. */

@@ -1,9 +1,11 @@
 package org.evoloop.evolution;
 
+import java.util.LinkedHashSet;
 import java.util.Map;
 import java.util.Set;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
+import org.evoloop.statemachine.StateMachine;
 
 /**
  * What passes between converter and device, and which ways through the device's states a plan may take.
@@ -11,8 +13,8 @@ import org.evoloop.statemachine.State;
  * <p>Threading: immutable.
  *
  * @param sendable events, without guards, that the converter can send; only these make up a plan
- * @param spontaneous events, without guards, that the device may take by itself although they can be sent too, such as
- *     those of its own buttons. Events of the original model that cannot be sent are always the device's own
+ * @param spontaneous events, without guards, that the device takes by itself: always, such as that it has finished, or
+ *     although they can be sent too, such as those of its own buttons
  * @param costs what sending an event costs, from 1 to {@value #MAX_COST}; 1 for those that are not named
  * @param doNotPass states of the device in which a way may begin and end, but through which none may lead
  * @param boundGuards texts of the guards that can be asked; a way never leads over a transition whose guard cannot
@@ -44,6 +46,31 @@ public record DeviceEvents(
     /** Every event costs the same, every state may be passed, and no guard is bound. */
     public DeviceEvents(Set<Event> sendable, Set<Event> spontaneous) {
         this(sendable, spontaneous, Map.of(), Set.of(), Set.of());
+    }
+
+    /** The same with what {@code original} itself declares to be the device's own, its time triggers among that. */
+    public DeviceEvents declaredBy(StateMachine original) {
+        Set<Event> all = new LinkedHashSet<>(spontaneous);
+        all.addAll(original.spontaneous());
+        for (Event trigger : original.triggers()) {
+            if (!sendable.contains(trigger) && trigger.timeTrigger().isPresent()) {
+                all.add(trigger);
+            }
+        }
+        return new DeviceEvents(sendable, all, costs, doNotPass, boundGuards);
+    }
+
+    /** Whether only the device itself can take {@code trigger}. */
+    public boolean isOwn(Event trigger) {
+        return spontaneous.contains(trigger) && !sendable.contains(trigger);
+    }
+
+    /** The events of {@code original} that nobody sends and that are not declared to be the device's own either. */
+    public Set<Event> unsendable(StateMachine original) {
+        Set<Event> left = new LinkedHashSet<>(original.triggers());
+        left.removeAll(sendable);
+        left.removeAll(declaredBy(original).spontaneous());
+        return left;
     }
 
     /** The same with other costs. */

@@ -17,7 +17,7 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>Where the paper leaves a question open: the original model moves along the events that are really sent (line 9
  * moves it by the incoming event, which it may not know); an occurrence that the device has already acted on moves it
- * first; and an event of the original model that nobody can send can only be one that the device took itself. An event
+ * first; and an event that is declared to be the device's own and cannot be sent is one that the device took itself. An event
  * that comes under a guard is the original's event of the same guard, else the original's event without one.
  *
  * <p>Threading: not thread-safe; its path planner remembers what it has searched.
@@ -26,22 +26,21 @@ final class EventConversion {
     private final ModelPair pair;
     private final DeviceEvents device;
     private final PathPlanner planner;
-    private final Set<Event> devicesOwn;
+    private final Set<Event> unsendable;
     private final Set<State> newStates;
 
     EventConversion(ModelPair pair, DeviceEvents device) {
         this.pair = pair;
         this.device = device;
         this.planner = new PathPlanner(pair.original(), device);
-        this.devicesOwn = new HashSet<>(pair.original().triggers());
-        devicesOwn.removeAll(device.sendable());
+        this.unsendable = device.unsendable(pair.original());
         this.newStates = new HashSet<>(pair.evolved().states());
         newStates.removeIf(state -> !pair.isNew(state));
     }
 
-    /** Whether only the device itself can take {@code trigger}. */
-    boolean isDevicesOwn(Event trigger) {
-        return devicesOwn.contains(trigger);
+    /** Whether {@code trigger} is an event of the device that nobody sends and that is not declared to be its own. */
+    boolean isUnsendable(Event trigger) {
+        return unsendable.contains(trigger);
     }
 
     /** What {@code event} means in {@code before}. */
@@ -66,13 +65,22 @@ final class EventConversion {
             boolean deviceActed,
             @Nullable Transition transition,
             @Nullable Transition same) {
-        boolean taken = deviceActed || isDevicesOwn(event.trigger());
+        boolean taken = deviceActed || device.isOwn(event.trigger());
         Transition own = taken ? same : null;
         List<Step> steps = own == null ? List.of() : List.of(new Step(own, true, false));
         State original = own == null ? before.original() : own.target();
 
         if (transition == null) {
             return new Decision.NotAcceptable(before, before.withOriginal(original), steps);
+        }
+        if (!taken && isUnsendable(event.trigger())) {
+            return new Decision.Impossible(
+                    before,
+                    before,
+                    List.of(),
+                    transition,
+                    "event " + event.trigger()
+                            + " is the device's, but can neither be sent nor is it declared to be the device's own");
         }
         State target = transition.target();
         if (newStates.contains(target)) {

@@ -13,6 +13,7 @@ import java.util.List;
  *     between pseudostates
  * @param guard text of the condition; empty for none, {@code else} for the branch that remains
  * @param effects behaviors on taking it, in order
+ * @param spontaneous those of the triggers that are drawn as the device's own, see {@link Spontaneous}
  */
 public record Arc(
         Place place,
@@ -21,10 +22,24 @@ public record Arc(
         List<String> triggers,
         String guard,
         List<String> effects,
-        Kind kind) {
+        Kind kind,
+        List<String> spontaneous) {
     public Arc {
         triggers = List.copyOf(triggers);
         effects = List.copyOf(effects);
+        spontaneous = List.copyOf(spontaneous);
+    }
+
+    /** @param drawn the triggers, those that are the device's own with the keyword {@link Spontaneous} before them */
+    public Arc(
+            Place place,
+            String source,
+            String target,
+            List<String> drawn,
+            String guard,
+            List<String> effects,
+            Kind kind) {
+        this(place, source, target, Spontaneous.unmarked(drawn), guard, effects, kind, Spontaneous.marked(drawn));
     }
 
     /** What a transition does with its source. */

@@ -98,6 +98,9 @@ final class FlatMachine {
                 }
             }
         }
+        for (Node node : net.nodes()) {
+            node.outgoing.forEach(link -> link.arc.spontaneous().forEach(builder::spontaneous));
+        }
         net.chart().events().stream().filter(event -> !event.isBlank()).forEach(builder::event);
         return builder.build();
     }

@@ -15,6 +15,6 @@ import java.util.List;
 public record Statechart(String name, Place place, List<Region> regions, List<String> events) {
     public Statechart {
         regions = List.copyOf(regions);
-        events = List.copyOf(events);
+        events = Spontaneous.unmarked(events);
     }
 }

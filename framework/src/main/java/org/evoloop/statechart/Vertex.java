@@ -44,7 +44,7 @@ public sealed interface Vertex {
             exit = List.copyOf(exit);
             doActivities = List.copyOf(doActivities);
             internal = List.copyOf(internal);
-            deferred = List.copyOf(deferred);
+            deferred = Spontaneous.unmarked(deferred);
             regions = List.copyOf(regions);
             connections = List.copyOf(connections);
         }

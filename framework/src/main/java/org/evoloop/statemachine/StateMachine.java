@@ -25,6 +25,7 @@ public final class StateMachine {
     private final State initial;
     private final Set<State> states;
     private final Set<Event> events;
+    private final Set<Event> spontaneous;
     private final Map<State, List<Transition>> outgoing;
     private final Map<State, Map<Event, Transition>> byEvent;
     private final List<String> initialEffects;
@@ -38,6 +39,7 @@ public final class StateMachine {
             State initial,
             Set<State> states,
             Set<Event> events,
+            Set<Event> spontaneous,
             Map<State, Map<Event, Transition>> outgoing,
             List<String> initialEffects,
             Map<State, StateTraits> traits) {
@@ -45,6 +47,7 @@ public final class StateMachine {
         this.initial = initial;
         this.states = Collections.unmodifiableSet(new LinkedHashSet<>(states));
         this.events = Collections.unmodifiableSet(new LinkedHashSet<>(events));
+        this.spontaneous = Collections.unmodifiableSet(new LinkedHashSet<>(spontaneous));
         this.outgoing = new LinkedHashMap<>();
         this.byEvent = new HashMap<>();
         for (Map.Entry<State, Map<Event, Transition>> row : outgoing.entrySet()) {
@@ -61,6 +64,7 @@ public final class StateMachine {
         this.initial = same.initial;
         this.states = same.states;
         this.events = same.events;
+        this.spontaneous = same.spontaneous;
         this.outgoing = same.outgoing;
         this.byEvent = same.byEvent;
         this.initialEffects = same.initialEffects;
@@ -179,6 +183,11 @@ public final class StateMachine {
             triggers.add(event.trigger());
         }
         return Collections.unmodifiableSet(triggers);
+    }
+
+    /** Those of the {@link #triggers()} that the model itself declares to be the device's own. */
+    public Set<Event> spontaneous() {
+        return spontaneous;
     }
 
     /** The texts of all guards. */

@@ -24,6 +24,7 @@ public final class StateMachineBuilder {
     private final IdentityHashMap<Transition, String> places = new IdentityHashMap<>();
 
     private final List<String> problems = new ArrayList<>();
+    private final Set<Event> spontaneous = new LinkedHashSet<>();
     private final List<String> initialEffects = new ArrayList<>();
     private final Map<State, StateTraits> traits = new LinkedHashMap<>();
     private @Nullable State initial;
@@ -90,6 +91,12 @@ public final class StateMachineBuilder {
     public StateMachineBuilder event(String event) {
         addEvent(new Event(event), "");
         return this;
+    }
+
+    /** Adds an event that the device takes of its own accord. */
+    public StateMachineBuilder spontaneous(String event) {
+        spontaneous.add(new Event(event));
+        return event(event);
     }
 
     /** Adds a transition, and its states and event with it. */
@@ -167,6 +174,6 @@ public final class StateMachineBuilder {
         if (start == null || !problems.isEmpty()) {
             throw new ModelException("state machine '" + name + "': " + String.join("; ", problems));
         }
-        return new StateMachine(name, start, states, events, outgoing, initialEffects, traits);
+        return new StateMachine(name, start, states, events, spontaneous, outgoing, initialEffects, traits);
     }
 }

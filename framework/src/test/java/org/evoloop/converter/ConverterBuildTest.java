@@ -159,10 +159,11 @@ class ConverterBuildTest {
                                 "  Device can send Max, which is not an event of the original model 'original'",
                                 "  Panel names as the device's own Dock, which is not an event of the original model "
                                         + "'original'",
+                                "  event Spot of the original model can be sent by no execute component and is not declared "
+                                        + "to be the device's own; name it in sendableEvents, or in spontaneousEvents of "
+                                        + "a monitor",
                                 "  no plan in (Clean, SpotWait): event Clean leads to Spot, but with the device in "
-                                        + "Clean no events that can be sent take it there (sendable: Clean, Max)",
-                                "  no plan in (On, Move): event arriveSpot leads to Spot, but with the device in On "
-                                        + "no events that can be sent take it there (sendable: Clean, Max)"));
+                                        + "Clean no events that can be sent take it there (sendable: Clean, Max)"));
     }
 
     @Test

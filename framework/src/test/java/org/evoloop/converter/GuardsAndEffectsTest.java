@@ -27,7 +27,13 @@ class GuardsAndEffectsTest {
     private final ManualClock clock = new ManualClock();
     private final Set<String> holding = new HashSet<>();
     private final List<String> log = new ArrayList<>();
-    private final PushMonitor panel = new PushMonitor("Panel") {};
+    private final Set<String> spontaneous = new HashSet<>();
+    private final PushMonitor panel = new PushMonitor("Panel") {
+        @Override
+        protected Set<String> spontaneousEvents() {
+            return spontaneous;
+        }
+    };
     private final SystemEventConverter converter =
             new SystemEventConverter(LoopConfig.defaults("lamp", clock).withoutThreads());
     private boolean cableIsOut;
@@ -256,6 +262,7 @@ class GuardsAndEffectsTest {
                 "Wait press -> Off",
                 "On own [hot] -> Off",
                 "On own -> Off");
+        spontaneous.add("own");
         run(original, evolved, knowledge -> {
             bind(knowledge, "hot");
             knowledge.function("Wait", NewFunction.none());

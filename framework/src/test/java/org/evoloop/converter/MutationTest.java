@@ -168,7 +168,12 @@ class MutationTest {
     private static final class Walk implements AutoCloseable {
         private final ModelPair pair;
         private final Random random;
-        private final PushMonitor panel = new PushMonitor("Panel") {};
+        private final PushMonitor panel = new PushMonitor("Panel") {
+            @Override
+            protected Set<String> spontaneousEvents() {
+                return Set.of("endSpot");
+            }
+        };
         private final SystemEventConverter converter = new SystemEventConverter(
                 LoopConfig.defaults("robot", new ManualClock()).withoutThreads());
         private final List<String> raised;

@@ -60,7 +60,7 @@ final class Robot implements AutoCloseable {
 
         @Override
         protected Set<String> spontaneousEvents() {
-            return Set.of("Clean", "Spot");
+            return Set.of("Clean", "Spot", "endSpot");
         }
     }
 

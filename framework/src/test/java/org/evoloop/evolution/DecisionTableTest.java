@@ -89,7 +89,22 @@ class DecisionTableTest {
     }
 
     @Test
-    void takesAnEventThatNobodyCanSendForTheDevicesOwn() {
+    void whatCanNeitherBeSentNorIsDeclaredToBeTheDevicesOwnFails() {
+        DecisionTable deaf = DecisionTable.compile(
+                PaperModels.cleaningRobot(), new DeviceEvents(Set.of(new Event("Clean")), Set.of()));
+        Decision decision = decide(deaf, at("On", "On"), "Spot", false);
+        assertThat(decision).isInstanceOfSatisfying(Decision.Impossible.class, impossible -> {
+            assertThat(impossible.after()).isEqualTo(at("On", "On"));
+            assertThat(impossible.reason())
+                    .isEqualTo(
+                            "event Spot is the device's, but can neither be sent nor is it declared to be the device's "
+                                    + "own");
+        });
+        assertThat(deaf.problems()).noneMatch(problem -> problem.reason().startsWith("event Spot is the device's"));
+    }
+
+    @Test
+    void takesAnEventThatIsDeclaredToBeTheDevicesOwnForOne() {
         Decision decision = decide(robot, at("Spot", "Spot"), "endSpot", false);
 
         assertThat(steps(decision)).containsExactly("Spot --endSpot--> On (by the device)");
@@ -151,7 +166,7 @@ class DecisionTableTest {
     @Test
     void findsDecisionsThatNoPlanCanCarryOut() {
         DecisionTable deaf = DecisionTable.compile(
-                PaperModels.cleaningRobot(), new DeviceEvents(Set.of(new Event("Clean")), Set.of()));
+                PaperModels.cleaningRobot(), new DeviceEvents(Set.of(new Event("Clean")), Set.of(new Event("Spot"))));
 
         assertThat(deaf.problems())
                 .extracting(Decision.Impossible::reason)

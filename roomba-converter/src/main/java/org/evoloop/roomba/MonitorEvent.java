@@ -54,6 +54,6 @@ final class MonitorEvent extends PushMonitor implements SessionListener {
 
     @Override
     protected Set<String> spontaneousEvents() {
-        return Set.of(RobotEvents.CLEAN, RobotEvents.SPOT);
+        return Set.of(RobotEvents.CLEAN, RobotEvents.SPOT, RobotEvents.END_SPOT);
     }
 }

@@ -32,8 +32,9 @@ final class EvoloopWalker extends Walker {
                 .toList();
         StateMachine original = machine(walk, own);
         Set<Event> sendable = new HashSet<>(original.events());
-        sendable.remove(new Event("endSpot"));
-        return DecisionTable.compile(new ModelPair(original, evolved), new DeviceEvents(sendable, Set.of()));
+        Event ended = new Event("endSpot");
+        sendable.remove(ended);
+        return DecisionTable.compile(new ModelPair(original, evolved), new DeviceEvents(sendable, Set.of(ended)));
     }
 
     private static StateMachine machine(Walk walk, List<Walk.Move> moves) {

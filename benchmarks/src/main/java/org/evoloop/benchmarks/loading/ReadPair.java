@@ -40,7 +40,8 @@ public final class ReadPair {
 
     private static DecisionTable compile(ModelPair pair) {
         Set<Event> sendable = new HashSet<>(pair.original().events());
-        sendable.remove(new Event("endSpot"));
-        return DecisionTable.compile(pair, new DeviceEvents(sendable, Set.of()));
+        Event own = new Event("endSpot");
+        sendable.remove(own);
+        return DecisionTable.compile(pair, new DeviceEvents(sendable, Set.of(own)));
     }
 }

@@ -80,6 +80,11 @@ final class CleaningRobot implements AutoCloseable {
         private int position;
 
         @Override
+        protected Set<String> spontaneousEvents() {
+            return Set.of("endSpot");
+        }
+
+        @Override
         protected Occurrence getEvent() throws InterruptedException {
             if (threads) {
                 wanted.await();

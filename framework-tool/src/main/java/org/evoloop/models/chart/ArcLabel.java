@@ -1,7 +1,9 @@
 package org.evoloop.models.chart;
 
 import java.util.List;
+import java.util.stream.Collectors;
 import org.evoloop.statechart.Arc;
+import org.evoloop.statechart.Spontaneous;
 
 /** The text at a transition, as UML writes it. */
 public final class ArcLabel {
@@ -9,7 +11,10 @@ public final class ArcLabel {
 
     /** {@code trigger, trigger [guard] / effect; effect {local}}, without what is not there. */
     public static String of(Arc arc) {
-        String label = of(String.join(", ", arc.triggers()), arc.guard(), arc.effects());
+        String triggers = arc.triggers().stream()
+                .map(trigger -> arc.spontaneous().contains(trigger) ? Spontaneous.mark(trigger) : trigger)
+                .collect(Collectors.joining(", "));
+        String label = of(triggers, arc.guard(), arc.effects());
         return arc.kind() == Arc.Kind.LOCAL ? (label + " {local}").strip() : label;
     }
 

@@ -99,7 +99,7 @@ public record EvolutionPlan(ModelPair pair, DeviceEvents device, List<Line> line
         List<Transition> unreached = pair.evolved().transitions().stream()
                 .filter(transition -> !taken.contains(transition))
                 .toList();
-        return new EvolutionPlan(pair, device, lines, unreached);
+        return new EvolutionPlan(pair, table.device(), lines, unreached);
     }
 
     private static Line line(Configuration at, Transition transition, Decision decision, StateMachine original) {

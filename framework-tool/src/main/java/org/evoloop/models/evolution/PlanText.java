@@ -2,6 +2,7 @@ package org.evoloop.models.evolution;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import java.util.stream.Collectors;
 import org.evoloop.models.evolution.EvolutionPlan.Line;
 import org.evoloop.statemachine.Event;
@@ -13,7 +14,8 @@ public final class PlanText {
     public static String write(EvolutionPlan plan) {
         List<String> lines = new ArrayList<>();
         lines.add("plan from " + plan.pair().original() + " to " + plan.pair().evolved());
-        lines.add("assumed: the converter can send " + names(plan) + "; all else the device does by itself");
+        lines.add("assumed: the converter can send " + names(plan.device().sendable()) + "; the device takes "
+                + names(plan.device().spontaneous()) + " of its own accord");
         if (!plan.device().doNotPass().isEmpty()) {
             lines.add("not to be passed: "
                     + plan.device().doNotPass().stream()
@@ -31,9 +33,8 @@ public final class PlanText {
         return String.join("\n", lines) + "\n";
     }
 
-    private static String names(EvolutionPlan plan) {
-        String names =
-                plan.device().sendable().stream().sorted().map(Event::name).collect(Collectors.joining(", "));
+    private static String names(Set<Event> events) {
+        String names = events.stream().sorted().map(Event::name).collect(Collectors.joining(", "));
         return names.isEmpty() ? "nothing" : names;
     }
 

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import org.evoloop.statechart.Spontaneous;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
@@ -96,7 +97,7 @@ public final class AstahWriter {
                 // Nothing can stand between the parts of what leads nowhere.
                 String guard = String.join(" and ", transition.event().guards());
                 String id = id(state);
-                xml.transition("t" + number, id, id, transition.event().name(), guard, transition.effects());
+                xml.transition("t" + number, id, id, trigger(transition), guard, transition.effects());
                 xml.close(1);
             }
         }
@@ -119,10 +120,15 @@ public final class AstahWriter {
                     "t" + number + "-" + segment,
                     segment == 0 ? id(transition.source()) : junction(number, segment),
                     segment == last ? id(transition.target()) : junction(number, segment + 1),
-                    segment == 0 ? transition.event().name() : "",
+                    segment == 0 ? trigger(transition) : "",
                     guards.isEmpty() ? "" : guards.get(segment),
                     segment == last ? transition.effects() : List.of());
         }
+    }
+
+    private String trigger(Transition transition) {
+        Event trigger = transition.event().trigger();
+        return machine.spontaneous().contains(trigger) ? Spontaneous.mark(trigger.name()) : trigger.name();
     }
 
     private static String junction(int number, int guard) {

@@ -7,12 +7,14 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.lang.model.SourceVersion;
 import org.evoloop.evolution.DecisionTable;
 import org.evoloop.evolution.DeviceEvents;
 import org.evoloop.evolution.ModelPair;
+import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.evoloop.xmi.ModelReference;
 
@@ -108,7 +110,8 @@ public final class Scaffold {
         values.put("framework", framework.version());
         values.put("original", pair.original().name());
         values.put("evolved", pair.evolved().name());
-        values.put("sendable", sendable());
+        values.put("sendable", names(request.device().sendable()));
+        values.put("spontaneous", names(request.device().spontaneous()));
         models();
         wrapper();
         Path main = request.directory().resolve("src/main");
@@ -139,8 +142,8 @@ public final class Scaffold {
         Files.writeString(file, text);
     }
 
-    private String sendable() {
-        return request.device().sendable().stream()
+    private static String names(Set<Event> events) {
+        return events.stream()
                 .sorted()
                 .map(event -> JavaText.literal(event.name()))
                 .collect(Collectors.joining(", "));

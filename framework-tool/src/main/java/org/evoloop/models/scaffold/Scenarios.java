@@ -28,7 +28,6 @@ import org.evoloop.statemachine.Transition;
 /** A scenario for each transition of the new model that a test can have taken. */
 final class Scenarios {
     private final ModelPair pair;
-    private final DeviceEvents device;
     private final DecisionTable table;
     private final PairGraph graph;
     private final GuardedTriggers originalGuards;
@@ -36,7 +35,6 @@ final class Scenarios {
 
     Scenarios(ModelPair pair, DeviceEvents device) {
         this.pair = pair;
-        this.device = device;
         this.table = DecisionTable.compile(pair, device);
         this.graph = new PairGraph(pair.initial(), table);
         this.originalGuards = new GuardedTriggers(pair.original());
@@ -72,8 +70,7 @@ final class Scenarios {
     }
 
     private boolean isDevicesOwn(Event trigger) {
-        return pair.original().triggers().contains(trigger)
-                && !device.sendable().contains(trigger);
+        return table.device().isOwn(trigger);
     }
 
     /** Whether the event can come there, and the guards that must hold for it lead to nothing else. */

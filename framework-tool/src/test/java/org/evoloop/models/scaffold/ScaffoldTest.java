@@ -117,7 +117,7 @@ class ScaffoldTest {
 
     @Test
     void theCleaningRobotsProjectPassesATestForEachTransition() throws Exception {
-        Path project = scaffold(Tool.ROBOT + "#original", Tool.ROBOT + "#new", "--device-only", "endSpot");
+        Path project = scaffold(Tool.ROBOT + "#original", Tool.ROBOT + "#new", "--spontaneous", "endSpot");
 
         assertAllPassed(test(project), 8);
         assertThat(project.resolve("src/main/java/com/example/made/SpotWaitFunction.java"))
@@ -153,7 +153,7 @@ class ScaffoldTest {
         system.transition("*/ evil {@code x}", "1st", "two words").transition("new", "go", "Two Words!");
 
         Path project = scaffold(
-                model("original.xml", device.build()), model("new.xml", system.build()), "--device-only", "終わり");
+                model("original.xml", device.build()), model("new.xml", system.build()), "--spontaneous", "終わり");
 
         assertAllPassed(test(project), system.build().transitions().size());
     }
@@ -186,7 +186,7 @@ class ScaffoldTest {
     @Tag("slow")
     @Timeout(600)
     void mavenBuildsItAndItsJarRuns() throws Exception {
-        Path project = scaffold(Tool.ROBOT + "#original", Tool.ROBOT + "#new", "--device-only", "endSpot");
+        Path project = scaffold(Tool.ROBOT + "#original", Tool.ROBOT + "#new", "--spontaneous", "endSpot");
         String maven = System.getProperty("evoloop.root") + "/mvnw";
 
         assertThat(run(project, maven, "-q", "-B", "verify")).isEmpty();

@@ -28,12 +28,13 @@ public record CheckInput(
         @Nullable Set<String> effects) {
 
     /**
-     * Of the models alone: every event of the device can be sent, but its time triggers, which are its own; all guards can
-     * be asked.
+     * Of the models alone: every event of the device can be sent, but its time triggers and those that its model declares
+     * to be its own; all guards can be asked.
      */
     public static CheckInput of(ModelPair pair) {
         Set<Event> sendable = new HashSet<>(pair.original().triggers());
         sendable.removeIf(event -> event.timeTrigger().isPresent());
+        sendable.removeAll(pair.original().spontaneous());
         DeviceEvents device = new DeviceEvents(sendable, Set.of())
                 .withBoundGuards(pair.original().guards());
         return new CheckInput(pair, device, null, null, null, null);
@@ -47,9 +48,13 @@ public record CheckInput(
     /** The same with events that the device takes of its own accord and that cannot be sent. */
     public CheckInput withOwnEvents(Set<String> names) {
         Set<Event> sendable = new HashSet<>(device.sendable());
-        names.forEach(name -> sendable.remove(new Event(name)));
-        return withDevice(new DeviceEvents(
-                sendable, device.spontaneous(), device.costs(), device.doNotPass(), device.boundGuards()));
+        Set<Event> spontaneous = new HashSet<>(device.spontaneous());
+        for (String name : names) {
+            sendable.remove(new Event(name));
+            spontaneous.add(new Event(name));
+        }
+        return withDevice(
+                new DeviceEvents(sendable, spontaneous, device.costs(), device.doNotPass(), device.boundGuards()));
     }
 
     /** The same with functions. */

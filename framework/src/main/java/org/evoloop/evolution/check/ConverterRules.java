@@ -23,6 +23,7 @@ final class ConverterRules {
     }
 
     List<Finding> findings() {
+        input.device().unsendable(input.pair().original()).forEach(this::unsendable);
         Set<String> functions = input.functions();
         if (functions != null) {
             reachable.forEach(state -> function(state, functions));
@@ -36,6 +37,16 @@ final class ConverterRules {
             unbound(guards);
         }
         return findings;
+    }
+
+    private void unsendable(Event trigger) {
+        findings.add(new Finding(
+                Rule.UNSENDABLE_EVENT,
+                new Element.OfEvent(Element.Side.ORIGINAL, trigger),
+                "event " + trigger
+                        + " of the original model can neither be sent nor is it declared to be the device's own",
+                "let the converter send it, or declare it: spontaneousEvents of a monitor, option --spontaneous, or the"
+                        + " keyword «spontaneous» in the model"));
     }
 
     private void function(State state, Set<String> functions) {

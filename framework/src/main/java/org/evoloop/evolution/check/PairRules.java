@@ -20,7 +20,7 @@ final class PairRules {
     private final CheckInput input;
     private final DecisionTable table;
     private final Set<State> originalReachable;
-    private final Set<Event> originalTriggers;
+    private final Set<Event> unsendable;
     private final GuardedTriggers guards;
     private final PairGraph graph;
     private final List<Finding> findings = new ArrayList<>();
@@ -35,7 +35,7 @@ final class PairRules {
         this.input = input;
         this.table = table;
         this.originalReachable = originalRules.reachable();
-        this.originalTriggers = input.pair().original().triggers();
+        this.unsendable = input.device().unsendable(input.pair().original());
         this.guards = new GuardedTriggers(input.pair().original());
         this.graph = new PairGraph(input.pair().initial(), table);
     }
@@ -49,7 +49,9 @@ final class PairRules {
                     live.add(taken);
                 }
                 if (turn.decision() instanceof Decision.Impossible impossible) {
-                    impossible(turn, impossible, problems.contains(impossible));
+                    if (!unsendable.contains(turn.event().trigger())) {
+                        impossible(turn, impossible, problems.contains(impossible));
+                    }
                 } else if (!turn.deviceActed()) {
                     turn.decision().steps().stream().map(Step::transition).forEach(had::add);
                 }
@@ -67,7 +69,7 @@ final class PairRules {
     }
 
     private boolean isDevicesOwn(Event trigger) {
-        return originalTriggers.contains(trigger) && !input.device().sendable().contains(trigger);
+        return table.device().isOwn(trigger);
     }
 
     private void dead() {
@@ -103,6 +105,7 @@ final class PairRules {
         for (Transition transition : input.pair().original().transitions()) {
             if (originalReachable.contains(transition.source())
                     && !had.contains(transition)
+                    && !unsendable.contains(transition.event().trigger())
                     && guards.shadowOf(transition) == null) {
                 findings.add(new Finding(
                         Rule.DEGRADATION,

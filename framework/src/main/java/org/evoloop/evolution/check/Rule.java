@@ -21,6 +21,8 @@ public enum Rule {
     DEAD_TRANSITION(Severity.WARNING),
     /** A state that is entered and never left. */
     TRAP_STATE(Severity.WARNING),
+    /** An event of the device that nobody sends and that is not declared to be the device's own. */
+    UNSENDABLE_EVENT(Severity.ERROR),
     /** A new state has no function. */
     NO_FUNCTION(Severity.ERROR),
     /** A decision needs a way through the device's states that does not exist or cannot be sent. */

@@ -12,6 +12,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.evoloop.statechart.Arc;
 import org.evoloop.statechart.Place;
+import org.evoloop.statechart.Spontaneous;
 import org.evoloop.statechart.Vertex;
 import org.evoloop.statechart.Vertex.FinalState;
 import org.evoloop.statechart.Vertex.Kind;
@@ -275,9 +276,12 @@ final class ScxmlArcs {
             XmlNode state,
             XmlNode source,
             List<XmlNode> targets,
-            List<String> triggers,
+            List<String> names,
             String guard,
             String label) {
+        List<String> triggers = isSpontaneous(transition)
+                ? names.stream().map(Spontaneous::mark).toList()
+                : names;
         Place place = new Place("", transition.line());
         String key = tree.key(source);
         List<String> effects = ScxmlActions.in(transition);
@@ -295,6 +299,13 @@ final class ScxmlArcs {
                 source == state ? arcs : later,
                 region(source),
                 new Arc(place, key, target(targets, label, place), triggers, guard, effects, kind));
+    }
+
+    /** SCXML has no keywords, but lets attributes of other namespaces be. */
+    private static boolean isSpontaneous(XmlNode transition) {
+        return transition.attributeNames().stream()
+                .anyMatch(name -> name.endsWith(":spontaneous")
+                        && transition.attribute(name).strip().equals("true"));
     }
 
     private boolean isLocal(XmlNode transition, XmlNode state, List<XmlNode> targets) {

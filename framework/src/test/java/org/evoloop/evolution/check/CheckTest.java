@@ -48,7 +48,8 @@ class CheckTest {
 
     static List<Arguments> pairsThatBreakOneRule() {
         StateMachine detour = machine("original", "On go -> Clean", "Clean stop -> Spot", "Spot stop -> On");
-        DeviceEvents deaf = new DeviceEvents(Set.of(new Event("go"), new Event("stop")), Set.of(new Event("go")));
+        DeviceEvents deaf =
+                new DeviceEvents(Set.of(new Event("go"), new Event("stop")), Set.of(new Event("go"), new Event("own")));
         return List.of(
                 arguments(
                         Rule.CONDITION_1,
@@ -74,6 +75,21 @@ class CheckTest {
                                         "Warm own -> Off")
                                 .withOwnEvents(Set.of("own"))),
                 arguments(Rule.TRAP_STATE, lampWith("On dim -> Warm")),
+                arguments(
+                        Rule.UNSENDABLE_EVENT,
+                        input(
+                                        machine(
+                                                "original",
+                                                "Off press -> On",
+                                                "On press -> Off",
+                                                "On up -> Hot",
+                                                "Hot up -> On"),
+                                        "Off press -> On",
+                                        "On press -> Off",
+                                        "On up -> Hot",
+                                        "Hot up -> On",
+                                        "Hot press -> Off")
+                                .withDevice(new DeviceEvents(Set.of(new Event("press")), Set.of()))),
                 arguments(
                         Rule.NO_FUNCTION,
                         lampWith("On dim -> Warm", "Warm press -> Off").withFunctions(Set.of("Cold"))),
@@ -151,7 +167,8 @@ class CheckTest {
 
     @Test
     void aMissingPathIsShownByTheEventsThatLeadThere() {
-        CheckInput cleanOnly = robot().withDevice(new DeviceEvents(Set.of(new Event("Clean")), Set.of()));
+        CheckInput cleanOnly =
+                robot().withDevice(new DeviceEvents(Set.of(new Event("Clean")), Set.of(new Event("Spot"))));
         Finding finding = Check.run(cleanOnly).stream()
                 .filter(found -> found.rule() == Rule.NO_PATH)
                 .findFirst()

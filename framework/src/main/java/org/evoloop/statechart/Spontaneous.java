@@ -1,0 +1,42 @@
+package org.evoloop.statechart;
+
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/**
+ * The keyword in guillemets (UML 2.5.1, annex C) that stands before the name of an event which the device takes of its own
+ * accord: {@code «spontaneous» endSpot}. Two angle brackets on each side do as well.
+ */
+public final class Spontaneous {
+    private static final Pattern MARKED = Pattern.compile("\\s*(?:«|<<)\\s*spontaneous\\s*(?:»|>>)\\s*(.*)");
+
+    private Spontaneous() {}
+
+    /** The name with the keyword before it. */
+    public static String mark(String name) {
+        return "«spontaneous» " + name;
+    }
+
+    static boolean isMarked(String name) {
+        return MARKED.matcher(name).matches();
+    }
+
+    /** The name without the keyword, if it has one. */
+    static String unmarked(String name) {
+        Matcher marked = MARKED.matcher(name);
+        return marked.matches() ? marked.group(1) : name;
+    }
+
+    static List<String> unmarked(List<String> names) {
+        return names.stream().map(Spontaneous::unmarked).toList();
+    }
+
+    /** Those of the names that have the keyword, without it. */
+    static List<String> marked(List<String> names) {
+        return names.stream()
+                .filter(Spontaneous::isMarked)
+                .map(Spontaneous::unmarked)
+                .toList();
+    }
+}
