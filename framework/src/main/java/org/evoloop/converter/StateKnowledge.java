@@ -293,8 +293,25 @@ public class StateKnowledge extends Knowledge {
                         + "NewFunction.none() if nothing has to run");
             }
         }
+        deferredUnderGuards(problems);
         problems.addAll(bindings.problems());
         return problems;
+    }
+
+    /** Whether an event waits is decided before any guard is asked. */
+    private void deferredUnderGuards(List<String> problems) {
+        for (State state : pair.evolved().states()) {
+            for (Event event : pair.evolved().deferred(state)) {
+                for (Transition transition : pair.evolved().transitionsFrom(state)) {
+                    if (!transition.event().guards().isEmpty()
+                            && transition.event().name().equals(event.name())) {
+                        problems.add("the new model defers " + event.name() + " in " + state
+                                + " unless a guard holds, which a converter cannot tell beforehand; draw the guard on a"
+                                + " transition of the state that the event waits for");
+                    }
+                }
+            }
+        }
     }
 
     private boolean isDrawn(Ends ends) {

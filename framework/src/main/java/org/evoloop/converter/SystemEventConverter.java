@@ -321,11 +321,10 @@ public final class SystemEventConverter implements AutoCloseable {
         DecisionTable table = changed.decisions(built.knowledge);
         taking(next, () -> {
             attach(built, next);
-            built.loop.exchange(name, next);
+            built.loop.exchange(name, next, () -> built.use(table, changed.executes()));
         });
         belongings.giveBack(assembly.require(name));
         assembly = changed;
-        built.use(table, changed.executes());
     }
 
     /**

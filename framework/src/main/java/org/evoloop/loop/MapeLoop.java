@@ -144,11 +144,19 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
      * @throws IllegalStateException if the loop has ended, or {@code next} is part of it already
      */
     public void exchange(String name, Component next) {
+        exchange(name, next, () -> {});
+    }
+
+    /** The same, and {@code meanwhile}, which must be quick, runs before the next occurrence is taken from the queue. */
+    public void exchange(String name, Component next, Runnable meanwhile) {
         synchronized (admin) {
             requireUsable();
             requireExchangeable(name, next);
             Worker worker = roster.require(name);
-            sequencer.quietly(() -> enlist(next, roster.drop(worker)));
+            sequencer.quietly(() -> {
+                enlist(next, roster.drop(worker));
+                meanwhile.run();
+            });
             awaitEnd(worker);
         }
     }

@@ -1,0 +1,110 @@
+package org.evoloop.converter;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import org.evoloop.evolution.ModelPair;
+import org.evoloop.evolution.Step;
+import org.evoloop.function.NewFunction;
+import org.evoloop.loop.LoopConfig;
+import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.ModelException;
+import org.evoloop.statemachine.State;
+import org.evoloop.statemachine.StateMachine;
+import org.evoloop.statemachine.Transition;
+import org.evoloop.time.ManualClock;
+import org.junit.jupiter.api.Test;
+
+/** An event that the new model's state defers waits until a state that does not. */
+class DeferredEventsTest {
+    private static final StateMachine MILL = StateMachine.named("original")
+            .initial("Idle")
+            .transition("Idle", "grind", "Grinding")
+            .transition("Grinding", "stop", "Idle")
+            .build();
+
+    private final List<String> sent = new ArrayList<>();
+    private final PushMonitor panel = new PushMonitor("Panel");
+    private final SystemEventConverter converter =
+            new SystemEventConverter(LoopConfig.defaults("mill", new ManualClock()).withoutThreads());
+
+    /** A mill that is cleaned first, and does not grind meanwhile. */
+    private static StateMachine evolved(boolean guarded) {
+        var builder = StateMachine.named("new")
+                .initial("Idle")
+                .transition("Idle", "grind", "Grinding")
+                .transition("Grinding", "stop", "Idle")
+                .transition("Idle", "clean", "Cleaning")
+                .transition("Cleaning", "cleaned", "Idle")
+                .defers("Cleaning", "grind");
+        if (guarded) {
+            builder.transition(
+                    new Transition(
+                            new State("Cleaning"), new Event("grind", List.of("urgent")), new State("Grinding")),
+                    "");
+        }
+        return builder.build();
+    }
+
+    private void build(StateMachine evolved) {
+        converter.addMonitor(panel);
+        converter.addExecute(new EventExecute("Mill") {
+            @Override
+            protected Set<String> sendableEvents() {
+                return Set.of("grind", "stop");
+            }
+
+            @Override
+            protected void send(Step step) {
+                sent.add(step.trigger().name());
+            }
+        });
+        converter.addKnowledge(new StateKnowledge(new ModelPair(MILL, evolved)) {
+            @Override
+            protected void registerNewFunctions() {
+                function("Cleaning", NewFunction.none());
+                if (evolved.guards().contains("urgent")) {
+                    guard("urgent", () -> false);
+                }
+            }
+        });
+        converter.build();
+        converter.start();
+    }
+
+    private void press(String event) throws InterruptedException {
+        panel.press(event);
+        converter.observe(panel);
+        while (converter.step()) {
+            converter.observe(panel);
+        }
+    }
+
+    @Test
+    void itWaitsAndOthersPassIt() throws InterruptedException {
+        build(evolved(false));
+        press("clean");
+        press("grind");
+        assertThat(sent).isEmpty();
+        assertThat(converter.status().queue().depth()).isEqualTo(1);
+        assertThat(converter.knowledge().configuration()).hasToString("(Idle, Cleaning)");
+
+        press("cleaned");
+        assertThat(sent).containsExactly("grind");
+        assertThat(converter.knowledge().configuration()).hasToString("(Grinding, Grinding)");
+        assertThat(converter.history())
+                .extracting(entry -> entry.occurrence().label())
+                .containsExactly("clean", "cleaned", "grind");
+        converter.close();
+    }
+
+    @Test
+    void unlessAGuardHoldsIsRefused() {
+        assertThatThrownBy(() -> build(evolved(true)))
+                .isInstanceOf(ModelException.class)
+                .hasMessageContaining("the new model defers grind in Cleaning unless a guard holds");
+    }
+}
