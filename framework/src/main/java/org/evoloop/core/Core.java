@@ -10,7 +10,6 @@ import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Source;
 import org.evoloop.evolution.Step;
 import org.evoloop.evolution.Values;
-import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.Transition;
 import org.jspecify.annotations.Nullable;
@@ -169,7 +168,8 @@ public final class Core {
         if (occurrence instanceof Occurrence.Found found) {
             find(found);
         } else if (occurrence instanceof Occurrence.Heard heard
-                && (heard.deviceActed() || rules.table().isDevicesOwn(heard.event().trigger()))) {
+                && (heard.deviceActed()
+                        || rules.table().isDevicesOwn(heard.event().trigger()))) {
             follow(heard);
         } else if (open) {
             enqueue(occurrence, null, null);
@@ -188,14 +188,23 @@ public final class Core {
     private void follow(Occurrence.Heard fact) {
         State from = place.at().original();
         Step own = rules.table().ownStep(from, fact.event(), fact.holding()::contains);
-        Work current = work;
-        if (current != null && (current.sending() || current.decision() instanceof Decision.Inquiry)) {
-            work = current.acted(fact.event());
-        }
+        happensMeanwhile(fact);
         if (own != null) {
             place.moveDevice(own.target(), out);
         }
         enqueue(fact, from, own);
+    }
+
+    /** What the device does while a step is on its way, or while it is asked where it is, may be older or newer than that. */
+    private void happensMeanwhile(Occurrence fact) {
+        Work current = work;
+        if (current != null && (current.sending() || current.decision() instanceof Decision.Inquiry)) {
+            work = current.acted(fact);
+        }
+        Doubt doubt = place.doubt();
+        if (doubt != null) {
+            place.doubt(doubt.acted(fact));
+        }
     }
 
     private void find(Occurrence.Found found) {
@@ -203,15 +212,17 @@ public final class Core {
             endAtOnce(found, Outcome.FAILED, found.state() + " is not a state of the device's model");
         } else if (place.isOld(found)) {
             endAtOnce(found, Outcome.STALE, OVERTAKEN_FINDING);
-        } else if (work != null && work.sending()) {
-            // Whether it is older than the step's effect is known when that has been told.
-            enqueue(found, null, null);
-        } else if (place.isNoNews(found)) {
-            settleDoubt();
         } else {
+            happensMeanwhile(found);
+            settleDoubt();
+            goTo(found);
+        }
+    }
+
+    private void goTo(Occurrence.Found found) {
+        if (!place.isNoNews(found)) {
             State from = place.at().original();
             place.moveDevice(found.state(), out);
-            settleDoubt();
             enqueue(found, from, null);
         }
     }
@@ -276,7 +287,6 @@ public final class Core {
 
     private void giveTurn(Pending pending) {
         Occurrence occurrence = pending.occurrence();
-        Pending next = pending;
         if (occurrence.visit() != Occurrence.ANY_VISIT && !stay.isCurrent(occurrence.visit())) {
             ended(occurrence, place.at(), Outcome.STALE, null, "the state that raised it has been left");
             return;
@@ -285,20 +295,11 @@ public final class Core {
             ended(occurrence, place.at(), Outcome.HANDLED, null, FOUND_MEANWHILE);
             return;
         }
-        if (occurrence instanceof Occurrence.Found found && pending.from() == null) {
-            if (place.isOld(found) || place.isNoNews(found)) {
-                ended(found, place.at(), Outcome.STALE, null, OVERTAKEN_FINDING);
-                return;
-            }
-            next = new Pending(pending.number(), found, place.at().original(), null, place.steps(), 0);
-            place.moveDevice(found.state(), out);
-            settleDoubt();
-        }
         if (occurrence instanceof Occurrence.Heard heard && heard.source() == Source.TIMER) {
             stay.heard(heard.event());
         }
-        work = Work.begin(next);
-        out.add(new Output.Begin(next));
+        work = Work.begin(pending);
+        out.add(new Output.Begin(pending));
     }
 
     // Carrying out
@@ -366,9 +367,9 @@ public final class Core {
         State target = step.target();
         boolean sure = true;
         if (!current.meanwhile().isEmpty()) {
-            // In the order in which they were told, the step came last.
-            target = follow(place.at().original(), List.of(step.trigger()));
-            sure = sent.inOrder() || target.equals(follow(step.target(), current.meanwhile()));
+            Overlap overlap = new Overlap(rules.table(), step, current.meanwhile());
+            target = overlap.asTold();
+            sure = sent.inOrder() || overlap.isSure();
         }
         place.took(target, sent.atNanos(), out);
         out.add(new Output.Took(step));
@@ -382,32 +383,29 @@ public final class Core {
         if (!sure) {
             doubt(
                     "nobody knows whether the device acted before or after it took " + step.trigger(),
-                    current.pending().number(),
+                    current,
                     step,
                     sent.atNanos());
         }
     }
 
-    /** Where the device goes from {@code from} when these events reach it one after the other. */
-    private State follow(State from, List<Event> events) {
-        State state = from;
-        for (Event event : events) {
-            Step step = rules.table().ownStep(state, event, guard -> false);
-            state = step == null ? state : step.target();
-        }
-        return state;
-    }
-
     /** A step that was given up has had its effect after all, which settles the doubt unless more has happened since. */
     private void tookLate(Input.Sent sent) {
         Doubt doubt = place.doubt();
-        if (doubt != null
-                && doubt.number() == sent.number()
-                && doubt.stepsBefore() == place.steps()
-                && doubt.step().source().equals(place.at().original())) {
-            place.took(doubt.step().target(), sent.atNanos(), out);
+        if (doubt == null || doubt.number() != sent.number() || doubt.stepsBefore() != place.steps()) {
+            return;
+        }
+        Overlap overlap = new Overlap(rules.table(), doubt.step(), doubt.meanwhile());
+        Work current = work;
+        boolean another = current != null && current.sending();
+        if (sent.inOrder() || (overlap.isSure() && !another)) {
+            place.took(overlap.asTold(), sent.atNanos(), out);
             out.add(new Output.Took(doubt.step()));
             settleDoubt();
+            if (current != null && another) {
+                // To the step that is being sent, that is something which the device did before.
+                work = current.acted(new Occurrence.Found(place.at().original(), sent.atNanos()));
+            }
         }
     }
 
@@ -520,10 +518,10 @@ public final class Core {
         Work current = inProgress(givenUp.number());
         Step step = current == null || !current.sending() ? null : current.nextStep();
         conclude(givenUp.number(), Outcome.FAILED, givenUp.reason(), givenUp.atNanos());
-        if (step != null) {
+        if (current != null && step != null) {
             doubt(
                     "nobody knows whether " + step.trigger() + " had its effect: " + givenUp.reason(),
-                    givenUp.number(),
+                    current,
                     step,
                     givenUp.atNanos());
         }
@@ -532,8 +530,9 @@ public final class Core {
     // Doubt
 
     /** From now on the record is in doubt; the device is asked before anything else is begun. */
-    private void doubt(String why, long number, Step step, long atNanos) {
-        place.doubt(new Doubt(why, number, step, place.steps()));
+    private void doubt(String why, Work during, Step step, long atNanos) {
+        long before = place.doubt() == null ? place.steps() : Doubt.UNSETTLED;
+        place.doubt(new Doubt(why, during.pending().number(), step, before, during.meanwhile()));
         out.add(new Output.Doubted(why));
         ask(why, atNanos);
     }
@@ -548,9 +547,9 @@ public final class Core {
         if (current == null) {
             return;
         }
-        if (place.doubt() != null
-                && !current.meanwhile().isEmpty()
-                && current.pending().attempts() < MOST_ATTEMPTS) {
+        // What the device has done since it was asked may be older or newer than its answer.
+        boolean overtaken = place.doubt() != null && !current.meanwhile().isEmpty();
+        if (overtaken && current.pending().attempts() < MOST_ATTEMPTS) {
             work = current.askingAgain();
             out.add(new Output.Locate(located.number()));
             return;
@@ -559,7 +558,9 @@ public final class Core {
         State taken = place.at().original();
         if (place.doubt() == null) {
             conclude(located.number(), Outcome.HANDLED, FOUND_MEANWHILE, located.atNanos());
-        } else if (state == null || !rules.table().models().original().hasState(state)) {
+        } else if (overtaken
+                || state == null
+                || !rules.table().models().original().hasState(state)) {
             conclude(
                     located.number(),
                     Outcome.IGNORED,

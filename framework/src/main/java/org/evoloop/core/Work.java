@@ -3,8 +3,8 @@ package org.evoloop.core;
 import java.util.ArrayList;
 import java.util.List;
 import org.evoloop.evolution.Decision;
+import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Step;
-import org.evoloop.statemachine.Event;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -26,7 +26,7 @@ public record Work(
         int effectsRun,
         String failedEffects,
         boolean sending,
-        List<Event> meanwhile) {
+        List<Occurrence> meanwhile) {
 
     static Work begin(Pending pending) {
         return new Work(pending, null, 0, 0, "", false, List.of());
@@ -51,9 +51,9 @@ public record Work(
         return new Work(pending, decision, taken, effectsRun + 1, failures, false, List.of());
     }
 
-    Work acted(Event event) {
-        List<Event> more = new ArrayList<>(meanwhile);
-        more.add(event);
+    Work acted(Occurrence fact) {
+        List<Occurrence> more = new ArrayList<>(meanwhile);
+        more.add(fact);
         return new Work(pending, decision, taken, effectsRun, failedEffects, sending, List.copyOf(more));
     }
 
