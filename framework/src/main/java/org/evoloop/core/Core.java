@@ -68,7 +68,7 @@ public final class Core {
         return new Snapshot(
                 open,
                 place.at(),
-                place.doubt(),
+                place.lastDoubt(),
                 place.steps(),
                 place.lastStepNanos(),
                 new Snapshot.Visit(stay.number(), stay.isOver(), stay.by(), stay.inOrder()),
@@ -201,7 +201,7 @@ public final class Core {
         if (current != null && (current.sending() || current.decision() instanceof Decision.Inquiry)) {
             work = current.acted(fact);
         }
-        Doubt doubt = place.doubt();
+        Doubt doubt = place.lastDoubt();
         if (doubt != null) {
             place.doubt(doubt.acted(fact));
         }
@@ -228,8 +228,9 @@ public final class Core {
     }
 
     private void settleDoubt() {
-        if (place.doubt() != null) {
-            place.doubt(null);
+        Doubt doubt = place.doubt();
+        if (doubt != null) {
+            place.doubt(doubt.settled(true));
             out.add(new Output.Doubted(""));
         }
     }
@@ -367,9 +368,9 @@ public final class Core {
         State target = step.target();
         boolean sure = true;
         if (!current.meanwhile().isEmpty()) {
-            Overlap overlap = new Overlap(rules.table(), step, current.meanwhile());
-            target = overlap.asTold();
-            sure = sent.inOrder() || overlap.isSure();
+            // In the order in which they were told, the step came last.
+            target = Overlap.takes(rules.table(), place.at().original(), step);
+            sure = sent.inOrder() || Overlap.alwaysEndsIn(target, rules.table(), step, current.meanwhile());
         }
         place.took(target, sent.atNanos(), out);
         out.add(new Output.Took(step));
@@ -389,24 +390,38 @@ public final class Core {
         }
     }
 
-    /** A step that was given up has had its effect after all, which settles the doubt unless more has happened since. */
+    /** A step that was given up has had its effect after all, which settles its doubt if the order is known. */
     private void tookLate(Input.Sent sent) {
-        Doubt doubt = place.doubt();
-        if (doubt == null || doubt.number() != sent.number() || doubt.stepsBefore() != place.steps()) {
+        Doubt doubt = place.lastDoubt();
+        if (doubt == null) {
             return;
         }
-        Overlap overlap = new Overlap(rules.table(), doubt.step(), doubt.meanwhile());
+        State target = Overlap.takes(rules.table(), place.at().original(), doubt.step());
         Work current = work;
         boolean another = current != null && current.sending();
-        if (sent.inOrder() || (overlap.isSure() && !another)) {
-            place.took(overlap.asTold(), sent.atNanos(), out);
-            out.add(new Output.Took(doubt.step()));
+        if (doubt.number() == sent.number() && isOrderKnown(sent, doubt, target, another)) {
             settleDoubt();
+            place.doubt(doubt.stepsBefore() == Doubt.UNSETTLED ? place.lastDoubt() : null);
+            place.took(target, sent.atNanos(), out);
+            out.add(new Output.Took(doubt.step()));
             if (current != null && another) {
                 // To the step that is being sent, that is something which the device did before.
-                work = current.acted(new Occurrence.Found(place.at().original(), sent.atNanos()));
+                work = current.acted(new Occurrence.Found(target, sent.atNanos()));
             }
+        } else if (doubt.settled()) {
+            place.doubt(doubt.settled(false));
+            out.add(new Output.Doubted(doubt.why()));
+            ask(doubt.why(), sent.atNanos());
         }
+    }
+
+    private boolean isOrderKnown(Input.Sent sent, Doubt doubt, State target, boolean another) {
+        if (sent.inOrder()) {
+            return doubt.settled() || doubt.stepsBefore() == place.steps();
+        }
+        return doubt.stepsBefore() == place.steps()
+                && !another
+                && Overlap.alwaysEndsIn(target, rules.table(), doubt.step(), doubt.meanwhile());
     }
 
     private void ran(Input.EffectRun run) {
@@ -531,8 +546,8 @@ public final class Core {
 
     /** From now on the record is in doubt; the device is asked before anything else is begun. */
     private void doubt(String why, Work during, Step step, long atNanos) {
-        long before = place.doubt() == null ? place.steps() : Doubt.UNSETTLED;
-        place.doubt(new Doubt(why, during.pending().number(), step, before, during.meanwhile()));
+        long before = place.lastDoubt() == null ? place.steps() : Doubt.UNSETTLED;
+        place.doubt(new Doubt(why, during.pending().number(), step, before, during.meanwhile(), false));
         out.add(new Output.Doubted(why));
         ask(why, atNanos);
     }
@@ -567,9 +582,11 @@ public final class Core {
                     "the device cannot tell where it is; it is taken to be in " + taken,
                     located.atNanos());
         } else if (state.equals(taken)) {
+            happensMeanwhile(new Occurrence.Found(state, located.atNanos()));
             settleDoubt();
             conclude(located.number(), Outcome.HANDLED, "the device is in " + state, located.atNanos());
         } else {
+            happensMeanwhile(new Occurrence.Found(state, located.atNanos()));
             settleDoubt();
             Decision found = rules.table().find(place.at(), state);
             place.moveDevice(state, out);

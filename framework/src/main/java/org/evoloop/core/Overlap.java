@@ -13,34 +13,45 @@ import org.jspecify.annotations.Nullable;
  * came before the step had its effect, and what after.
  */
 final class Overlap {
-    /** Where the device is if the step came before all of it, after the first of it, and so on to after all of it. */
-    private final List<State> ends = new ArrayList<>();
+    /** So much that the device did is kept; with more, nothing can be said of the order. */
+    private static final int MOST = 32;
 
-    Overlap(DecisionTable table, Step step, List<Occurrence> meanwhile) {
+    private Overlap() {}
+
+    /** Adds what the device did next. */
+    static List<Occurrence> add(List<Occurrence> meanwhile, Occurrence fact) {
+        if (meanwhile.size() == MOST) {
+            return meanwhile;
+        }
+        List<Occurrence> more = new ArrayList<>(meanwhile);
+        more.add(fact);
+        return List.copyOf(more);
+    }
+
+    /**
+     * Whether the device is in {@code end} in whatever order it happened.
+     *
+     * @param meanwhile in the order in which it happened, from where the step begins
+     */
+    static boolean alwaysEndsIn(State end, DecisionTable table, Step step, List<Occurrence> meanwhile) {
         State before = step.source();
         for (int place = 0; place <= meanwhile.size(); place++) {
             State state = takes(table, before, step);
             for (Occurrence fact : meanwhile.subList(place, meanwhile.size())) {
                 state = follows(table, state, fact);
             }
-            ends.add(state);
+            if (!state.equals(end)) {
+                return false;
+            }
             if (place < meanwhile.size()) {
                 before = follows(table, before, meanwhile.get(place));
             }
         }
+        return meanwhile.size() < MOST;
     }
 
-    /** Where the device is by the order in which it was told: the step came last. */
-    State asTold() {
-        return ends.get(ends.size() - 1);
-    }
-
-    /** Whether that is so in whatever order it happened. */
-    boolean isSure() {
-        return ends.stream().allMatch(asTold()::equals);
-    }
-
-    private static State takes(DecisionTable table, State from, Step step) {
+    /** Where {@code step} takes the device if it is in {@code from} by then. */
+    static State takes(DecisionTable table, State from, Step step) {
         return from.equals(step.source())
                 ? step.target()
                 : targetOf(table.ownStep(from, step.trigger(), guard -> false), from);

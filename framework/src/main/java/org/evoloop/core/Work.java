@@ -1,6 +1,5 @@
 package org.evoloop.core;
 
-import java.util.ArrayList;
 import java.util.List;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;
@@ -52,9 +51,8 @@ public record Work(
     }
 
     Work acted(Occurrence fact) {
-        List<Occurrence> more = new ArrayList<>(meanwhile);
-        more.add(fact);
-        return new Work(pending, decision, taken, effectsRun, failedEffects, sending, List.copyOf(more));
+        return new Work(
+                pending, decision, taken, effectsRun, failedEffects, sending, Overlap.add(meanwhile, fact));
     }
 
     Work askingAgain() {
