@@ -38,23 +38,11 @@ final class Arrivals {
     private void follow(Occurrence.Heard fact) {
         State from = ledger.place.at().original();
         Step own = ledger.rules.table().ownStep(from, fact.event(), fact.holding()::contains);
-        happensMeanwhile(fact);
+        ledger.happensMeanwhile(fact);
         if (own != null) {
             ledger.place.moveDevice(own.target(), ledger.out);
         }
         enqueue(fact, from, own);
-    }
-
-    /** What the device does while a step is on its way, or while it is asked where it is, may be older or newer than that. */
-    private void happensMeanwhile(Occurrence fact) {
-        Work current = ledger.work;
-        if (current != null && (current.sending() || current.decision() instanceof Decision.Inquiry)) {
-            ledger.work = current.acted(fact);
-        }
-        Doubt doubt = ledger.place.doubt();
-        if (doubt != null) {
-            ledger.place.doubt(doubt.acted(fact));
-        }
     }
 
     private void find(Occurrence.Found found) {
@@ -63,7 +51,7 @@ final class Arrivals {
         } else if (ledger.place.isOld(found)) {
             endAtOnce(found, Outcome.STALE, OVERTAKEN);
         } else {
-            happensMeanwhile(found);
+            ledger.happensMeanwhile(found);
             ledger.settleDoubt();
             goTo(found);
         }

@@ -83,9 +83,10 @@ final class Conversion {
         State target = step.target();
         boolean sure = true;
         if (!current.meanwhile().isEmpty()) {
-            Overlap overlap = new Overlap(ledger.rules.table(), step, current.meanwhile());
-            target = overlap.asTold(ledger.place.at().original());
-            sure = sent.inOrder() || overlap.isSure(target);
+            // In the order in which they were told, the step came last.
+            target = Overlap.takes(ledger.rules.table(), ledger.place.at().original(), step);
+            sure = sent.inOrder()
+                    || Overlap.alwaysEndsIn(target, ledger.rules.table(), step, current.meanwhile());
         }
         ledger.place.took(target, sent.atNanos(), ledger.out);
         ledger.out.add(new Output.Took(step));
@@ -105,25 +106,38 @@ final class Conversion {
         }
     }
 
-    /** A step that was given up has had its effect after all, which settles the doubt unless more has happened since. */
+    /** A step that was given up has had its effect after all, which settles its doubt if the order is known. */
     private void tookLate(Input.Sent sent) {
-        Doubt doubt = ledger.place.doubt();
-        if (doubt == null || doubt.number() != sent.number() || doubt.stepsBefore() != ledger.place.steps()) {
+        Doubt doubt = ledger.place.lastDoubt();
+        if (doubt == null) {
             return;
         }
-        Overlap overlap = new Overlap(ledger.rules.table(), doubt.step(), doubt.meanwhile());
-        State target = overlap.asTold(ledger.place.at().original());
+        State target = Overlap.takes(ledger.rules.table(), ledger.place.at().original(), doubt.step());
         Work current = ledger.work;
         boolean another = current != null && current.sending();
-        if (sent.inOrder() || (overlap.isSure(target) && !another)) {
+        if (doubt.number() == sent.number() && isOrderKnown(sent, doubt, target, another)) {
+            ledger.settleDoubt();
+            ledger.place.doubt(doubt.stepsBefore() == Doubt.UNSETTLED ? ledger.place.lastDoubt() : null);
             ledger.place.took(target, sent.atNanos(), ledger.out);
             ledger.out.add(new Output.Took(doubt.step()));
-            ledger.settleDoubt();
             if (current != null && another) {
                 // To the step that is being sent, that is something which the device did before.
                 ledger.work = current.acted(new Occurrence.Found(target, sent.atNanos()));
             }
+        } else if (doubt.settled()) {
+            ledger.place.doubt(doubt.settled(false));
+            ledger.out.add(new Output.Doubted(doubt.why()));
+            ledger.ask(sent.atNanos());
         }
+    }
+
+    private boolean isOrderKnown(Input.Sent sent, Doubt doubt, State target, boolean another) {
+        if (sent.inOrder()) {
+            return doubt.settled() || doubt.stepsBefore() == ledger.place.steps();
+        }
+        return doubt.stepsBefore() == ledger.place.steps()
+                && !another
+                && Overlap.alwaysEndsIn(target, ledger.rules.table(), doubt.step(), doubt.meanwhile());
     }
 
     /** An effect was run. */
@@ -240,9 +254,11 @@ final class Conversion {
                     "the device cannot tell where it is; it is taken to be in " + taken,
                     located.atNanos());
         } else if (state.equals(taken)) {
+            ledger.happensMeanwhile(new Occurrence.Found(state, located.atNanos()));
             ledger.settleDoubt();
             conclude(located.number(), Outcome.HANDLED, "the device is in " + state, located.atNanos());
         } else {
+            ledger.happensMeanwhile(new Occurrence.Found(state, located.atNanos()));
             ledger.settleDoubt();
             Decision found = ledger.rules.table().find(ledger.place.at(), state);
             ledger.place.moveDevice(state, ledger.out);

@@ -12,14 +12,21 @@ import org.evoloop.evolution.Step;
  * @param why for people
  * @param number the occurrence in whose conversion it arose
  * @param step the step of which nobody knows whether or when it had its effect
- * @param stepsBefore how many steps had been sent before; {@value #UNSETTLED} if there was another doubt then, so that
- *     knowing of this step is not enough
- * @param meanwhile what the device did by itself since the step was about to be sent
+ * @param stepsBefore how many steps had been sent before; {@value #UNSETTLED} if another step was in doubt then, so that
+ *     knowing of this one is not enough
+ * @param meanwhile what the device did by itself, or where it was found, since the step was about to be sent
+ * @param settled whether the device has told where it is, so that the record is sure until the step is told to have had its
+ *     effect after all
  */
-public record Doubt(String why, long number, Step step, long stepsBefore, List<Occurrence> meanwhile) {
+public record Doubt(
+        String why, long number, Step step, long stepsBefore, List<Occurrence> meanwhile, boolean settled) {
     static final long UNSETTLED = -1;
 
     Doubt acted(Occurrence fact) {
-        return new Doubt(why, number, step, stepsBefore, Overlap.with(meanwhile, fact));
+        return new Doubt(why, number, step, stepsBefore, Overlap.add(meanwhile, fact), settled);
+    }
+
+    Doubt settled(boolean nowSettled) {
+        return new Doubt(why, number, step, stepsBefore, meanwhile, nowSettled);
     }
 }

@@ -46,7 +46,7 @@ final class Ledger {
         return new Snapshot(
                 open,
                 place.at(),
-                place.doubt(),
+                place.lastDoubt(),
                 place.steps(),
                 place.lastStepNanos(),
                 new Snapshot.Visit(stay.number(), stay.isOver(), stay.by(), stay.inOrder()),
@@ -105,8 +105,8 @@ final class Ledger {
 
     /** From now on the record is in doubt; the device is asked before anything else is begun. */
     void doubt(String why, Work during, Step step, long atNanos) {
-        long before = place.doubt() == null ? place.steps() : Doubt.UNSETTLED;
-        place.doubt(new Doubt(why, during.pending().number(), step, before, during.meanwhile()));
+        long before = place.lastDoubt() == null ? place.steps() : Doubt.UNSETTLED;
+        place.doubt(new Doubt(why, during.pending().number(), step, before, during.meanwhile(), false));
         out.add(new Output.Doubted(why));
         ask(atNanos);
     }
@@ -121,9 +121,22 @@ final class Ledger {
     }
 
     void settleDoubt() {
-        if (place.doubt() != null) {
-            place.doubt(null);
+        Doubt doubt = place.doubt();
+        if (doubt != null) {
+            place.doubt(doubt.settled(true));
             out.add(new Output.Doubted(""));
+        }
+    }
+
+    /** What the device does while a step is on its way, or while it is asked where it is, may be older or newer than that. */
+    void happensMeanwhile(Occurrence fact) {
+        Work current = work;
+        if (current != null && (current.sending() || current.decision() instanceof Decision.Inquiry)) {
+            work = current.acted(fact);
+        }
+        Doubt doubt = place.lastDoubt();
+        if (doubt != null) {
+            place.doubt(doubt.acted(fact));
         }
     }
 }

@@ -13,36 +13,14 @@ import org.jspecify.annotations.Nullable;
  * came before the step had its effect, and what after.
  */
 final class Overlap {
-    /** Of more than so many facts nobody keeps count; then nothing is sure. */
-    static final int MOST_FACTS = 64;
+    /** So much that the device did is kept; with more, nothing can be said of the order. */
+    private static final int MOST = 32;
 
-    private final DecisionTable table;
-    private final Step step;
-    private final boolean counted;
+    private Overlap() {}
 
-    /** Where the device is if the step came before all of it, after the first of it, and so on to after all of it. */
-    private final List<State> ends = new ArrayList<>();
-
-    Overlap(DecisionTable table, Step step, List<Occurrence> meanwhile) {
-        this.table = table;
-        this.step = step;
-        this.counted = meanwhile.size() < MOST_FACTS;
-        State before = step.source();
-        for (int place = 0; counted && place <= meanwhile.size(); place++) {
-            State state = takes(before);
-            for (Occurrence fact : meanwhile.subList(place, meanwhile.size())) {
-                state = follows(state, fact);
-            }
-            ends.add(state);
-            if (place < meanwhile.size()) {
-                before = follows(before, meanwhile.get(place));
-            }
-        }
-    }
-
-    /** {@code meanwhile} and {@code fact}, if that still counts. */
-    static List<Occurrence> with(List<Occurrence> meanwhile, Occurrence fact) {
-        if (meanwhile.size() >= MOST_FACTS) {
+    /** Adds what the device did next. */
+    static List<Occurrence> add(List<Occurrence> meanwhile, Occurrence fact) {
+        if (meanwhile.size() == MOST) {
             return meanwhile;
         }
         List<Occurrence> more = new ArrayList<>(meanwhile);
@@ -50,23 +28,36 @@ final class Overlap {
         return List.copyOf(more);
     }
 
-    /** Where the device is by the order in which it was told: the step came last, when all else had led to {@code last}. */
-    State asTold(State last) {
-        return takes(last);
+    /**
+     * Whether the device is in {@code end} in whatever order it happened.
+     *
+     * @param meanwhile in the order in which it happened, from where the step begins
+     */
+    static boolean alwaysEndsIn(State end, DecisionTable table, Step step, List<Occurrence> meanwhile) {
+        State before = step.source();
+        for (int place = 0; place <= meanwhile.size(); place++) {
+            State state = takes(table, before, step);
+            for (Occurrence fact : meanwhile.subList(place, meanwhile.size())) {
+                state = follows(table, state, fact);
+            }
+            if (!state.equals(end)) {
+                return false;
+            }
+            if (place < meanwhile.size()) {
+                before = follows(table, before, meanwhile.get(place));
+            }
+        }
+        return meanwhile.size() < MOST;
     }
 
-    /** Whether the device is in {@code state} in whatever order it happened. */
-    boolean isSure(State state) {
-        return counted && ends.stream().allMatch(state::equals);
-    }
-
-    private State takes(State from) {
+    /** Where {@code step} takes the device if it is in {@code from} by then. */
+    static State takes(DecisionTable table, State from, Step step) {
         return from.equals(step.source())
                 ? step.target()
                 : targetOf(table.ownStep(from, step.trigger(), guard -> false), from);
     }
 
-    private State follows(State from, Occurrence fact) {
+    private static State follows(DecisionTable table, State from, Occurrence fact) {
         if (fact instanceof Occurrence.Found found) {
             return found.state();
         }

@@ -37,8 +37,15 @@ final class Place {
         return lastStepNanos;
     }
 
+    /** Why the record may be wrong; null if it is sure. */
     @Nullable
     Doubt doubt() {
+        return doubt == null || doubt.settled() ? null : doubt;
+    }
+
+    /** The same, or a doubt that was settled while its step may still be told to have had its effect. */
+    @Nullable
+    Doubt lastDoubt() {
         return doubt;
     }
 

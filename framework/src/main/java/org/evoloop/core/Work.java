@@ -51,7 +51,8 @@ public record Work(
     }
 
     Work acted(Occurrence fact) {
-        return new Work(pending, decision, taken, effectsRun, failedEffects, sending, Overlap.with(meanwhile, fact));
+        return new Work(
+                pending, decision, taken, effectsRun, failedEffects, sending, Overlap.add(meanwhile, fact));
     }
 
     Work askingAgain() {

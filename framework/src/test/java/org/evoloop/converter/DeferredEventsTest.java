@@ -39,7 +39,7 @@ class DeferredEventsTest {
                 .transition("Grinding", "stop", "Idle")
                 .transition("Idle", "clean", "Cleaning")
                 .transition("Cleaning", "cleaned", "Idle")
-                .defers("Cleaning", "grind");
+                .defers("Cleaning", new Event("grind"));
         if (guarded) {
             builder.transition(
                     new Transition(

@@ -111,4 +111,37 @@ class CounterExamplesTest {
         assertThat(told.core.isBusy()).isFalse();
         assertThat(told.record()).isEqualTo("on, in doubt");
     }
+
+    @Test
+    void aStepThatWasGivenUpHasItsEffectAfterTheDeviceWasFound() {
+        Told told = new Told(Scene.bulb()).press("switch").begins();
+        long first = told.number();
+
+        told.givenUp().found("off");
+        assertThat(told.record()).isEqualTo("off");
+        told.sent(first, true);
+
+        assertThat(told.record()).isEqualTo("on");
+    }
+
+    @Test
+    void outOfOrderThatIsInDoubtAgain() {
+        Told told = new Told(Scene.bulb()).press("switch").begins();
+        long first = told.number();
+
+        told.givenUp().found("off").sent(first, false);
+
+        assertThat(told.record()).isEqualTo("off, in doubt");
+    }
+
+    @Test
+    void aStepThatWasGivenUpHasItsEffectAfterAnother() {
+        Told told = new Told(Scene.bulb()).press("switch").begins();
+        long first = told.number();
+        told.givenUp().asksInVain().press("switch").begins();
+
+        told.found("off").sent(true).sent(first, true);
+
+        assertThat(told.record()).isEqualTo("off");
+    }
 }

@@ -1,0 +1,115 @@
+package org.evoloop.core;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.evoloop.core.Scene.Act;
+import org.evoloop.core.World.Phase;
+import org.evoloop.evolution.Decision;
+import org.evoloop.evolution.Step;
+
+/** What the components of the loop do next with the occurrence in progress, well or badly. */
+final class Carrying {
+    private final Snapshot now;
+    private final World world;
+    private final long time;
+    private final List<Move> found = new ArrayList<>();
+
+    private Carrying(Snapshot now, World world, long time) {
+        this.now = now;
+        this.world = world;
+        this.time = time;
+    }
+
+    static List<Move> of(Snapshot now, World world, long time) {
+        Carrying carrying = new Carrying(now, world, time);
+        Work work = now.work();
+        if (work != null) {
+            carrying.goOn(work);
+            carrying.fail(work);
+        } else if (world.phase == Phase.OPEN && (!now.waiting().isEmpty() || now.followOwed())) {
+            carrying.tell(new Input.Ready(time), world.copy());
+        }
+        return carrying.found;
+    }
+
+    private void tell(Input input, World next) {
+        found.add(Move.told(input, next));
+    }
+
+    private void goOn(Work work) {
+        long number = work.pending().number();
+        Output.Directive asked = world.asked;
+        if (work.decision() == null) {
+            for (Decision plan : world.plans) {
+                tell(new Input.Planned(number, plan, time), world.copy());
+            }
+        } else if (asked instanceof Output.Send send) {
+            announce(send);
+        } else if (asked instanceof Output.Run) {
+            tell(new Input.EffectRun(number, "", time), done());
+            if (world.may(Act.FAIL)) {
+                World failed = world.spent(Act.FAIL);
+                failed.asked = null;
+                tell(new Input.EffectRun(number, "it failed", time), failed);
+            }
+        } else if (asked instanceof Output.Locate) {
+            locate(number);
+        }
+    }
+
+    private World done() {
+        World next = world.copy();
+        next.asked = null;
+        return next;
+    }
+
+    private void announce(Output.Send send) {
+        World next = done();
+        Step step = send.step();
+        // Whether the core lets it be sent is known when it has been told, see Explorer.
+        next.flight = new World.Flight(send.number(), step);
+        tell(new Input.Sending(send.number(), time), next);
+    }
+
+    private void locate(long number) {
+        if (!world.scene.canLocate()) {
+            tell(new Input.Located(number, null, time), done());
+        } else if (world.answer != null) {
+            tell(new Input.Located(number, world.answer, time), done());
+        } else if (world.untold.isEmpty()) {
+            World next = world.copy();
+            next.answer = world.device;
+            next.stray = null;
+            found.add(Move.unnoticed("the device says that it is in " + world.device, next));
+        }
+    }
+
+    private void fail(Work work) {
+        long number = work.pending().number();
+        boolean landed = world.flight != null && world.landed;
+        if (world.may(Act.FAIL) && !landed) {
+            World next = world.spent(Act.FAIL);
+            next.noLongerSent();
+            tell(new Input.Failed(number, "it failed", time), next);
+        }
+        if (world.may(Act.DISMISS) && work.decision() == null) {
+            tell(new Input.Dismissed(number, time), world.spent(Act.DISMISS));
+            tell(new Input.Planned(number, new Decision.Refused(now.at(), "a rule"), time), world.spent(Act.DISMISS));
+        }
+        if (world.may(Act.GIVE_UP)) {
+            giveUp(number, landed);
+        }
+    }
+
+    private void giveUp(long number, boolean landed) {
+        World next = world.spent(Act.GIVE_UP);
+        next.stray = world.flight != null && !landed ? world.flight : world.stray;
+        next.noLongerSent();
+        tell(new Input.GivenUp(number, "it was given up", time), next);
+        if (landed && world.mayHideEffects()) {
+            World hidden = next.copy();
+            hidden.untold.removeIf(token -> token instanceof Token.Effect);
+            tell(new Input.GivenUp(number, "it was given up, and will not tell", time), hidden);
+        }
+    }
+}

@@ -1,0 +1,91 @@
+package org.evoloop.core;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Random;
+import java.util.stream.LongStream;
+import java.util.stream.Stream;
+import org.evoloop.core.Scene.Act;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/**
+ * Every interleaving of what can happen, told to the real core. What may happen how often is part of a test's name; within
+ * that, stories are followed to their ends, or as many happenings long as is said. A violation is printed as a story.
+ */
+class ExplorationTest {
+    private static final int TO_THE_END = Integer.MAX_VALUE;
+
+    static Stream<Scene> papersPairs() {
+        return Stream.of(Scene.bulb(), Scene.robot())
+                .flatMap(scene -> Stream.of(
+                        scene.with(3, Act.PRESS).with(2, Act.OWN),
+                        scene.with(2, Act.PRESS, Act.GIVE_UP).with(1, Act.OWN),
+                        scene.with(2, Act.PRESS, Act.OWN).with(1, Act.STOP),
+                        scene.with(1, Act.PRESS, Act.OWN, Act.JUMP, Act.GIVE_UP),
+                        scene.with(2, Act.PRESS, Act.RAISE).with(1, Act.OWN),
+                        scene.with(1, Act.PRESS, Act.ASK, Act.OWN, Act.CHANGE, Act.GIVE_UP),
+                        scene.with(2, Act.PRESS, Act.FAIL).with(1, Act.OWN, Act.DISMISS)))
+                .flatMap(scene -> scene.kinds().stream());
+    }
+
+    @ParameterizedTest
+    @MethodSource("papersPairs")
+    void allStoriesOfThePapersPairs(Scene scene) {
+        explore(scene, TO_THE_END);
+    }
+
+    static Stream<Scene> everything() {
+        return Stream.of(Scene.bulb(), Scene.robot())
+                .map(scene -> scene.with(2, Act.values()))
+                .flatMap(scene -> scene.kinds().stream());
+    }
+
+    @ParameterizedTest
+    @MethodSource("everything")
+    void everythingTogether(Scene scene) {
+        explore(scene, 6);
+    }
+
+    @ParameterizedTest
+    @MethodSource("everything")
+    @Tag("slow")
+    void everythingTogetherDeeper(Scene scene) {
+        explore(scene, 8);
+    }
+
+    static Stream<Scene> deeper() {
+        return Stream.of(Scene.bulb(), Scene.robot())
+                .flatMap(scene -> Stream.of(
+                        scene.with(4, Act.PRESS).with(3, Act.OWN),
+                        scene.with(2, Act.PRESS, Act.OWN, Act.GIVE_UP).with(1, Act.STOP),
+                        scene.with(1, Act.values())))
+                .flatMap(scene -> scene.kinds().stream());
+    }
+
+    @ParameterizedTest
+    @MethodSource("deeper")
+    @Tag("slow")
+    void moreStoriesOfThePapersPairs(Scene scene) {
+        explore(scene, 14);
+    }
+
+    static Stream<Scene> randomPairs() {
+        return LongStream.concat(LongStream.rangeClosed(1, 7), LongStream.of(new Random().nextLong()))
+                .mapToObj(RandomPair::scene)
+                .map(scene -> scene.with(1, Act.PRESS, Act.OWN, Act.GIVE_UP, Act.RAISE, Act.STOP))
+                .flatMap(scene -> Stream.of(scene, scene.outOfOrder().mute()));
+    }
+
+    @ParameterizedTest
+    @MethodSource("randomPairs")
+    void storiesOfRandomPairs(Scene scene) {
+        explore(scene, 12);
+    }
+
+    private static void explore(Scene scene, int depth) {
+        Exploration.Result result = Exploration.of(scene, Wiring.REAL, depth);
+        assertThat(result.violation()).as("%s", scene).isEmpty();
+    }
+}

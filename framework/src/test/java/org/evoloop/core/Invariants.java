@@ -1,0 +1,153 @@
+package org.evoloop.core;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import org.evoloop.evolution.Occurrence;
+import org.evoloop.evolution.Step;
+import org.evoloop.statemachine.Event;
+import org.jspecify.annotations.Nullable;
+
+/** What must hold whenever the core was told something, or something happened that it does not notice. */
+final class Invariants {
+    private final Snapshot before;
+    private final @Nullable Input input;
+    private final List<Output> said;
+    private final Snapshot after;
+    private final World world;
+
+    private Invariants(Snapshot before, @Nullable Input input, List<Output> said, Snapshot after, World world) {
+        this.before = before;
+        this.input = input;
+        this.said = said;
+        this.after = after;
+        this.world = world;
+    }
+
+    /** Which invariant is violated, and how; empty if none is. */
+    static String check(Snapshot before, @Nullable Input input, List<Output> said, Snapshot after, World world) {
+        Invariants invariants = new Invariants(before, input, said, after, world);
+        return List.of(
+                        invariants.recordIsDevice(),
+                        invariants.sumIsRight(),
+                        invariants.visitsEnd(),
+                        invariants.stepsAreSentOnce(),
+                        invariants.nothingIsStuck(),
+                        invariants.factsAreKept())
+                .stream()
+                .filter(problem -> !problem.isEmpty())
+                .findFirst()
+                .orElse("");
+    }
+
+    private String recordIsDevice() {
+        boolean quiet = world.untold.isEmpty() && new Core(world.scene.rules(), after).doubt().isEmpty();
+        return quiet && !after.at().original().equals(world.device)
+                ? "record: the device is in " + world.device + ", the record says " + after.at()
+                : "";
+    }
+
+    private String sumIsRight() {
+        Tally tally = after.tally();
+        long sum = tally.handled()
+                + tally.ignored()
+                + tally.stale()
+                + tally.failed()
+                + tally.dropped()
+                + tally.refused()
+                + after.waiting().size()
+                + (after.work() == null ? 0 : 1);
+        Set<Long> numbers = new HashSet<>();
+        boolean twice =
+                after.work() != null && !numbers.add(after.work().pending().number());
+        for (Pending pending : after.waiting()) {
+            twice |= !numbers.add(pending.number());
+        }
+        return sum != tally.observed() || twice ? "sum: " + sum + " instead of what was observed, " + tally : "";
+    }
+
+    private String visitsEnd() {
+        long visit = before.visit().number();
+        boolean over = before.visit().over();
+        for (Output output : said) {
+            if (output instanceof Output.Begin begin) {
+                Occurrence begun = begin.pending().occurrence();
+                if (begun.visit() != Occurrence.ANY_VISIT && begun.visit() != visit) {
+                    return "visit: " + begun + " of visit " + begun.visit() + " is begun in visit " + visit;
+                }
+            } else if (output instanceof Output.Leave leave) {
+                if (over || leave.visit() != visit) {
+                    return "visit: " + leave + " in visit " + visit + (over ? ", which is over" : "");
+                }
+                over = true;
+            } else if (output instanceof Output.Enter enter) {
+                if (!over
+                        || enter.visit() != visit + 1
+                        || !enter.state().equals(after.at().evolved())) {
+                    return "visit: " + enter + " after visit " + visit + (over ? "" : ", which is not over");
+                }
+                over = false;
+                visit++;
+            } else if (output instanceof Output.Start start && start.visit() != visit) {
+                return "visit: " + start + " in visit " + visit;
+            }
+        }
+        return "";
+    }
+
+    private String stepsAreSentOnce() {
+        List<Output.Send> sends = new ArrayList<>();
+        for (Output output : said) {
+            if (output instanceof Output.Send send) {
+                sends.add(send);
+            }
+        }
+        boolean due = input instanceof Input.Planned || input instanceof Input.Sent;
+        if (sends.size() > (due ? 1 : 0)) {
+            return "sent: " + sends + " on " + input;
+        }
+        Work work = after.work();
+        Step step = work == null || !work.sending() ? null : work.nextStep();
+        if (input instanceof Input.Sending
+                && step != null
+                && !step.source().equals(after.at().original())) {
+            return "sent: " + step + " with the device in " + after.at().original();
+        }
+        Work last = before.work();
+        boolean sentNow = input instanceof Input.Sending && work != null && work.sending();
+        return sentNow && last != null && last.sending() ? "sent: " + step + " a second time" : "";
+    }
+
+    private String nothingIsStuck() {
+        Work work = after.work();
+        if (work != null && work.decision() != null && !work.sending() && world.asked == null) {
+            return "stuck: nobody has to do anything for " + work;
+        }
+        boolean drained = after.waiting().isEmpty() && work == null;
+        if (after.open() && drained && after.visit().over()) {
+            return "stuck: visit " + after.visit().number() + " is over and no other has begun";
+        }
+        return input instanceof Input.Ready && !drained && work == null ? "stuck: nothing is begun" : "";
+    }
+
+    private String factsAreKept() {
+        for (Output output : said) {
+            Occurrence lost = output instanceof Output.Dropped dropped
+                    ? dropped.occurrence()
+                    : output instanceof Output.Refused refused ? refused.occurrence() : null;
+            if (lost != null && isFact(lost)) {
+                return "fact: " + output;
+            }
+        }
+        return "";
+    }
+
+    private boolean isFact(Occurrence occurrence) {
+        return occurrence.isFact() || (occurrence instanceof Occurrence.Heard heard && isDevicesOwn(heard.event()));
+    }
+
+    private boolean isDevicesOwn(Event event) {
+        return world.scene.rules().table().isDevicesOwn(event);
+    }
+}

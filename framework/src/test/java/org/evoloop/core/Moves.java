@@ -1,0 +1,118 @@
+package org.evoloop.core;
+
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import org.evoloop.core.Scene.Act;
+import org.evoloop.core.World.Phase;
+import org.evoloop.evolution.Occurrence;
+import org.evoloop.evolution.Source;
+import org.evoloop.evolution.Values;
+import org.evoloop.statemachine.Event;
+
+/** All that can happen next from outside: what people, timers, functions and whoever runs the converter do. */
+final class Moves {
+    private final Snapshot now;
+    private final World world;
+    private final long time;
+    private final List<Move> found = new ArrayList<>();
+
+    private Moves(Snapshot now, World world, long time) {
+        this.now = now;
+        this.world = world;
+        this.time = time;
+    }
+
+    /** @param time of what the core is told */
+    static List<Move> of(Snapshot now, World world, long time) {
+        Moves moves = new Moves(now, world, time);
+        moves.found.addAll(Carrying.of(now, world, time));
+        moves.found.addAll(Living.of(now, world, time));
+        moves.press();
+        moves.raise();
+        moves.timers();
+        moves.lifecycle();
+        return moves.found;
+    }
+
+    private void press() {
+        if (world.may(Act.PRESS)) {
+            for (Event event : world.scene.presses()) {
+                observe(Act.PRESS, event, Source.CONTROLLER, Occurrence.ANY_VISIT);
+            }
+        }
+    }
+
+    private void raise() {
+        for (long visit : visits()) {
+            if (world.may(Act.RAISE)) {
+                for (Event event : world.scene.raised()) {
+                    observe(Act.RAISE, event, Source.FUNCTION, visit);
+                }
+            }
+            if (world.may(Act.ASK)) {
+                for (Event event : world.scene.presses()) {
+                    Occurrence asked = new Occurrence.Asked(event, Values.NONE, visit, time);
+                    found.add(Move.told(new Input.Observed(asked), world.spent(Act.ASK)));
+                }
+            }
+        }
+    }
+
+    /** The current one and the one before, whose function may not have noticed that it is over. */
+    private Set<Long> visits() {
+        Set<Long> visits = new LinkedHashSet<>();
+        long last = now.visit().number();
+        for (long visit = Math.max(1, last - 1); visit <= last; visit++) {
+            visits.add(visit);
+        }
+        return visits;
+    }
+
+    private void observe(Act act, Event event, Source source, long visit) {
+        Occurrence heard = new Occurrence.Heard(event, Values.NONE, source, visit, time);
+        found.add(Move.told(new Input.Observed(heard), world.spent(act)));
+    }
+
+    private void timers() {
+        long visit = now.visit().number();
+        now.visit().deadlines().forEach((event, due) -> {
+            if (!hasFired(event, visit)) {
+                found.add(Move.told(new Input.TimerDue(visit, event, due), world.copy()));
+            }
+        });
+        if (visit > 1 && world.may(Act.RAISE)) {
+            for (Event event : world.scene.raised()) {
+                found.add(Move.told(new Input.TimerDue(visit - 1, event, time), world.spent(Act.RAISE)));
+            }
+        }
+    }
+
+    private boolean hasFired(Event event, long visit) {
+        return now.waiting().stream()
+                .map(Pending::occurrence)
+                .anyMatch(waiting -> waiting instanceof Occurrence.Heard heard
+                        && heard.source() == Source.TIMER
+                        && heard.visit() == visit
+                        && heard.event().equals(event));
+    }
+
+    private void lifecycle() {
+        if (world.phase == Phase.CLOSED) {
+            found.add(Move.told(new Input.Opened(time), in(world.copy(), Phase.OPEN)));
+        } else if (world.phase == Phase.CLOSING && now.work() == null) {
+            found.add(Move.told(new Input.Closed(), in(world.copy(), Phase.CLOSED)));
+        } else if (world.phase == Phase.OPEN && world.may(Act.STOP)) {
+            found.add(Move.told(new Input.Closing(), in(world.spent(Act.STOP), Phase.CLOSING)));
+        }
+        if (world.may(Act.CHANGE)) {
+            found.add(Move.told(new Input.Changed(world.scene.rules(), time), world.spent(Act.CHANGE)));
+        }
+    }
+
+    private static World in(World next, Phase phase) {
+        next.phase = phase;
+        return next;
+    }
+}

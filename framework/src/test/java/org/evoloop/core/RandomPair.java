@@ -1,0 +1,65 @@
+package org.evoloop.core;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Random;
+import java.util.Set;
+import org.evoloop.evolution.ModelPair;
+import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.State;
+import org.evoloop.statemachine.StateMachine;
+import org.evoloop.statemachine.StateMachineBuilder;
+import org.evoloop.statemachine.Transition;
+
+/**
+ * A small pair at random: a device of three states that can be sent {@code a} and {@code b} and does {@code a} and {@code x}
+ * by itself, and a new model with two more states, one with a timer, and effects.
+ */
+final class RandomPair {
+    private static final List<String> DEVICE = List.of("A", "B", "C");
+    private static final List<String> NEW = List.of("N", "W");
+
+    private final Random random;
+
+    private RandomPair(long seed) {
+        random = new Random(seed);
+    }
+
+    static Scene scene(long seed) {
+        return Scene.of("pair of seed " + seed, new RandomPair(seed).draw(), Map.of("W", "late"), "a b", "a", 2);
+    }
+
+    private ModelPair draw() {
+        List<String> all = new ArrayList<>(DEVICE);
+        all.addAll(NEW);
+        return new ModelPair(
+                machine("original", DEVICE, List.of("a", "b", "x"), 0),
+                machine("new", all, List.of("a", "b", "x", "late", "done"), 0.4));
+    }
+
+    private StateMachine machine(String name, List<String> states, List<String> events, double effectRate) {
+        StateMachineBuilder builder = StateMachine.named(name).initial("A");
+        states.forEach(builder::state);
+        events.forEach(builder::event);
+        for (String state : states) {
+            for (String event : events) {
+                if (random.nextInt(3) > 0) {
+                    builder.transition(transition(state, event, pick(states), effectRate), "");
+                }
+            }
+        }
+        return builder.build();
+    }
+
+    private Transition transition(String source, String event, String target, double effectRate) {
+        List<String> effects = random.nextDouble() < effectRate ? List.of("beep", "blink") : List.of();
+        boolean internal = source.equals(target) && random.nextBoolean();
+        return new Transition(
+                new State(source), new Event(event), new State(target), effects, internal, Set.of());
+    }
+
+    private String pick(List<String> names) {
+        return names.get(random.nextInt(names.size()));
+    }
+}

@@ -1,0 +1,16 @@
+package org.evoloop.core;
+
+import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.State;
+
+/** Something that has happened at the device and was not told yet. */
+sealed interface Token {
+    /** The device did this by itself. */
+    record Own(Event event) implements Token {}
+
+    /** The device was found there. */
+    record Seen(State state) implements Token {}
+
+    /** The step that was sent for this occurrence has had its effect. */
+    record Effect(long number) implements Token {}
+}

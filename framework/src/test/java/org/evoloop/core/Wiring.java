@@ -1,0 +1,21 @@
+package org.evoloop.core;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** How a core is told something: itself, or with one of its mechanisms taken out. */
+@FunctionalInterface
+interface Wiring {
+    /** What the core said, and what it knew then. */
+    record Result(List<Output> said, Snapshot after) {}
+
+    /** The core as it is. */
+    Wiring REAL = (rules, before, input) -> {
+        Core core = new Core(rules, before);
+        List<Output> said = new ArrayList<>();
+        core.apply(input, said);
+        return new Result(said, core.snapshot());
+    };
+
+    Result tell(Rules rules, Snapshot before, Input input);
+}
