@@ -1,12 +1,9 @@
 package org.evoloop.models;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.HashSet;
 import java.util.List;
-import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.function.Function;
 import org.evoloop.evolution.ModelPair;
@@ -22,7 +19,6 @@ import org.evoloop.models.diagram.Diagram;
 import org.evoloop.models.diagram.SvgWriter;
 import org.evoloop.models.temporal.PropertyCheck;
 import org.evoloop.xmi.ModelReference;
-import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -36,8 +32,6 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true)
 @SuppressWarnings("NullAway.Init") // picocli sets the fields
 final class CheckCommand implements Callable<Integer> {
-    private static final String PROPERTIES = ".properties.txt";
-
     /** How findings can be told. */
     enum Format {
         TEXT,
@@ -58,51 +52,22 @@ final class CheckCommand implements Callable<Integer> {
                     + " findings.")
     private Format format;
 
-    @Option(
-            names = "--functions",
-            split = ",",
-            paramLabel = "STATE",
-            description = "New states for which a function is registered; judged only if given.")
-    private @Nullable List<String> functions;
+    @Mixin
+    private ConverterOptions converter;
 
-    @Option(
-            names = "--raised",
-            split = ",",
-            paramLabel = "EVENT",
-            description = "Events that monitors and functions raise; judged only if given.")
-    private @Nullable List<String> raised;
-
-    @Option(
-            names = "--guards",
-            split = ",",
-            paramLabel = "GUARD",
-            description = "Guards that something is bound to; judged only if given.")
-    private @Nullable List<String> guards;
-
-    @Option(
-            names = "--effects",
-            split = ",",
-            paramLabel = "EFFECT",
-            description = "Effects that something is bound to; judged only if given.")
-    private @Nullable List<String> effects;
-
-    @Option(
-            names = "--properties",
-            paramLabel = "FILE",
-            description =
-                    "Properties to check, a line each (default: the file beside NEW that is called like it and ends"
-                            + " in " + PROPERTIES + ", if there is one).")
-    private @Nullable Path properties;
+    @Mixin
+    private PropertiesFile properties;
 
     @Override
     public Integer call() throws IOException {
         ModelPair pair = options.read();
-        CheckInput input = input(pair);
+        CheckInput input = converter.tell(CheckInput.of(pair).withDevice(options.device(pair.original())));
         List<Finding> findings = new ArrayList<>(Check.run(input));
-        Path file = propertiesFile();
+        ModelReference evolved = ModelReference.parse(options.evolved());
         boolean runs = findings.stream().noneMatch(CheckCommand::isNoEvolution);
-        if (runs && (properties != null || Files.exists(file))) {
-            findings.addAll(PropertyCheck.run(input, file.toString(), Files.readString(file)));
+        if (runs && properties.isThere(evolved)) {
+            Path file = properties.path(evolved);
+            findings.addAll(PropertyCheck.run(input, file.toString(), PropertiesFile.read(file)));
         }
         Function<Element, String> places = options.places();
         Output.print(
@@ -113,15 +78,6 @@ final class CheckCommand implements Callable<Integer> {
                     case SVG -> picture(pair, findings);
                 });
         return findings.stream().allMatch(finding -> finding.rule().severity() == Rule.Severity.NOTE) ? 0 : 1;
-    }
-
-    private Path propertiesFile() {
-        Path models = ModelReference.parse(options.evolved()).file();
-        String name = String.valueOf(models.getFileName());
-        int dot = name.lastIndexOf('.');
-        return properties != null
-                ? properties
-                : models.resolveSibling((dot > 0 ? name.substring(0, dot) : name) + PROPERTIES);
     }
 
     /** Where the pair is none, nothing can happen in it. */
@@ -138,25 +94,5 @@ final class CheckCommand implements Callable<Integer> {
                 .toList();
         return SvgWriter.write(
                 "Check of " + pair.original().name() + " and " + pair.evolved().name(), diagrams);
-    }
-
-    private CheckInput input(ModelPair pair) {
-        CheckInput input = CheckInput.of(pair).withDevice(options.device(pair.original()));
-        if (functions != null) {
-            input = input.withFunctions(set(functions));
-        }
-        if (raised != null) {
-            input = input.withRaised(set(raised));
-        }
-        if (guards != null) {
-            input = input.withGuards(set(guards));
-        }
-        return effects != null ? input.withEffects(set(effects)) : input;
-    }
-
-    private static Set<String> set(List<String> names) {
-        Set<String> stripped = new HashSet<>();
-        names.forEach(name -> stripped.add(name.strip()));
-        return stripped;
     }
 }

@@ -84,9 +84,13 @@ final class PairOptions {
         }
         sent.removeAll(events("--device-only", deviceOnly, known));
         Map<Event, Integer> eventCosts = new LinkedHashMap<>();
-        costs.forEach((name, cost) -> eventCosts.put(event("--cost", name, known), cost));
+        costs.forEach(
+                (name, cost) -> events("--cost", List.of(name), known).forEach(event -> eventCosts.put(event, cost)));
+        List<String> states = device.states().stream().map(State::name).toList();
         Set<State> notPassed =
-                doNotPass.stream().map(name -> state(name, device)).collect(Collectors.toSet());
+                KnownNames.resolve("--do-not-pass", doNotPass, states, "state of the original model").stream()
+                        .map(State::new)
+                        .collect(Collectors.toSet());
         return new DeviceEvents(sent, Set.of())
                 .withCosts(eventCosts)
                 .withDoNotPass(notPassed)
@@ -94,25 +98,9 @@ final class PairOptions {
     }
 
     private static List<Event> events(String option, List<String> names, Set<Event> known) {
-        return names.stream().map(name -> event(option, name, known)).toList();
-    }
-
-    private static Event event(String option, String name, Set<Event> known) {
-        Event event = new Event(name.strip());
-        if (!known.contains(event)) {
-            throw new IllegalArgumentException(option + ": " + name + " is no event of the original model; there is "
-                    + known.stream().map(Event::name).collect(Collectors.joining(", ")));
-        }
-        return event;
-    }
-
-    private static State state(String name, StateMachine device) {
-        State state = new State(name.strip());
-        if (!device.hasState(state)) {
-            throw new IllegalArgumentException(
-                    "--do-not-pass: " + name + " is no state of the original model; there is "
-                            + device.states().stream().map(State::name).collect(Collectors.joining(", ")));
-        }
-        return state;
+        List<String> there = known.stream().map(Event::name).toList();
+        return KnownNames.resolve(option, names, there, "event of the original model").stream()
+                .map(Event::new)
+                .toList();
     }
 }

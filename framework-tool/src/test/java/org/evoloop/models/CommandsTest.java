@@ -1,7 +1,10 @@
 package org.evoloop.models;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.util.List;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
@@ -158,6 +161,18 @@ class CommandsTest {
         assertThat(unbound.status()).isEqualTo(1);
         assertThat(unbound.out())
                 .contains("no-function: new state SpotWait", "unraised-event: nobody raises event arriveSpot");
+    }
+
+    /** A guard may hold commas, as options that list guards do. */
+    @Test
+    void namesWithCommasAreFoundInLists() {
+        Set<String> known = Set.of("a", "max(a, b) > 1", "c");
+
+        assertThat(KnownNames.resolve("--guards", List.of("c", "max(a", " b) > 1", " a "), known, "guard"))
+                .containsExactly("c", "max(a, b) > 1", "a");
+        assertThat(KnownNames.resolve("--guards", List.of(""), known, "guard")).isEmpty();
+        assertThatThrownBy(() -> KnownNames.resolve("--guards", List.of("max(a", "c", "b"), Set.of("c"), "guard"))
+                .hasMessage("--guards: there is no guard named max(a, b; choose from: c");
     }
 
     @Test
