@@ -40,7 +40,15 @@ class CommandsTest {
                         + "\"kind\":\"external\"}");
         assertThat(machine.propertyNames())
                 .containsExactly(
-                        "name", "states", "events", "transitions", "initial", "hierarchy", "regions", "pseudostates");
+                        "name",
+                        "states",
+                        "events",
+                        "transitions",
+                        "initial",
+                        "hierarchy",
+                        "regions",
+                        "pseudostates",
+                        "initialTransitions");
     }
 
     @Test

@@ -130,6 +130,11 @@ public final class ChartIndex {
         return arcs.stream().filter(arc -> !isInitial(vertex(arc.source()))).toList();
     }
 
+    /** The transitions of initial pseudostates. */
+    public List<Arc> initialTransitions() {
+        return arcs.stream().filter(arc -> isInitial(vertex(arc.source()))).toList();
+    }
+
     /** Names of all events, declared ones first. */
     public List<String> events() {
         return List.copyOf(events);
