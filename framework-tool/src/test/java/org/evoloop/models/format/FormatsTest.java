@@ -33,7 +33,7 @@ class FormatsTest {
         List<Path> folders = new ArrayList<>();
         folders.add(Path.of(root, "models"));
         folders.add(Path.of(root, "framework-tool", "src", "test", "resources", "samples"));
-        if (System.getProperty("evoloop.samples") != null) {
+        if (!System.getProperty("evoloop.samples", "").isEmpty()) {
             folders.add(Path.of(System.getProperty("evoloop.samples")));
         }
         List<Statechart> charts = new ArrayList<>(List.of(WholeChart.CHART));
