@@ -5,16 +5,18 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
-import java.util.function.Function;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.evolution.check.Check;
 import org.evoloop.evolution.check.CheckInput;
-import org.evoloop.evolution.check.Element;
 import org.evoloop.evolution.check.Finding;
 import org.evoloop.evolution.check.Rule;
+import org.evoloop.models.checking.Drawings;
 import org.evoloop.models.checking.FindingDiagram;
 import org.evoloop.models.checking.FindingsJson;
 import org.evoloop.models.checking.FindingsText;
+import org.evoloop.models.checking.RuleSwitches;
+import org.evoloop.models.checking.RuleSwitches.SwitchedOff;
+import org.evoloop.models.checking.SamePlace;
 import org.evoloop.models.diagram.Diagram;
 import org.evoloop.models.diagram.SvgWriter;
 import org.evoloop.models.temporal.PropertyCheck;
@@ -62,19 +64,23 @@ final class CheckCommand implements Callable<Integer> {
     public Integer call() throws IOException {
         ModelPair pair = options.read();
         CheckInput input = converter.tell(CheckInput.of(pair).withDevice(options.device(pair.original())));
-        List<Finding> findings = new ArrayList<>(Check.run(input));
+        List<Finding> all = new ArrayList<>(Check.run(input));
+        RuleSwitches switches = RuleSwitches.none();
         ModelReference evolved = ModelReference.parse(options.evolved());
-        boolean runs = findings.stream().noneMatch(CheckCommand::isNoEvolution);
-        if (runs && properties.isThere(evolved)) {
+        if (all.stream().noneMatch(CheckCommand::isNoEvolution) && properties.isThere(evolved)) {
             Path file = properties.path(evolved);
-            findings.addAll(PropertyCheck.run(input, file.toString(), PropertiesFile.read(file)));
+            switches = RuleSwitches.parse(file.toString(), PropertiesFile.read(file), pair);
+            all.addAll(PropertyCheck.run(input, file.toString(), switches.properties()));
+            switches.useless(all).forEach(useless -> spec.commandLine().getErr().println("note: " + useless));
         }
-        Function<Element, String> places = options.places();
+        Drawings drawings = options.drawings(pair);
+        List<Finding> findings = SamePlace.merge(switches.left(all), drawings);
+        List<SwitchedOff> off = switches.off(all);
         Output.print(
                 spec,
                 switch (format) {
-                    case TEXT -> FindingsText.write(findings, places);
-                    case JSON -> FindingsJson.write(findings, places);
+                    case TEXT -> FindingsText.write(findings, off, drawings::place);
+                    case JSON -> FindingsJson.write(findings, off, drawings::place);
                     case SVG -> picture(pair, findings);
                 });
         return findings.stream().allMatch(finding -> finding.rule().severity() == Rule.Severity.NOTE) ? 0 : 1;

@@ -6,6 +6,7 @@ import org.evoloop.evolution.ModelPair;
 import org.evoloop.models.checking.Drawing;
 import org.evoloop.statechart.Statechart;
 import org.evoloop.statemachine.ModelException;
+import org.evoloop.statemachine.StateMachine;
 import org.evoloop.xmi.ModelReference;
 import org.evoloop.xmi.XmiFile;
 import org.evoloop.xmi.XmiMachine;
@@ -47,14 +48,15 @@ final class ModelReader {
         return new Drawn(charts, problems);
     }
 
-    /** The machine that {@code reference} names, to find places in. */
-    static Drawing drawing(String reference) {
+    /**
+     * The machine that {@code reference} names, to find places in.
+     *
+     * @param machine what the pair made of it
+     */
+    static Drawing drawing(String reference, StateMachine machine) {
         ModelReference named = ModelReference.parse(reference);
-        XmiMachine machine = named.find();
-        return new Drawing(
-                named.file().toString(),
-                machine.statechart(),
-                machine.flattening().leaves());
+        XmiMachine found = named.find();
+        return new Drawing(named.file().toString(), found.statechart(), found.flattening(), machine);
     }
 
     /** The two machines of an evolution, flat; whether they are one is for others to say. */

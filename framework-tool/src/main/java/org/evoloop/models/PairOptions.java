@@ -5,12 +5,10 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.function.Function;
 import java.util.stream.Collectors;
 import org.evoloop.evolution.DeviceEvents;
 import org.evoloop.evolution.ModelPair;
-import org.evoloop.evolution.check.Element;
-import org.evoloop.models.checking.Drawing;
+import org.evoloop.models.checking.Drawings;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
@@ -68,11 +66,10 @@ final class PairOptions {
         return ModelReader.pair(original, evolved);
     }
 
-    /** Where the parts of both models stand in their files. */
-    Function<Element, String> places() {
-        Drawing originalDrawing = ModelReader.drawing(original);
-        Drawing evolvedDrawing = ModelReader.drawing(evolved);
-        return element -> (element.side() == Element.Side.ORIGINAL ? originalDrawing : evolvedDrawing).place(element);
+    /** Where the parts of {@code pair} stand in their files. */
+    Drawings drawings(ModelPair pair) {
+        return new Drawings(
+                ModelReader.drawing(original, pair.original()), ModelReader.drawing(evolved, pair.evolved()));
     }
 
     /** What passes between converter and device. @throws IllegalArgumentException for a name that the model lacks */

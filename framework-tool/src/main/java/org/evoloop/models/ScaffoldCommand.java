@@ -52,7 +52,7 @@ final class ScaffoldCommand implements Callable<Integer> {
                 .filter(finding -> finding.rule().severity() == Rule.Severity.ERROR)
                 .toList();
         if (!errors.isEmpty()) {
-            spec.commandLine().getErr().print(FindingsText.write(errors, options.places()));
+            spec.commandLine().getErr().print(FindingsText.write(errors, List.of(), options.drawings(pair)::place));
             spec.commandLine().getErr().println("error: no converter of this pair could run; mend the models first");
             return 1;
         }

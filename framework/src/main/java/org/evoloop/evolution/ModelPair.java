@@ -17,22 +17,20 @@ import org.evoloop.statemachine.StateMachine;
  * @param evolved what device and converter shall do together
  */
 public record ModelPair(StateMachine original, StateMachine evolved) {
+    /** States that are drawn in the same place get the same name, whatever else their machines have. */
+    public ModelPair {
+        Namesakes namesakes = new Namesakes(original, evolved);
+        original = namesakes.original();
+        evolved = namesakes.evolved();
+    }
 
     /** Something of the original model that the new model lacks, against Definition IV.1 of the paper. */
-    public sealed interface Violation {
+    public sealed interface Violation permits MissingState, Violation.MissingEvent {
         /** Condition 1, E_o is a subset of E_n: {@code event} is missing in the new model. */
         record MissingEvent(Event event) implements Violation {
             @Override
             public String toString() {
                 return "Condition 1: event " + event + " is missing in the new model";
-            }
-        }
-
-        /** Condition 2, S_o is a subset of S_n: {@code state} is missing in the new model. */
-        record MissingState(State state) implements Violation {
-            @Override
-            public String toString() {
-                return "Condition 2: state " + state + " is missing in the new model";
             }
         }
     }
@@ -47,7 +45,7 @@ public record ModelPair(StateMachine original, StateMachine evolved) {
         }
         for (State state : original.states()) {
             if (!evolved.hasState(state)) {
-                found.add(new Violation.MissingState(state));
+                found.add(MissingState.of(state, original, evolved));
             }
         }
         return found;

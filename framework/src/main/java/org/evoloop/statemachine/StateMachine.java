@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -29,6 +30,8 @@ public final class StateMachine {
     private final Map<State, Map<Event, Transition>> byEvent;
     private final List<String> initialEffects;
     private final Map<State, List<String>> activities;
+    /** Only of states that are drawn inside others, or ends. */
+    private final Map<State, DrawnState> drawn;
 
     StateMachine(
             String name,
@@ -37,7 +40,8 @@ public final class StateMachine {
             Set<Event> events,
             Map<State, Map<Event, Transition>> outgoing,
             List<String> initialEffects,
-            Map<State, List<String>> activities) {
+            Map<State, List<String>> activities,
+            Map<State, DrawnState> drawn) {
         this.name = name;
         this.initial = initial;
         this.states = Collections.unmodifiableSet(new LinkedHashSet<>(states));
@@ -50,6 +54,7 @@ public final class StateMachine {
         }
         this.initialEffects = List.copyOf(initialEffects);
         this.activities = Map.copyOf(activities);
+        this.drawn = Map.copyOf(drawn);
     }
 
     private StateMachine(StateMachine same, String name) {
@@ -61,11 +66,40 @@ public final class StateMachine {
         this.byEvent = same.byEvent;
         this.initialEffects = same.initialEffects;
         this.activities = same.activities;
+        this.drawn = same.drawn;
     }
 
     /** The same machine, which messages call {@code otherName}. */
     public StateMachine withName(String otherName) {
         return new StateMachine(this, otherName);
+    }
+
+    /** The same machine with other names for some of its states. @throws ModelException if two would have one name */
+    public StateMachine withStateNames(Map<State, String> names) {
+        UnaryOperator<State> renamed = state -> names.containsKey(state) ? new State(names.get(state)) : state;
+        StateMachineBuilder builder = new StateMachineBuilder(name);
+        Set<State> all = new LinkedHashSet<>();
+        for (State state : states) {
+            State same = renamed.apply(state);
+            if (!all.add(same)) {
+                throw new ModelException("state machine '" + name + "' has two states named " + same + "; rename one");
+            }
+            builder.activities(same.name(), activities(state)).drawn(same.name(), paths(state), isEnd(state));
+        }
+        builder.initial(renamed.apply(initial).name()).initialEffects(initialEffects);
+        events.forEach(builder::event);
+        for (Transition transition : transitions()) {
+            builder.transition(
+                    new Transition(
+                            renamed.apply(transition.source()),
+                            transition.event(),
+                            renamed.apply(transition.target()),
+                            transition.effects(),
+                            transition.internal(),
+                            transition.keeps()),
+                    "");
+        }
+        return builder.build();
     }
 
     /** Starts a machine of this name; the name is what messages call it. */
@@ -91,6 +125,21 @@ public final class StateMachine {
     /** Names of the behaviors that go on while {@code state} lasts (UML's do activities), outer ones first. */
     public List<String> activities(State state) {
         return activities.getOrDefault(state, List.of());
+    }
+
+    /**
+     * Where {@code state} is drawn: the path {@code Outer.Inner} of the innermost state that is active in it, of regions
+     * side by side one for each. Its name where nothing else is known.
+     */
+    public List<String> paths(State state) {
+        DrawnState known = drawn.get(state);
+        return known == null ? List.of(state.name()) : known.paths();
+    }
+
+    /** Whether {@code state} is where the machine ends: nothing but final states, or a terminate pseudostate. */
+    public boolean isEnd(State state) {
+        DrawnState known = drawn.get(state);
+        return known != null && known.end();
     }
 
     /** S, never empty. */

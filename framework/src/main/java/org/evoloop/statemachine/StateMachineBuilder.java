@@ -25,6 +25,7 @@ public final class StateMachineBuilder {
     private final List<String> problems = new ArrayList<>();
     private final List<String> initialEffects = new ArrayList<>();
     private final Map<State, List<String>> activities = new LinkedHashMap<>();
+    private final Map<State, DrawnState> drawn = new LinkedHashMap<>();
     private @Nullable State initial;
 
     StateMachineBuilder(String name) {
@@ -64,9 +65,28 @@ public final class StateMachineBuilder {
         return this;
     }
 
+    /**
+     * Adds a state of a machine that was drawn with states inside others.
+     *
+     * @param paths see {@link StateMachine#paths}
+     * @param end see {@link StateMachine#isEnd}
+     */
+    public StateMachineBuilder drawn(String state, List<String> paths, boolean end) {
+        State owner = new State(state);
+        states.add(owner);
+        if (end || !paths.equals(List.of(state))) {
+            drawn.put(owner, new DrawnState(paths, end));
+        }
+        return this;
+    }
+
     /** Adds an event that no transition needs to carry. */
     public StateMachineBuilder event(String event) {
-        addEvent(new Event(event), "");
+        return event(new Event(event));
+    }
+
+    StateMachineBuilder event(Event event) {
+        addEvent(event, "");
         return this;
     }
 
@@ -145,6 +165,6 @@ public final class StateMachineBuilder {
         if (start == null || !problems.isEmpty()) {
             throw new ModelException("state machine '" + name + "': " + String.join("; ", problems));
         }
-        return new StateMachine(name, start, states, events, outgoing, initialEffects, activities);
+        return new StateMachine(name, start, states, events, outgoing, initialEffects, activities, drawn);
     }
 }
