@@ -132,6 +132,10 @@ class BadInputTest {
             assertRefused(scaffold(wrong, directory.resolve("free")), "--package", wrong);
         }
         assertThat(directory.resolve("free")).doesNotExist();
+        assertRefused(
+                Tool.run("scaffold", ORIGINAL, NEW, "--package", "lamp", "--update", "--out", directory.toString()),
+                "--update",
+                "no project of scaffold");
     }
 
     private static Tool scaffold(String javaPackage, Path directory) {
