@@ -55,10 +55,10 @@ class ScaffoldUpdateTest {
     }
 
     private Tool scaffold(String... options) {
-        return scaffold("com.example.made", options);
+        return scaffoldAs("com.example.made", options);
     }
 
-    private Tool scaffold(String javaPackage, String... options) {
+    private Tool scaffoldAs(String javaPackage, String... options) {
         Stream<String> arguments = Stream.of(
                 "scaffold",
                 directory.resolve("original.xml").toString(),
@@ -174,7 +174,7 @@ class ScaffoldUpdateTest {
 
     @Test
     void anotherPackageIsRefused() {
-        Tool refused = scaffold("other", "--update");
+        Tool refused = scaffoldAs("other", "--update");
 
         assertThat(refused.status()).isEqualTo(2);
         assertThat(refused.err()).contains("--package: the project was begun as com.example.made");
