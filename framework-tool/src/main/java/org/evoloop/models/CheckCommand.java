@@ -1,27 +1,26 @@
 package org.evoloop.models;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.HashSet;
 import java.util.List;
-import java.util.Set;
 import java.util.concurrent.Callable;
-import java.util.function.Function;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.evolution.check.Check;
 import org.evoloop.evolution.check.CheckInput;
-import org.evoloop.evolution.check.Element;
 import org.evoloop.evolution.check.Finding;
 import org.evoloop.evolution.check.Rule;
+import org.evoloop.models.checking.Drawings;
 import org.evoloop.models.checking.FindingDiagram;
 import org.evoloop.models.checking.FindingsJson;
 import org.evoloop.models.checking.FindingsText;
+import org.evoloop.models.checking.RuleSwitches;
+import org.evoloop.models.checking.RuleSwitches.SwitchedOff;
+import org.evoloop.models.checking.SamePlace;
 import org.evoloop.models.diagram.Diagram;
 import org.evoloop.models.diagram.SvgWriter;
 import org.evoloop.models.temporal.PropertyCheck;
-import org.jspecify.annotations.Nullable;
+import org.evoloop.xmi.ModelReference;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -35,8 +34,6 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true)
 @SuppressWarnings("NullAway.Init") // picocli sets the fields
 final class CheckCommand implements Callable<Integer> {
-    private static final String PROPERTIES = ".properties.txt";
-
     /** How findings can be told. */
     enum Format {
         TEXT,
@@ -57,70 +54,36 @@ final class CheckCommand implements Callable<Integer> {
                     + " findings.")
     private Format format;
 
-    @Option(
-            names = "--functions",
-            split = ",",
-            paramLabel = "STATE",
-            description = "New states for which a function is registered; judged only if given.")
-    private @Nullable List<String> functions;
+    @Mixin
+    private ConverterOptions converter;
 
-    @Option(
-            names = "--raised",
-            split = ",",
-            paramLabel = "EVENT",
-            description = "Events that monitors and functions raise; judged only if given.")
-    private @Nullable List<String> raised;
-
-    @Option(
-            names = "--guards",
-            split = ",",
-            paramLabel = "GUARD",
-            description = "Guards that something is bound to; judged only if given.")
-    private @Nullable List<String> guards;
-
-    @Option(
-            names = "--effects",
-            split = ",",
-            paramLabel = "EFFECT",
-            description = "Effects that something is bound to; judged only if given.")
-    private @Nullable List<String> effects;
-
-    @Option(
-            names = "--properties",
-            paramLabel = "FILE",
-            description =
-                    "Properties to check, a line each (default: the file beside NEW that is called like it and ends"
-                            + " in " + PROPERTIES + ", if there is one).")
-    private @Nullable Path properties;
+    @Mixin
+    private PropertiesFile properties;
 
     @Override
     public Integer call() throws IOException {
         ModelPair pair = options.read();
-        CheckInput input = input(pair);
-        List<Finding> findings = new ArrayList<>(Check.run(input));
-        Path file = propertiesFile();
-        boolean runs = findings.stream().noneMatch(CheckCommand::isNoEvolution);
-        if (runs && (properties != null || Files.exists(file))) {
-            findings.addAll(PropertyCheck.run(input, file.toString(), Files.readString(file)));
+        CheckInput input = converter.tell(CheckInput.of(pair).withDevice(options.device(pair.original())));
+        List<Finding> all = new ArrayList<>(Check.run(input));
+        RuleSwitches switches = RuleSwitches.none();
+        ModelReference evolved = options.evolved();
+        if (all.stream().noneMatch(CheckCommand::isNoEvolution) && properties.isThere(evolved)) {
+            Path file = properties.path(evolved);
+            switches = RuleSwitches.parse(file.toString(), PropertiesFile.read(file), pair);
+            all.addAll(PropertyCheck.run(input, file.toString(), switches.properties()));
+            switches.useless(all).forEach(useless -> spec.commandLine().getErr().println("note: " + useless));
         }
-        Function<Element, String> places = options.places();
+        Drawings drawings = options.drawings(pair);
+        List<Finding> findings = SamePlace.merge(switches.left(all), drawings);
+        List<SwitchedOff> off = switches.off(all);
         Output.print(
                 spec,
                 switch (format) {
-                    case TEXT -> FindingsText.write(findings, places);
-                    case JSON -> FindingsJson.write(findings, places);
+                    case TEXT -> FindingsText.write(findings, off, drawings::place);
+                    case JSON -> FindingsJson.write(findings, off, drawings::place);
                     case SVG -> picture(pair, findings);
                 });
         return findings.stream().allMatch(finding -> finding.rule().severity() == Rule.Severity.NOTE) ? 0 : 1;
-    }
-
-    private Path propertiesFile() {
-        Path models = options.evolved().file();
-        String name = String.valueOf(models.getFileName());
-        int dot = name.lastIndexOf('.');
-        return properties != null
-                ? properties
-                : models.resolveSibling((dot > 0 ? name.substring(0, dot) : name) + PROPERTIES);
     }
 
     /** Where the pair is none, nothing can happen in it. */
@@ -137,25 +100,5 @@ final class CheckCommand implements Callable<Integer> {
                 .toList();
         return SvgWriter.write(
                 "Check of " + pair.original().name() + " and " + pair.evolved().name(), diagrams);
-    }
-
-    private CheckInput input(ModelPair pair) {
-        CheckInput input = CheckInput.of(pair).withDevice(options.device(pair.original()));
-        if (functions != null) {
-            input = input.withFunctions(set(functions));
-        }
-        if (raised != null) {
-            input = input.withRaised(set(raised));
-        }
-        if (guards != null) {
-            input = input.withGuards(set(guards));
-        }
-        return effects != null ? input.withEffects(set(effects)) : input;
-    }
-
-    private static Set<String> set(List<String> names) {
-        Set<String> stripped = new HashSet<>();
-        names.forEach(name -> stripped.add(name.strip()));
-        return stripped;
     }
 }

@@ -22,8 +22,24 @@ public final class Main {
         return new CommandLine(new ModelsCommand()).setCaseInsensitiveEnumValuesAllowed(true);
     }
 
-    /** Runs the command line and returns the exit status: 0 good, 1 a check failed, 2 wrong usage or input. */
+    /**
+     * Runs the command line and returns the exit status: 0 good, 1 a check failed or its result could not be written, 2
+     * wrong usage or input.
+     */
     static int run(CommandLine commandLine, String... arguments) {
+        int status = execute(commandLine, arguments);
+        // A full disk or a closed pipe shows in nothing but this.
+        if (commandLine.getOut().checkError()) {
+            commandLine
+                    .getErr()
+                    .println("error: standard output: the result could not be written in full; make room where it goes,"
+                            + " or write it elsewhere");
+            return status == CommandLine.ExitCode.OK ? CommandLine.ExitCode.SOFTWARE : status;
+        }
+        return status;
+    }
+
+    private static int execute(CommandLine commandLine, String... arguments) {
         return commandLine
                 .setParameterExceptionHandler((mistake, given) -> {
                     CommandLine command = mistake.getCommandLine();

@@ -64,13 +64,14 @@ final class ModelReader {
         return flat;
     }
 
-    /** The machine that {@code reference} names, to find places in. */
-    static Drawing drawing(ModelReference reference) {
-        XmiMachine machine = reference.find();
-        return new Drawing(
-                reference.file().toString(),
-                machine.statechart(),
-                machine.flattening().leaves());
+    /**
+     * The machine that {@code reference} names, to find places in.
+     *
+     * @param machine what the pair made of it
+     */
+    static Drawing drawing(ModelReference reference, StateMachine machine) {
+        XmiMachine found = reference.find();
+        return new Drawing(reference.file().toString(), found.statechart(), found.flattening(), machine);
     }
 
     /** The two machines of an evolution, flat; whether they are one is for others to say. */

@@ -5,12 +5,10 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.function.Function;
 import java.util.stream.Collectors;
 import org.evoloop.evolution.DeviceEvents;
 import org.evoloop.evolution.ModelPair;
-import org.evoloop.evolution.check.Element;
-import org.evoloop.models.checking.Drawing;
+import org.evoloop.models.checking.Drawings;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
@@ -80,11 +78,10 @@ final class PairOptions {
         return ModelReader.pair(original(), evolved(), spec);
     }
 
-    /** Where the parts of both models stand in their files. */
-    Function<Element, String> places() {
-        Drawing originalDrawing = ModelReader.drawing(original());
-        Drawing evolvedDrawing = ModelReader.drawing(evolved());
-        return element -> (element.side() == Element.Side.ORIGINAL ? originalDrawing : evolvedDrawing).place(element);
+    /** Where the parts of {@code pair} stand in their files. */
+    Drawings drawings(ModelPair pair) {
+        return new Drawings(
+                ModelReader.drawing(original(), pair.original()), ModelReader.drawing(evolved(), pair.evolved()));
     }
 
     /** What passes between converter and device. @throws IllegalArgumentException for a name that the model lacks */
@@ -98,9 +95,13 @@ final class PairOptions {
             sent.removeAll(device.spontaneous());
         }
         Map<Event, Integer> eventCosts = new LinkedHashMap<>();
-        costs.forEach((name, cost) -> eventCosts.put(event("--cost", name, known), cost));
+        costs.forEach(
+                (name, cost) -> events("--cost", List.of(name), known).forEach(event -> eventCosts.put(event, cost)));
         Set<State> notPassed =
-                doNotPass.stream().map(name -> state(name, device)).collect(Collectors.toSet());
+                KnownNames.resolve("--do-not-pass", doNotPass, KnownNames.states(device), "state of the original model")
+                        .stream()
+                        .map(State::new)
+                        .collect(Collectors.toSet());
         return new DeviceEvents(sent, own)
                 .withCosts(eventCosts)
                 .withDoNotPass(notPassed)
@@ -108,25 +109,9 @@ final class PairOptions {
     }
 
     private static List<Event> events(String option, List<String> names, Set<Event> known) {
-        return names.stream().map(name -> event(option, name, known)).toList();
-    }
-
-    private static Event event(String option, String name, Set<Event> known) {
-        Event event = new Event(name.strip());
-        if (!known.contains(event)) {
-            throw new IllegalArgumentException(option + ": " + name + " is no event of the original model; there is "
-                    + known.stream().map(Event::name).collect(Collectors.joining(", ")));
-        }
-        return event;
-    }
-
-    private static State state(String name, StateMachine device) {
-        State state = new State(name.strip());
-        if (device.alike(state).isEmpty()) {
-            throw new IllegalArgumentException(
-                    "--do-not-pass: " + name + " is no state of the original model; there is "
-                            + device.states().stream().map(State::name).collect(Collectors.joining(", ")));
-        }
-        return state;
+        List<String> there = known.stream().map(Event::name).toList();
+        return KnownNames.resolve(option, names, there, "event of the original model").stream()
+                .map(Event::new)
+                .toList();
     }
 }

@@ -11,7 +11,10 @@ import org.evoloop.evolution.check.CheckInput;
 import org.evoloop.evolution.check.Finding;
 import org.evoloop.evolution.check.Rule;
 import org.evoloop.models.checking.FindingsText;
+import org.evoloop.models.checking.RuleSwitches;
 import org.evoloop.models.scaffold.Scaffold;
+import org.evoloop.xmi.ModelReference;
+import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -38,25 +41,50 @@ final class ScaffoldCommand implements Callable<Integer> {
             names = "--out",
             required = true,
             paramLabel = "DIR",
-            description = "The directory of the project; it must not exist, or be empty.")
+            description = "The directory of the project; it must not exist, or be empty, unless --update is given.")
     private Path directory;
+
+    @Option(
+            names = "--update",
+            description =
+                    "Brings the project in DIR up to date with the models; what its owner wrote is kept, and what is"
+                            + " new is told.")
+    private boolean update;
+
+    @Mixin
+    private PropertiesFile properties;
 
     @Override
     public Integer call() throws IOException {
         Scaffold.requirePackage(javaPackage);
-        Scaffold.requireEmpty(directory);
+        Scaffold.requireDirectory(directory, update);
         ModelPair pair = options.read();
         DeviceEvents device = options.device(pair.original());
         List<Finding> errors = Check.run(CheckInput.of(pair).withDevice(device)).stream()
                 .filter(finding -> finding.rule().severity() == Rule.Severity.ERROR)
                 .toList();
         if (!errors.isEmpty()) {
-            spec.commandLine().getErr().print(FindingsText.write(errors, options.places()));
+            spec.commandLine().getErr().print(FindingsText.write(errors, List.of(), options.drawings(pair)::place));
             spec.commandLine().getErr().println("error: no converter of this pair could run; mend the models first");
             return 1;
         }
-        Scaffold.write(
-                new Scaffold.Request(pair, device, options.original(), options.evolved(), javaPackage, directory));
-        return Output.print(spec, "wrote " + directory + "; go on with: cd " + directory + " && ./mvnw -q verify\n");
+        List<String> report = Scaffold.write(new Scaffold.Request(
+                pair, device, options.original(), options.evolved(), javaPackage, directory, propertiesFile(pair)));
+        return Output.print(
+                spec,
+                update
+                        ? report.isEmpty() ? "nothing is new\n" : String.join("\n", report) + "\n"
+                        : "wrote " + directory + "; go on with: cd " + directory + " && ./mvnw -q verify\n");
+    }
+
+    /** The file that goes along, if there is one; it must be understood. */
+    private @Nullable Path propertiesFile(ModelPair pair) throws IOException {
+        ModelReference evolved = options.evolved();
+        if (!properties.isThere(evolved)) {
+            return null;
+        }
+        Path file = properties.path(evolved);
+        RuleSwitches.parse(file.toString(), PropertiesFile.read(file), pair);
+        return file;
     }
 }

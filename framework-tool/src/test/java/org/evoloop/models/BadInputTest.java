@@ -2,10 +2,18 @@ package org.evoloop.models;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.io.Writer;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
+import picocli.CommandLine;
 
 /** What a user can mend is one message, exit status 2, and nothing on the standard output. */
 class BadInputTest {
@@ -57,6 +65,59 @@ class BadInputTest {
     }
 
     @Test
+    void whatTheConverterIsSaidToHaveMustStandInAModel() {
+        assertRefused(Tool.run("check", ORIGINAL, NEW, "--functions", "Move,Wait"), "--functions", "Wait", "SpotWait");
+        assertRefused(Tool.run("check", ORIGINAL, NEW, "--raised", "arrive,Clean"), "--raised", "arrive", "arriveSpot");
+        assertRefused(Tool.run("check", ORIGINAL, NEW, "--guards", "hot"), "--guards", "hot", "none");
+        assertRefused(Tool.run("check", ORIGINAL, NEW, "--effects", "beep"), "--effects", "beep", "none");
+    }
+
+    @Test
+    void whatIsNoFileOfPropertiesIsRefused(@TempDir Path directory) throws Exception {
+        Path missing = directory.resolve("missing.txt");
+        Path bytes = Files.write(directory.resolve("bytes.txt"), new byte[] {'a', (byte) 0xff});
+        assertRefused(
+                Tool.run("check", ORIGINAL, NEW, "--properties", missing.toString()), "missing.txt: does not exist");
+        assertRefused(Tool.run("check", ORIGINAL, NEW, "--properties", directory.toString()), "is no file");
+        assertRefused(Tool.run("check", ORIGINAL, NEW, "--properties", bytes.toString()), "bytes.txt", "UTF-8");
+    }
+
+    @Test
+    @EnabledOnOs(OS.LINUX)
+    @Timeout(60)
+    void pipesAndDevicesAreNoModels(@TempDir Path directory) throws Exception {
+        Path pipe = directory.resolve("pipe.xml");
+        assertThat(new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor())
+                .isZero();
+
+        assertRefused(Tool.run("show", pipe.toString()), "pipe.xml: is a pipe or a device");
+        assertRefused(Tool.run("show", "/dev/zero"), "/dev/zero: is a pipe or a device");
+        assertRefused(Tool.run("check", ORIGINAL, NEW, "--properties", pipe.toString()), "pipe.xml: is no file");
+    }
+
+    @Test
+    void aResultThatCannotBeWrittenIsAFailure() {
+        CommandLine full = Main.commandLine();
+        StringWriter err = new StringWriter();
+        full.setErr(new PrintWriter(err));
+        full.setOut(new PrintWriter(new Writer() {
+            @Override
+            public void write(char[] text, int from, int length) throws IOException {
+                throw new IOException("No space left on device");
+            }
+
+            @Override
+            public void flush() {}
+
+            @Override
+            public void close() {}
+        }));
+
+        assertThat(Main.run(full, "show", NEW)).isEqualTo(1);
+        assertThat(err).asString().startsWith("error: standard output: ").doesNotContain("\tat ");
+    }
+
+    @Test
     void aPairThatIsNoEvolutionHasNoPlan() {
         assertRefused(Tool.run("plan", NEW, ORIGINAL), "not an evolution", "Move", "SpotWait", "timeout");
     }
@@ -71,6 +132,10 @@ class BadInputTest {
             assertRefused(scaffold(wrong, directory.resolve("free")), "--package", wrong);
         }
         assertThat(directory.resolve("free")).doesNotExist();
+        assertRefused(
+                Tool.run("scaffold", ORIGINAL, NEW, "--package", "lamp", "--update", "--out", directory.toString()),
+                "--update",
+                "no project of scaffold");
     }
 
     private static Tool scaffold(String javaPackage, Path directory) {

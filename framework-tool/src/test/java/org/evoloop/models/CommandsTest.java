@@ -1,7 +1,10 @@
 package org.evoloop.models;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.util.List;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
@@ -37,7 +40,15 @@ class CommandsTest {
                         + "\"kind\":\"external\"}");
         assertThat(machine.propertyNames())
                 .containsExactly(
-                        "name", "states", "events", "transitions", "initial", "hierarchy", "regions", "pseudostates");
+                        "name",
+                        "states",
+                        "events",
+                        "transitions",
+                        "initial",
+                        "hierarchy",
+                        "regions",
+                        "pseudostates",
+                        "initialTransitions");
     }
 
     @Test
@@ -136,8 +147,10 @@ class CommandsTest {
     }
 
     @Test
-    void checkFindsNothingInThePapersPairAndEverythingInItsReverse() {
-        assertThat(good("check", ORIGINAL, NEW, "--spontaneous", "endSpot")).isEqualTo("nothing found\n");
+    void checkFindsANoteInThePapersPairAndEverythingInItsReverse() {
+        assertThat(good("check", ORIGINAL, NEW, "--spontaneous", "endSpot"))
+                .startsWith("note: swallowed-event: new state Move swallows Clean, Spot")
+                .endsWith("\n1 finding\n");
 
         Tool broken = Tool.run("check", NEW, ORIGINAL, "--format", "json");
         assertThat(broken.status()).isEqualTo(1);
@@ -181,6 +194,18 @@ class CommandsTest {
         assertThat(unbound.status()).isEqualTo(1);
         assertThat(unbound.out())
                 .contains("no-function: new state SpotWait", "unraised-event: nobody raises event arriveSpot");
+    }
+
+    /** A guard may hold commas, as options that list guards do. */
+    @Test
+    void namesWithCommasAreFoundInLists() {
+        Set<String> known = Set.of("a", "max(a, b) > 1", "c");
+
+        assertThat(KnownNames.resolve("--guards", List.of("c", "max(a", " b) > 1", " a "), known, "guard"))
+                .containsExactly("c", "max(a, b) > 1", "a");
+        assertThat(KnownNames.resolve("--guards", List.of(""), known, "guard")).isEmpty();
+        assertThatThrownBy(() -> KnownNames.resolve("--guards", List.of("max(a", "c", "b"), Set.of("c"), "guard"))
+                .hasMessage("--guards: there is no guard named max(a, b; choose from: c");
     }
 
     @Test

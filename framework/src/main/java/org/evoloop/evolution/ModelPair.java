@@ -18,28 +18,26 @@ import org.evoloop.statemachine.StateMachine;
  * @param evolved what device and converter shall do together
  */
 public record ModelPair(StateMachine original, StateMachine evolved) {
-
-    /** @throws NullPointerException if one of them is null; the message says which */
+    /**
+     * States that are drawn in the same place get the same name, whatever else their machines have.
+     *
+     * @throws NullPointerException if one of them is null; the message says which
+     */
     public ModelPair {
         Objects.requireNonNull(original, "the original model is null");
         Objects.requireNonNull(evolved, "the new model is null");
+        Namesakes namesakes = new Namesakes(original, evolved);
+        original = namesakes.original();
+        evolved = namesakes.evolved();
     }
 
     /** Something of the original model that the new model lacks, against Definition IV.1 of the paper. */
-    public sealed interface Violation {
+    public sealed interface Violation permits MissingState, Violation.MissingEvent {
         /** Condition 1, E_o is a subset of E_n: {@code event} is missing in the new model. */
         record MissingEvent(Event event) implements Violation {
             @Override
             public String toString() {
                 return "Condition 1: event " + event + " is missing in the new model";
-            }
-        }
-
-        /** Condition 2, S_o is a subset of S_n: {@code state} is missing in the new model. */
-        record MissingState(State state) implements Violation {
-            @Override
-            public String toString() {
-                return "Condition 2: state " + state + " is missing in the new model";
             }
         }
     }
@@ -54,7 +52,7 @@ public record ModelPair(StateMachine original, StateMachine evolved) {
         }
         for (State state : original.states()) {
             if (evolvedStates(state).isEmpty()) {
-                found.add(new Violation.MissingState(state));
+                found.add(MissingState.of(state, original, evolved));
             }
         }
         return found;

@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.HashMap;
 import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
@@ -20,6 +21,14 @@ final class Explorer {
     /** Of one event in one state: twelve guards that depend on nothing. */
     private static final int MAX_CASES = 4_096;
 
+    /**
+     * How much is tried with a machine that may be too large, in active states that are looked at: a second's work. One
+     * whose regions change together is small all the same.
+     */
+    private static final long TRIED = 1_000_000;
+    /** What a step costs that is not plain. */
+    private static final int FULL_STEP = 20;
+
     private static final String SMALLER = "draw fewer regions side by side, or histories, or guards on one event";
 
     private final Net net;
@@ -30,6 +39,10 @@ final class Explorer {
 
     private final Map<Snapshot, Reached> others = new HashMap<>();
     private final Map<String, Cause> events = new HashMap<>();
+    /** Null if the machine cannot be too large. */
+    private final @Nullable SizeEstimate tooLarge;
+
+    private long tried;
     private final BitSet visited = new BitSet();
     private final BitSet used = new BitSet();
     private int explored;
@@ -39,6 +52,8 @@ final class Explorer {
     Explorer(Net net) {
         this.net = net;
         this.alone = new Reached[net.nodes().size()];
+        SizeEstimate estimate = new SizeEstimate(net);
+        this.tooLarge = estimate.exceeds(MAX_STATES, MAX_MOVES) ? estimate : null;
     }
 
     /**
@@ -132,9 +147,16 @@ final class Explorer {
         Node node = PlainSteps.alone(net, state.snapshot);
         List<Move> moves = new ArrayList<>();
         if (node == null || node.hasRivals() || !node.deferred().isEmpty()) {
-            for (Cause cause : causes(state.snapshot)) {
-                step(state, cause, moves);
-            }
+            causes(state.snapshot).forEach((cause, owners) -> {
+                Link link = owners.size() == 1 && cause.kind() != Cause.Kind.COMPLETION
+                        ? PlainSteps.only(owners.get(0), cause.name(), state.snapshot)
+                        : null;
+                if (link == null) {
+                    step(state, cause, moves);
+                } else {
+                    moves.add(plain(link, cause, state.snapshot));
+                }
+            });
             return moves;
         }
         // Each trigger stands on one transition, so neither needs to be looked up by the other.
@@ -155,6 +177,32 @@ final class Explorer {
         return moves;
     }
 
+    /** Of a state beside others. */
+    private Move plain(Link link, Cause cause, Snapshot state) {
+        work(state.leaves().length);
+        used.set(link.index);
+        visited.set(link.target.index);
+        Snapshot after = state.with(link.source, link.target);
+        Reached known = find(after);
+        Reached target = known == null ? reach(after) : known;
+        return new Move(cause, List.of(), target, PlainSteps.effects(link), false, Set.of(link.source), false);
+    }
+
+    private void work(long amount) {
+        tried += amount;
+        if (tooLarge != null && tried > TRIED) {
+            Node widest = tooLarge.widest();
+            throw new Refused(
+                    widest == null ? net.chart().place() : widest.vertex.place(),
+                    "the flat machine would have " + tooLarge
+                            + (widest == null
+                                    ? ""
+                                    : "; " + widest + " has " + widest.zones.size() + " regions side by side")
+                            + "; at most " + MAX_STATES + " states and " + MAX_MOVES + " transitions are built",
+                    SMALLER);
+        }
+    }
+
     private Move plain(Link link, Cause cause, Set<Node> left) {
         used.set(link.index);
         visited.set(link.target.index);
@@ -165,6 +213,7 @@ final class Explorer {
 
     /** Adds what a cause does. */
     private void step(Reached state, Cause cause, List<Move> moves) {
+        work((long) FULL_STEP * state.snapshot.leaves().length);
         try {
             moves.addAll(steps(state, cause));
         } catch (Refused refused) {
@@ -252,8 +301,9 @@ final class Explorer {
         return cases;
     }
 
-    private Set<Cause> causes(Snapshot state) {
-        Set<Cause> causes = new LinkedHashSet<>();
+    /** What can happen, with the active states that have transitions on it or defer it. */
+    private Map<Cause, List<Node>> causes(Snapshot state) {
+        Map<Cause, List<Node>> causes = new LinkedHashMap<>();
         Set<Node> seen = new HashSet<>();
         for (int leaf : state.leaves()) {
             if (net.node(leaf).is(Vertex.Kind.TERMINATE)) {
@@ -261,17 +311,21 @@ final class Explorer {
             }
             for (Node node = net.node(leaf); node != null && seen.add(node); node = node.zone.owner) {
                 for (String trigger : node.triggers()) {
-                    causes.add(cause(trigger, node));
+                    add(cause(trigger, node), node, causes);
                 }
                 for (String event : node.deferred()) {
-                    causes.add(cause(event, node));
+                    add(cause(event, node), node, causes);
                 }
                 if (awaitsActivity(node) && !isDone(state, node)) {
-                    causes.add(new Cause(Cause.Kind.COMPLETION, "", node));
+                    add(new Cause(Cause.Kind.COMPLETION, "", node), node, causes);
                 }
             }
         }
         return causes;
+    }
+
+    private static void add(Cause cause, Node node, Map<Cause, List<Node>> causes) {
+        causes.computeIfAbsent(cause, key -> new ArrayList<>(1)).add(node);
     }
 
     private Cause cause(String trigger, Node owner) {

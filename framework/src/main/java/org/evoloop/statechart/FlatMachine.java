@@ -1,6 +1,7 @@
 package org.evoloop.statechart;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -24,6 +25,7 @@ final class FlatMachine {
     /** What the states that were found have become, by their numbers. */
     private final Flat[] byNumber;
 
+    private final Map<Integer, String> paths = new HashMap<>();
     private final Map<String, Event> unguarded = new HashMap<>();
     private final Map<Event, Event> guarded = new HashMap<>();
     /** Time triggers and activities that several active states have at once. */
@@ -84,7 +86,8 @@ final class FlatMachine {
                 }
             }
             builder.remembering(flat.state().name(), flat.plain())
-                    .activities(flat.state().name(), activities);
+                    .activities(flat.state().name(), activities)
+                    .drawn(flat.state().name(), paths(flat.reached().snapshot), isEnd(flat.reached().snapshot));
         }
         builder.initial(flat(start).state().name()).initialEffects(effects);
         for (Flat flat : flats) {
@@ -103,6 +106,20 @@ final class FlatMachine {
         }
         net.chart().events().stream().filter(event -> !event.isBlank()).forEach(builder::event);
         return builder.build();
+    }
+
+    private List<String> paths(Snapshot state) {
+        return Arrays.stream(state.leaves()).mapToObj(this::path).toList();
+    }
+
+    private String path(int leaf) {
+        return paths.computeIfAbsent(leaf, index -> net.node(index).path());
+    }
+
+    private boolean isEnd(Snapshot state) {
+        return Arrays.stream(state.leaves())
+                .mapToObj(net::node)
+                .allMatch(node -> node.isFinal() || node.is(Vertex.Kind.TERMINATE));
     }
 
     private Transition transition(Flat source, Move move) {

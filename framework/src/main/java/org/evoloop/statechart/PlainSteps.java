@@ -31,6 +31,19 @@ final class PlainSteps {
                 && link.arc.guard().isEmpty();
     }
 
+    /**
+     * The only transition of {@code node} on an event if nothing happens but that the one state is left and the other
+     * entered, whatever stands around and beside it; else null.
+     *
+     * @param node the only active vertex with transitions on the event
+     */
+    static @Nullable Link only(Node node, String trigger, Snapshot state) {
+        List<Link> links = node.on(trigger);
+        return links.size() == 1 && node.zones.isEmpty() && state.done().length == 0 && isPlain(links.get(0))
+                ? links.get(0)
+                : null;
+    }
+
     /** The behaviors that run then, in order. */
     static List<String> effects(Link link) {
         List<String> exit = link.source.exit();

@@ -32,6 +32,17 @@ final class Snapshot implements Comparable<Snapshot> {
         return leaves.length == 1 && memory.length == 0 && done.length == 0;
     }
 
+    /** The same with another leaf in the place of {@code before}. */
+    Snapshot with(Node before, Node after) {
+        int[] changed = leaves.clone();
+        for (int i = 0; i < changed.length; i++) {
+            if (changed[i] == before.index) {
+                changed[i] = after.index;
+            }
+        }
+        return new Snapshot(changed, memory, done);
+    }
+
     int[] leaves() {
         return leaves;
     }

@@ -107,7 +107,7 @@ final class Step {
             return takes;
         }
         List<Take> kept = new ArrayList<>();
-        List<Set<Node>> exits = new ArrayList<>();
+        Rivals<Take> rivals = new Rivals<>();
         Set<Node> joins = new HashSet<>();
         for (Take take : takes) {
             Node join = take.first().target;
@@ -115,27 +115,19 @@ final class Step {
                 continue;
             }
             Set<Node> exited = body.exitedBy(take.path());
-            boolean rival = false;
-            for (int i = 0; i < kept.size() && !rival; i++) {
-                rival = overlap(exits.get(i), exited);
-                if (rival && !take.isGuarded() && !kept.get(i).isGuarded()) {
-                    throw new Refused(
-                            take.first().arc.place(),
-                            "one event triggers two transitions in different regions of which only one can be taken: "
-                                    + kept.get(i).first() + " and " + take.first(),
-                            "give one of them another event, or guard both");
-                }
-            }
-            if (!rival) {
+            Take rival = rivals.rivalOf(exited);
+            if (rival == null) {
                 kept.add(take);
-                exits.add(exited);
+                rivals.add(take, exited);
+            } else if (!take.isGuarded() && !rival.isGuarded()) {
+                throw new Refused(
+                        take.first().arc.place(),
+                        "one event triggers two transitions in different regions of which only one can be taken: "
+                                + rival.first() + " and " + take.first(),
+                        "give one of them another event, or guard both");
             }
         }
         return kept;
-    }
-
-    private static boolean overlap(Set<Node> some, Set<Node> others) {
-        return some.stream().anyMatch(one -> others.stream().anyMatch(other -> one.holds(other) || other.holds(one)));
     }
 
     private @Nullable Take first(Node state, List<Link> links) {

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -96,6 +97,42 @@ public final class StateMachine {
         return new StateMachine(this, otherName);
     }
 
+    /**
+     * The same machine with other names for some of its states.
+     *
+     * @param names by state, and by what states are {@linkplain #withoutMemory without memory}
+     * @throws ModelException if two would have one name
+     */
+    public StateMachine withStateNames(Map<State, String> names) {
+        UnaryOperator<State> renamed = state -> names.containsKey(state) ? new State(names.get(state)) : state;
+        StateMachineBuilder builder = new StateMachineBuilder(name);
+        Set<State> all = new LinkedHashSet<>();
+        for (State state : states) {
+            State same = renamed.apply(state);
+            if (!all.add(same)) {
+                throw new ModelException("state machine '" + name + "' has two states named " + same + "; rename one");
+            }
+            builder.remembering(same.name(), renamed.apply(withoutMemory(state)).name())
+                    .activities(same.name(), activities(state))
+                    .drawn(same.name(), paths(state), isEnd(state));
+            deferred(state).forEach(event -> builder.defers(same.name(), event));
+        }
+        builder.initial(renamed.apply(initial).name()).initialEffects(initialEffects);
+        events.forEach(builder::event);
+        for (Transition transition : transitions()) {
+            builder.transition(
+                    new Transition(
+                            renamed.apply(transition.source()),
+                            transition.event(),
+                            renamed.apply(transition.target()),
+                            transition.effects(),
+                            transition.internal(),
+                            transition.keeps()),
+                    "");
+        }
+        return builder.build();
+    }
+
     /** Starts a machine of this name; the name is what messages call it. */
     public static StateMachineBuilder named(String name) {
         return new StateMachineBuilder(name);
@@ -164,6 +201,20 @@ public final class StateMachine {
     public List<State> alike(State state) {
         List<State> several = alike.get(withoutMemory(state));
         return several != null ? several : hasState(state) ? List.of(state) : List.of();
+    }
+
+    /**
+     * Where {@code state} is drawn: the path {@code Outer.Inner} of the innermost state that is active in it, of regions
+     * side by side one for each. Its name where nothing else is known.
+     */
+    public List<String> paths(State state) {
+        List<String> known = traitsOf(state).paths();
+        return known.isEmpty() ? List.of(state.name()) : known;
+    }
+
+    /** Whether {@code state} is where the machine ends: nothing but final states, or a terminate pseudostate. */
+    public boolean isEnd(State state) {
+        return traitsOf(state).end();
     }
 
     /** S, never empty. */

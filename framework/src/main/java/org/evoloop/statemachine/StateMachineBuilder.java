@@ -87,9 +87,25 @@ public final class StateMachineBuilder {
         return this;
     }
 
+    /**
+     * Adds a state of a machine that was drawn with states inside others.
+     *
+     * @param paths see {@link StateMachine#paths}
+     * @param end see {@link StateMachine#isEnd}
+     */
+    public StateMachineBuilder drawn(String state, List<String> paths, boolean end) {
+        return end || !paths.equals(List.of(state))
+                ? traits(state, known -> known.withPlace(paths, end))
+                : state(state);
+    }
+
     /** Adds an event that no transition needs to carry. */
     public StateMachineBuilder event(String event) {
-        addEvent(new Event(event), "");
+        return event(new Event(event));
+    }
+
+    StateMachineBuilder event(Event event) {
+        addEvent(event, "");
         return this;
     }
 

@@ -31,10 +31,14 @@ public final class ChartIndex {
     private final Map<String, String> parents = new HashMap<>();
     private final Map<String, String> names = new HashMap<>();
     private final List<Arc> arcs = new ArrayList<>();
+    private final Map<String, List<Arc>> leaving = new HashMap<>();
+    private final Map<String, Integer> numbers = new HashMap<>();
     private final Set<String> events = new LinkedHashSet<>();
 
     public ChartIndex(Statechart chart) {
         chart.regions().forEach(region -> collect(region, "", ""));
+        arcs.forEach(arc ->
+                leaving.computeIfAbsent(arc.source(), key -> new ArrayList<>()).add(arc));
         nameStates();
         nameOthers();
         events.addAll(chart.events());
@@ -81,10 +85,10 @@ public final class ChartIndex {
         }
     }
 
-    private static String free(String wanted, Set<String> taken) {
+    private String free(String wanted, Set<String> taken) {
         String name = wanted;
-        for (int number = 2; !taken.add(name); number++) {
-            name = wanted + " " + number;
+        while (!taken.add(name)) {
+            name = wanted + " " + numbers.merge(wanted, 2, (last, first) -> last + 1);
         }
         return name;
     }
@@ -125,9 +129,19 @@ public final class ChartIndex {
         return List.copyOf(arcs);
     }
 
+    /** Every transition of the vertex {@code key}, internal ones too. */
+    public List<Arc> leaving(String key) {
+        return leaving.getOrDefault(key, List.of());
+    }
+
     /** Every transition but those that only say where a region starts. */
     public List<Arc> transitions() {
         return arcs.stream().filter(arc -> !isInitial(vertex(arc.source()))).toList();
+    }
+
+    /** The transitions of initial pseudostates. */
+    public List<Arc> initialTransitions() {
+        return arcs.stream().filter(arc -> isInitial(vertex(arc.source()))).toList();
     }
 
     /** Names of all events, declared ones first. */
@@ -164,7 +178,7 @@ public final class ChartIndex {
     public String initial(Region region) {
         return region.vertices().stream()
                 .filter(ChartIndex::isInitial)
-                .flatMap(initial -> arcs.stream().filter(arc -> arc.source().equals(initial.key())))
+                .flatMap(initial -> leaving(initial.key()).stream())
                 .findFirst()
                 .map(arc -> name(arc.target()))
                 .orElse("");

@@ -6,10 +6,11 @@ import java.util.function.Function;
 import org.evoloop.evolution.Turn;
 import org.evoloop.evolution.check.Element;
 import org.evoloop.evolution.check.Finding;
+import org.evoloop.models.checking.RuleSwitches.SwitchedOff;
 import org.evoloop.models.format.Json;
 
 /** Findings for programs, in the shape that docs/models.md promises: components are the keys, in this order. */
-public record FindingsJson(List<Row> findings) {
+public record FindingsJson(List<Row> findings, List<OffRow> switchedOff) {
 
     /**
      * A finding.
@@ -27,24 +28,44 @@ public record FindingsJson(List<Row> findings) {
             String mend,
             List<Happening> example) {}
 
+    /** A finding that its author has switched off; {@code where} the switch stands. */
+    public record OffRow(String rule, String machine, String element, String message, String reason, String where) {}
+
     /** An event and where it leads. */
     public record Happening(String event, boolean deviceActed, String originalState, String newState) {}
 
     /**
      * The text for {@code findings}.
      *
+     * @param off findings that do not count
      * @param places where in a file an element stands
      */
-    public static String write(List<Finding> findings, Function<Element, String> places) {
+    public static String write(List<Finding> findings, List<SwitchedOff> off, Function<Element, String> places) {
         return Json.write(new FindingsJson(
-                findings.stream().map(finding -> row(finding, places)).toList()));
+                findings.stream().map(finding -> row(finding, places)).toList(),
+                off.stream().map(FindingsJson::row).toList()));
+    }
+
+    private static OffRow row(SwitchedOff off) {
+        Finding finding = off.finding();
+        return new OffRow(
+                finding.rule().id(),
+                side(finding),
+                finding.element().toString(),
+                finding.message(),
+                off.reason(),
+                off.where());
+    }
+
+    private static String side(Finding finding) {
+        return finding.element().side().name().toLowerCase(Locale.ROOT);
     }
 
     private static Row row(Finding finding, Function<Element, String> places) {
         return new Row(
                 finding.rule().id(),
                 finding.rule().severity().name().toLowerCase(Locale.ROOT),
-                finding.element().side().name().toLowerCase(Locale.ROOT),
+                side(finding),
                 finding.element().toString(),
                 places.apply(finding.element()),
                 finding.message(),

@@ -8,6 +8,7 @@ import java.util.stream.Collectors;
 import org.evoloop.evolution.Turn;
 import org.evoloop.evolution.check.Element;
 import org.evoloop.evolution.check.Finding;
+import org.evoloop.models.checking.RuleSwitches.SwitchedOff;
 
 /** Findings for people: a paragraph each. */
 public final class FindingsText {
@@ -16,9 +17,10 @@ public final class FindingsText {
     /**
      * The text for {@code findings}.
      *
+     * @param off findings that do not count
      * @param places where in a file an element stands
      */
-    public static String write(List<Finding> findings, Function<Element, String> places) {
+    public static String write(List<Finding> findings, List<SwitchedOff> off, Function<Element, String> places) {
         List<String> lines = new ArrayList<>();
         for (Finding finding : findings) {
             lines.add(finding.rule().severity().name().toLowerCase(Locale.ROOT) + ": "
@@ -29,7 +31,13 @@ public final class FindingsText {
                 lines.add("  way:  " + way(finding));
             }
         }
-        lines.add(findings.isEmpty() ? "nothing found" : count(findings));
+        for (SwitchedOff each : off) {
+            lines.add(
+                    "off: " + each.finding().rule().id() + ": " + each.finding().message());
+            lines.add("  why:  " + each.reason() + " (" + each.where() + ")");
+        }
+        lines.add((findings.isEmpty() ? "nothing found" : count(findings))
+                + (off.isEmpty() ? "" : ", " + off.size() + " switched off"));
         return String.join("\n", lines) + "\n";
     }
 

@@ -20,7 +20,7 @@ public record Diagram(String title, List<Node> nodes, List<Edge> edges) {
      * A node.
      *
      * @param key unique in the diagram
-     * @param name drawn in a state and beside an entry or exit point
+     * @param name drawn in a state and under anything else but an initial pseudostate
      * @param notes the lines of a state's second compartment: behaviors and internal transitions
      * @param children nodes inside; for an orthogonal state its regions
      */

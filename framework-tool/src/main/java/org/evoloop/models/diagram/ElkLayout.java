@@ -144,7 +144,7 @@ final class ElkLayout {
         if (node.shape() == Shape.INITIAL) {
             placed.setProperty(LayeredOptions.LAYERING_LAYER_CONSTRAINT, LayerConstraint.FIRST);
         }
-        if (isPoint(node)) {
+        if (hasNameBelow(node)) {
             List<String> name = NodeSize.name(node);
             ElkLabel label = ElkGraphUtil.createLabel(node.name(), placed);
             label.setDimensions(TextSize.width(name, false), TextSize.height(name));
@@ -173,10 +173,12 @@ final class ElkLayout {
         return onOneSide * (longest + LOOP_GAP);
     }
 
-    /** Whether its name stands under it. */
-    static boolean isPoint(Node node) {
-        return (node.shape() == Shape.ENTRY_POINT || node.shape() == Shape.EXIT_POINT)
-                && !node.name().isEmpty();
+    /** Whether its name stands under it: where there is no room inside. Nobody asks for that of an initial pseudostate. */
+    static boolean hasNameBelow(Node node) {
+        return switch (node.shape()) {
+            case STATE, REGION, INITIAL -> false;
+            default -> !node.name().isEmpty();
+        };
     }
 
     private void addChildren(ElkNode placed, Node node) {

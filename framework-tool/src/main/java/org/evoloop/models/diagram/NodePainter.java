@@ -112,7 +112,7 @@ final class NodePainter {
             case BAR -> svg.rectangle("solid", box.x(), box.y(), box.width(), box.height(), 0);
             case STATE, REGION -> throw new IllegalArgumentException(box.node().key() + " is no pseudostate");
         }
-        if (ElkLayout.isPoint(box.node())) {
+        if (ElkLayout.hasNameBelow(box.node())) {
             lines(NodeSize.name(box.node()), "middle", x, box.y() + box.height() + 4);
         }
     }

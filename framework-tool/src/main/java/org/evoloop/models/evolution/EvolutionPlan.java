@@ -2,7 +2,6 @@ package org.evoloop.models.evolution;
 
 import java.util.ArrayList;
 import java.util.HashSet;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import org.evoloop.evolution.Configuration;
@@ -11,8 +10,8 @@ import org.evoloop.evolution.DecisionTable;
 import org.evoloop.evolution.DeviceEvents;
 import org.evoloop.evolution.GuardedTriggers;
 import org.evoloop.evolution.ModelPair;
+import org.evoloop.evolution.Passage;
 import org.evoloop.evolution.Step;
-import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.Transition;
 
@@ -53,7 +52,7 @@ public record EvolutionPlan(ModelPair pair, DeviceEvents device, List<Line> line
      * @param reason why it is impossible; else empty
      */
     public record Line(
-            Configuration at, Transition transition, Kind kind, List<Step> steps, List<Passed> passed, String reason) {
+            Configuration at, Transition transition, Kind kind, List<Step> steps, List<Passage> passed, String reason) {
         public Line {
             steps = List.copyOf(steps);
             passed = List.copyOf(passed);
@@ -67,13 +66,6 @@ public record EvolutionPlan(ModelPair pair, DeviceEvents device, List<Line> line
         /** What is sent, in order. */
         public List<Step> sent() {
             return steps.stream().filter(step -> !step.byDevice()).toList();
-        }
-    }
-
-    /** A state on the way, and what the device does for being led through it, as drawn; often nothing. */
-    public record Passed(State state, List<String> effects) {
-        public Passed {
-            effects = List.copyOf(effects);
         }
     }
 
@@ -105,7 +97,7 @@ public record EvolutionPlan(ModelPair pair, DeviceEvents device, List<Line> line
     private static Line line(Configuration at, Transition transition, Decision decision, StateMachine original) {
         String reason = decision instanceof Decision.Impossible impossible ? impossible.reason() : "";
         return new Line(
-                at, transition, kind(transition, decision), decision.steps(), passed(decision, original), reason);
+                at, transition, kind(transition, decision), decision.steps(), Passage.of(decision, original), reason);
     }
 
     private static Kind kind(Transition transition, Decision decision) {
@@ -123,17 +115,5 @@ public record EvolutionPlan(ModelPair pair, DeviceEvents device, List<Line> line
         boolean same = decision.steps().size() == 1
                 && sent.get(0).trigger().equals(transition.event().trigger());
         return same ? Kind.SAME_EVENT : Kind.PATH;
-    }
-
-    private static List<Passed> passed(Decision decision, StateMachine original) {
-        List<Passed> all = new ArrayList<>();
-        for (State state : decision.passed()) {
-            Set<String> effects = new LinkedHashSet<>(original.activities(state));
-            decision.steps().stream()
-                    .filter(step -> !step.byDevice() && step.target().equals(state))
-                    .forEach(step -> effects.addAll(step.effects()));
-            all.add(new Passed(state, List.copyOf(effects)));
-        }
-        return all;
     }
 }

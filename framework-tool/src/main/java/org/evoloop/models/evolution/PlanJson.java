@@ -28,13 +28,13 @@ public record PlanJson(
             TransitionJson transition,
             String kind,
             List<String> events,
-            List<Passage> through,
+            List<Through> through,
             boolean marked,
             @Nullable String function,
             @Nullable String reason) {}
 
     /** A state that is passed, and what the device does there. */
-    public record Passage(String state, List<String> effects) {}
+    public record Through(String state, List<String> effects) {}
 
     public static String write(EvolutionPlan plan) {
         Map<String, Integer> costs = new TreeMap<>();
@@ -58,7 +58,7 @@ public record PlanJson(
                 kind(line.kind()),
                 line.sent().stream().map(step -> step.trigger().name()).toList(),
                 line.passed().stream()
-                        .map(passed -> new Passage(passed.state().name(), passed.effects()))
+                        .map(passed -> new Through(passed.state().name(), passed.effects()))
                         .toList(),
                 line.isMarked(),
                 line.kind() == EvolutionPlan.Kind.NEW_FUNCTION

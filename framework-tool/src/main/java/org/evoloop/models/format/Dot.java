@@ -91,6 +91,11 @@ public final class Dot {
     }
 
     private static String look(Vertex vertex) {
+        boolean named = !vertex.name().isEmpty() && !ChartIndex.isInitial(vertex);
+        return shape(vertex) + (named ? ", xlabel=" + quote(vertex.name()) : "");
+    }
+
+    private static String shape(Vertex vertex) {
         if (!(vertex instanceof Pseudostate pseudostate)) {
             return "label=\"\", shape=doublecircle, style=filled, fillcolor=black, width=0.15";
         }
@@ -100,9 +105,8 @@ public final class Dot {
             case FORK, JOIN -> "label=\"\", shape=box, style=filled, fillcolor=black, width=0.07, height=0.8";
             case SHALLOW_HISTORY -> "label=\"H\", shape=circle, style=solid, margin=0";
             case DEEP_HISTORY -> "label=\"H*\", shape=circle, style=solid, margin=0";
-            case ENTRY_POINT -> "label=\"\", xlabel=" + quote(vertex.name()) + ", shape=circle, style=solid, width=0.2";
-            case EXIT_POINT ->
-                "label=\"x\", xlabel=" + quote(vertex.name()) + ", shape=circle, style=solid, margin=0, width=0.2";
+            case ENTRY_POINT -> "label=\"\", shape=circle, style=solid, width=0.2";
+            case EXIT_POINT -> "label=\"x\", shape=circle, style=solid, margin=0, width=0.2";
             case TERMINATE -> "label=\"X\", shape=plaintext, style=solid";
         };
     }

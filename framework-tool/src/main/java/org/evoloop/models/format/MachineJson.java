@@ -25,6 +25,7 @@ public record MachineJson(List<Machine> machines) {
      *
      * @param states names, composite states and final states too
      * @param initial null if the machine does not say where it starts
+     * @param initialTransitions those of initial pseudostates, with what is done on starting
      */
     public record Machine(
             String name,
@@ -34,7 +35,8 @@ public record MachineJson(List<Machine> machines) {
             @Nullable String initial,
             List<Nesting> hierarchy,
             List<Part> regions,
-            List<Point> pseudostates) {}
+            List<Point> pseudostates,
+            List<Transition> initialTransitions) {}
 
     /** A transition for one trigger; null for what it does not have. */
     public record Transition(
@@ -100,9 +102,7 @@ public record MachineJson(List<Machine> machines) {
                 chart.name(),
                 hierarchy.stream().map(Nesting::state).toList(),
                 index.events(),
-                index.transitions().stream()
-                        .flatMap(arc -> transitions(arc, index).stream())
-                        .toList(),
+                transitions(index.transitions(), index),
                 chart.regions().stream()
                         .map(index::initial)
                         .findFirst()
@@ -110,7 +110,8 @@ public record MachineJson(List<Machine> machines) {
                         .orElse(null),
                 hierarchy,
                 regions,
-                points);
+                points,
+                transitions(index.initialTransitions(), index));
     }
 
     private static Part part(String state, Region region, ChartIndex index) {
@@ -119,6 +120,10 @@ public record MachineJson(List<Machine> machines) {
                 .map(vertex -> index.name(vertex.key()))
                 .toList();
         return new Part(Json.orNull(state), Json.orNull(region.name()), states, Json.orNull(index.initial(region)));
+    }
+
+    private static List<Transition> transitions(List<Arc> arcs, ChartIndex index) {
+        return arcs.stream().flatMap(arc -> transitions(arc, index).stream()).toList();
     }
 
     private static List<Transition> transitions(Arc arc, ChartIndex index) {

@@ -80,8 +80,8 @@ public final class MachineText {
     }
 
     private void leaving(Vertex vertex, int depth) {
-        for (Arc arc : index.arcs()) {
-            if (arc.source().equals(vertex.key()) && arc.kind() != Arc.Kind.INTERNAL) {
+        for (Arc arc : index.leaving(vertex.key())) {
+            if (arc.kind() != Arc.Kind.INTERNAL) {
                 String label = ArcLabel.of(arc);
                 String prefix = ChartIndex.isInitial(vertex) ? "initial " : "";
                 line(depth, prefix + (label.isEmpty() ? "" : label + " ") + "-> " + index.name(arc.target()));

@@ -74,7 +74,8 @@ public final class PlantUml {
                     "state \"" + quoted(index.name(vertex.key())) + "\" as " + alias + " <<" + stereotype(point.kind())
                             + ">>");
         } else if (vertex instanceof FinalState) {
-            line(depth, "state " + alias + " <<end>>");
+            String name = vertex.name().isEmpty() ? "" : "\"" + quoted(vertex.name()) + "\" as ";
+            line(depth, "state " + name + alias + " <<end>>");
         } else {
             line(depth, "state " + alias + " <<start>>");
         }

@@ -47,19 +47,24 @@ final class FrameworkRepository {
         return version;
     }
 
-    /** Writes it. */
-    void writeTo(Path directory) throws IOException {
-        pom(directory, "evoloop", Template.text("poms/pom.xml"));
-        Path framework = pom(directory, "framework", Template.text("poms/framework/pom.xml"));
-        Files.write(framework.resolve("framework-" + version + ".jar"), jar);
+    /**
+     * Adds its files.
+     *
+     * @param folder ends in a slash
+     */
+    void addTo(ProjectDirectory.Content content, String folder) {
+        pom(content, folder, "evoloop", Template.text("poms/pom.xml"));
+        pom(content, folder, "framework", Template.text("poms/framework/pom.xml"));
+        content.bytes(path(folder, "framework") + ".jar", jar);
     }
 
-    private Path pom(Path directory, String artifact, String pom) throws IOException {
-        Path folder = Files.createDirectories(
-                directory.resolve("org/evoloop").resolve(artifact).resolve(version));
+    private void pom(ProjectDirectory.Content content, String folder, String artifact, String pom) {
         String mine = pom.replace(Versions.tag("evoloop"), "<version>" + version + "</version>");
-        Files.writeString(folder.resolve(artifact + "-" + version + ".pom"), mine);
-        return folder;
+        content.text(path(folder, artifact) + ".pom", mine);
+    }
+
+    private String path(String folder, String artifact) {
+        return folder + OURS + artifact + "/" + version + "/" + artifact + "-" + version;
     }
 
     /** By path in a jar. They lie in a directory while the framework is being built, else in a jar. */

@@ -17,6 +17,7 @@ import org.evoloop.evolution.ModelPair;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.evoloop.xmi.ModelReference;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A converter's project to begin with.
@@ -27,6 +28,10 @@ public final class Scaffold {
     private static final List<String> CLASSES = List.of(
             "Main", "Models", "Conditions", "MonitorEvent", "ExecuteCommand", "SimulatedDevice", "KnowledgeState");
 
+    /** Which class belongs to which new state. */
+    private static final String FUNCTIONS = "functions.txt";
+
+    private final ProjectDirectory.Content content = new ProjectDirectory.Content();
     private final Request request;
     private final ModelPair pair;
     private final Map<String, String> values = new LinkedHashMap<>(Versions.all());
@@ -38,7 +43,8 @@ public final class Scaffold {
      * @param original where its original model was read
      * @param evolved where its new model was read
      * @param javaPackage see {@link #requirePackage}
-     * @param directory see {@link #requireEmpty}
+     * @param directory see {@link #requireDirectory}
+     * @param properties file of the properties that the evolution must keep to; null if there is none
      */
     public record Request(
             ModelPair pair,
@@ -46,7 +52,8 @@ public final class Scaffold {
             ModelReference original,
             ModelReference evolved,
             String javaPackage,
-            Path directory) {}
+            Path directory,
+            @Nullable Path properties) {}
 
     private Scaffold(Request request) {
         this.request = request;
@@ -71,37 +78,48 @@ public final class Scaffold {
     }
 
     /**
-     * Checks that there is nothing yet.
+     * Checks the directory.
      *
-     * @throws IllegalArgumentException if {@code directory} holds anything, or is a file
+     * @param update whether it holds a project already
+     * @throws IllegalArgumentException if there is no project to be updated, or anything where one is to begin
      * @throws IOException if nobody can tell
      */
-    public static void requireEmpty(Path directory) throws IOException {
+    public static void requireDirectory(Path directory, boolean update) throws IOException {
         if (Files.exists(directory) && !Files.isDirectory(directory)) {
             throw new IllegalArgumentException("--out: " + directory + " is a file; name a new directory");
         }
-        if (Files.isDirectory(directory)) {
+        if (update) {
+            if (!ProjectDirectory.isProject(directory)) {
+                throw new IllegalArgumentException("--update: " + directory + " holds no project of scaffold (no "
+                        + ProjectDirectory.GENERATED + " in it); name the one it was written to");
+            }
+        } else if (Files.isDirectory(directory)) {
             try (Stream<Path> inside = Files.list(directory)) {
                 if (inside.findAny().isPresent()) {
-                    throw new IllegalArgumentException(
-                            "--out: " + directory + " is not empty; name a new directory, nothing is overwritten");
+                    throw new IllegalArgumentException("--out: " + directory
+                            + " is not empty; name a new directory, or add --update to bring a project up to date");
                 }
             }
         }
     }
 
     /**
-     * Writes the project.
+     * Writes the project, or brings it up to date. What its owner has written stays.
      *
+     * @return what its owner has to know of each file
+     * @throws IllegalArgumentException if it is there in another package, or a model was changed there
      * @throws IOException if it cannot be written
      */
-    public static void write(Request request) throws IOException {
-        new Scaffold(request).write();
+    public static List<String> write(Request request) throws IOException {
+        return new Scaffold(request).write();
     }
 
-    private void write() throws IOException {
+    private List<String> write() throws IOException {
+        ProjectDirectory project = new ProjectDirectory(request.directory());
+        FunctionNames names = FunctionNames.parse(project.generated(FUNCTIONS));
+        names.requirePackage(request.javaPackage());
         FrameworkRepository framework = FrameworkRepository.pack();
-        framework.writeTo(request.directory().resolve("repo"));
+        framework.addTo(content, ProjectDirectory.REPOSITORY);
         String javaPackage = request.javaPackage();
         values.put("package", javaPackage);
         values.put(
@@ -114,32 +132,26 @@ public final class Scaffold {
         values.put("spontaneous", names(request.device().spontaneous()));
         models();
         wrapper();
-        Path main = request.directory().resolve("src/main");
-        Path sources = main.resolve("java").resolve(javaPackage.replace('.', '/'));
-        values.put("registrations", functions(sources) + bindings());
-        file(request.directory().resolve("pom.xml"), "pom.xml.txt");
-        file(request.directory().resolve("README.md"), "README.md.txt");
-        file(main.resolve("resources/logback.xml"), "logback.xml.txt");
+        String packageFolder = javaPackage.replace('.', '/') + "/";
+        String sources = "src/main/java/" + packageFolder;
+        values.put("registrations", functions(sources, names) + bindings());
+        content.text(ProjectDirectory.GENERATED + "/" + FUNCTIONS, names.text(javaPackage));
+        file("pom.xml", "pom.xml.txt");
+        file("README.md", "README.md.txt");
+        file("src/main/resources/logback.xml", "logback.xml.txt");
         for (String name : CLASSES) {
-            file(sources.resolve(name + ".java"), name + ".java.txt");
+            file(sources + name + ".java", name + ".java.txt");
         }
-        Path test = request.directory().resolve("src/test");
-        file(test.resolve("resources/logback-test.xml"), "logback-test.xml.txt");
+        file("src/test/resources/logback-test.xml", "logback-test.xml.txt");
         boolean guarded =
                 !pair.original().guards().isEmpty() || !pair.evolved().guards().isEmpty();
         values.put("tests", new TestText(new Scenarios(pair, request.device()).all(), guarded).methods(pair.evolved()));
-        file(
-                test.resolve("java").resolve(javaPackage.replace('.', '/')).resolve("TransitionsTest.java"),
-                "TransitionsTest.java.txt");
+        file("src/test/java/" + packageFolder + "TransitionsTest.java", "TransitionsTest.java.txt");
+        return project.write(content.files());
     }
 
-    private void file(Path file, String template) throws IOException {
-        write(file, Template.fill(template, values));
-    }
-
-    private static void write(Path file, String text) throws IOException {
-        Files.createDirectories(file.resolveSibling(""));
-        Files.writeString(file, text);
+    private void file(String path, String template) {
+        content.text(path, Template.fill(template, values));
     }
 
     private static String names(Set<Event> events) {
@@ -165,15 +177,17 @@ public final class Scaffold {
                         .orElse("Optional.empty()"));
         values.put("originalMachine", machine(request.original()));
         values.put("evolvedMachine", machine(request.evolved()));
+        if (request.properties() != null) {
+            // Called like the new model, where a check looks for it.
+            content.bytes("models/" + evolved + ".properties.txt", Files.readAllBytes(request.properties()));
+        }
     }
 
     private String copy(Path file, String name) throws IOException {
         String given = file.toString();
         String ending = given.substring(Math.max(given.lastIndexOf('.'), 0));
         String copied = name + (ending.matches("\\.[A-Za-z0-9]{1,8}") ? ending : ".xml");
-        Path target = request.directory().resolve("models").resolve(copied);
-        Files.createDirectories(target.resolveSibling(""));
-        Files.write(target, Files.readAllBytes(file));
+        content.bytes("models/" + copied, Files.readAllBytes(file));
         return copied;
     }
 
@@ -184,33 +198,28 @@ public final class Scaffold {
                 .orElse("Optional.empty()");
     }
 
-    private void wrapper() throws IOException {
-        Path script = request.directory().resolve("mvnw");
-        Files.write(script, Template.bytes("wrapper/mvnw"));
-        if (!script.toFile().setExecutable(true)) {
-            throw new IOException(script + " cannot be made executable");
-        }
-        write(
-                request.directory().resolve(".mvn/wrapper/maven-wrapper.properties"),
+    private void wrapper() {
+        content.bytes("mvnw", Template.bytes("wrapper/mvnw"));
+        content.text(
+                ".mvn/wrapper/maven-wrapper.properties",
                 Template.text("wrapper/.mvn/wrapper/maven-wrapper.properties"));
         // The framework lies in a directory, which can be read without a network too.
-        write(request.directory().resolve(".mvn/maven.config"), "-Daether.offline.protocols=file\n");
-        write(request.directory().resolve(".gitignore"), "target/\n");
+        content.text(".mvn/maven.config", "-Daether.offline.protocols=file\n");
+        content.text(".gitignore", "target/\n");
     }
 
     /** A class for each new state, and the lines that register them. */
-    private String functions(Path sources) throws IOException {
-        JavaNames names = new JavaNames().reserve("NewFunction");
+    private String functions(String sources, FunctionNames names) {
         StringBuilder registrations = new StringBuilder();
         for (State state : pair.evolved().states()) {
             if (pair.isNew(state)) {
-                String name = names.free(JavaNames.camel(state.name(), "State") + "Function");
+                String name = names.of(state);
                 values.put("className", name);
                 values.put("stateComment", JavaText.comment(state.name()));
                 values.put("leftBy", JavaText.comment(leftBy(state)));
                 values.put("say", JavaText.literal(state.name()));
                 values.put("ending", ending(state));
-                file(sources.resolve(name + ".java"), "Function.java.txt");
+                file(sources + name + ".java", "Function.java.txt");
                 registrations.append("        function(").append(JavaText.literal(state.name()));
                 registrations.append(", new ").append(name).append("());\n");
             }

@@ -7,9 +7,9 @@ import java.util.Map;
 import java.util.Set;
 import org.evoloop.evolution.DeviceEvents;
 import org.evoloop.evolution.ModelPair;
+import org.evoloop.evolution.Passage;
 import org.evoloop.models.evolution.EvolutionPlan.Kind;
 import org.evoloop.models.evolution.EvolutionPlan.Line;
-import org.evoloop.models.evolution.EvolutionPlan.Passed;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
@@ -52,7 +52,7 @@ class EvolutionPlanTest {
         Line line = boost(ALL);
 
         assertThat(line.kind()).isEqualTo(Kind.PATH);
-        assertThat(line.passed()).containsExactly(new Passed(new State("Heating"), List.of("hum", "beep")));
+        assertThat(line.passed()).containsExactly(new Passage(new State("Heating"), List.of("hum", "beep")));
         assertThat(line.isMarked()).isTrue();
         assertThat(PlanText.write(EvolutionPlan.of(PAIR, ALL)))
                 .contains(

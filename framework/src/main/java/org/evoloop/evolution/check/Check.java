@@ -2,11 +2,11 @@ package org.evoloop.evolution.check;
 
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 import org.evoloop.evolution.DecisionTable;
 import org.evoloop.evolution.ModelPair;
-import org.evoloop.statemachine.Event;
-import org.evoloop.statemachine.State;
 
 /**
  * Checks a pair of machines before it runs: all rules of {@link Rule} but {@link Rule#PROPERTY}.
@@ -26,48 +26,29 @@ public final class Check {
         MachineRules original = new MachineRules(Element.Side.ORIGINAL, pair.original());
         MachineRules evolved = new MachineRules(Element.Side.NEW, pair.evolved());
         findings.addAll(original.findings());
-        findings.addAll(evolved.findings());
-        findings.addAll(evolved.traps(original.trapStates()));
-        findings.addAll(original.traps(List.of()));
+        // What the new model has taken over from the device's is told once, there.
+        Set<Breach> known = new HashSet<>();
+        findings.forEach(finding -> known.add(Breach.of(finding)));
+        evolved.findings().stream()
+                .filter(finding -> !known.contains(Breach.of(finding)))
+                .forEach(findings::add);
         findings.addAll(new ConverterRules(input, evolved).findings());
-        List<Finding> conditions = conditions(pair);
+        List<Finding> conditions = new Conditions(pair).findings();
         findings.addAll(conditions);
         if (conditions.isEmpty()) {
             DecisionTable table = DecisionTable.compile(pair, input.device());
-            findings.addAll(new PairRules(input, table, original).findings());
+            PairGraph graph = new PairGraph(pair.initial(), table);
+            findings.addAll(new PairRules(input, table, graph, original, evolved).findings());
+            findings.addAll(new PairNotes(input, graph).findings());
         }
         findings.sort(Comparator.comparing(Finding::rule));
         return List.copyOf(findings);
     }
 
-    private static List<Finding> conditions(ModelPair pair) {
-        List<Finding> findings = new ArrayList<>();
-        for (ModelPair.Violation violation : pair.violations()) {
-            if (violation instanceof ModelPair.Violation.MissingEvent missing) {
-                Event event = missing.event();
-                findings.add(new Finding(
-                        Rule.CONDITION_1,
-                        new Element.OfEvent(Element.Side.ORIGINAL, event),
-                        "event " + event + " of the original model is missing in the new model",
-                        "use it there under the same name, capital letters and guards included"));
-            } else if (violation instanceof ModelPair.Violation.MissingState missing) {
-                State state = missing.state();
-                findings.add(new Finding(
-                        Rule.CONDITION_2,
-                        new Element.OfState(Element.Side.ORIGINAL, state),
-                        "state " + state + " of the original model is missing in the new model",
-                        "draw it there under the same name, capital letters included"));
-            }
+    /** A finding, whichever machine it is about. */
+    private record Breach(Rule rule, Object part) {
+        static Breach of(Finding finding) {
+            return new Breach(finding.rule(), finding.element().part());
         }
-        State device = pair.original().initial();
-        State system = pair.evolved().initial();
-        if (!pair.deviceStates(system).contains(device)) {
-            findings.add(new Finding(
-                    Rule.INITIAL_DIFFERS,
-                    new Element.OfState(Element.Side.NEW, system),
-                    "the new model starts in " + system + ", the device in " + device,
-                    "let the new model start in " + device));
-        }
-        return findings;
     }
 }

@@ -70,7 +70,10 @@ final class ConverterRules {
                     .forEach(transition -> waitedFor.add(transition.event().trigger()));
         }
         for (Event trigger : waitedFor) {
-            if (trigger.timeTrigger().isEmpty() && !raised.contains(trigger.name())) {
+            // What was meant to be a time trigger is told as that.
+            if (trigger.timeTrigger().isEmpty()
+                    && !MachineRules.looksLikeATimer(trigger)
+                    && !raised.contains(trigger.name())) {
                 findings.add(new Finding(
                         Rule.UNRAISED_EVENT,
                         new Element.OfEvent(Element.Side.NEW, trigger),

@@ -13,6 +13,9 @@ public sealed interface Element {
     /** Which of the two machines it belongs to. */
     Side side();
 
+    /** The state, event or transition. */
+    Object part();
+
     /** The machines of a pair. */
     enum Side {
         ORIGINAL,
@@ -22,6 +25,11 @@ public sealed interface Element {
     /** A state. */
     record OfState(Side side, State state) implements Element {
         @Override
+        public Object part() {
+            return state;
+        }
+
+        @Override
         public String toString() {
             return state.toString();
         }
@@ -30,6 +38,11 @@ public sealed interface Element {
     /** An event. */
     record OfEvent(Side side, Event event) implements Element {
         @Override
+        public Object part() {
+            return event;
+        }
+
+        @Override
         public String toString() {
             return event.toString();
         }
@@ -37,6 +50,11 @@ public sealed interface Element {
 
     /** A transition. */
     record OfTransition(Side side, Transition transition) implements Element {
+        @Override
+        public Object part() {
+            return transition;
+        }
+
         @Override
         public String toString() {
             return transition.toString();

@@ -3,7 +3,6 @@ package org.evoloop.evolution.check;
 import java.time.Duration;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
-import java.util.Collection;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashSet;
@@ -12,6 +11,7 @@ import java.util.Map;
 import java.util.Queue;
 import java.util.Set;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import org.evoloop.evolution.GuardedTriggers;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
@@ -32,6 +32,7 @@ final class MachineRules {
     /** Time triggers of states around others: they may have run for a while when a state is entered. */
     private final Set<String> kept = new HashSet<>();
 
+    private final Set<Event> likeTimers = new HashSet<>();
     private final List<Finding> findings = new ArrayList<>();
 
     MachineRules(Element.Side side, StateMachine machine) {
@@ -55,21 +56,33 @@ final class MachineRules {
     }
 
     List<Finding> findings() {
-        for (State state : machine.states()) {
-            if (reachable.contains(state)) {
-                List<Transition> outgoing = machine.transitionsFrom(state);
-                outgoing.forEach(this::shadowed);
-                timers(outgoing);
-                overlaps(outgoing);
-            } else {
-                findings.add(new Finding(
-                        Rule.UNREACHABLE_STATE,
-                        new Element.OfState(side, state),
-                        "no sequence of events leads to state " + state + " of " + name(),
-                        "draw a transition that leads there, or remove it"));
-            }
+        for (State state : reachableAsDrawn()) {
+            List<Transition> outgoing = machine.transitionsFrom(state);
+            outgoing.forEach(this::shadowed);
+            timers(outgoing);
+            overlaps(outgoing);
         }
+        traps();
+        unreachable();
         return findings;
+    }
+
+    private List<State> reachableAsDrawn() {
+        return machine.states().stream().filter(reachable::contains).toList();
+    }
+
+    private void unreachable() {
+        new UnreachableStates(machine, reachable).roots().forEach((state, lost) -> {
+            String others = lost.isEmpty()
+                    ? ""
+                    : ", nor to " + lost.stream().map(State::name).collect(Collectors.joining(", "))
+                            + " that it leads to";
+            findings.add(new Finding(
+                    Rule.UNREACHABLE_STATE,
+                    new Element.OfState(side, state),
+                    "no sequence of events leads to state " + state + " of " + name() + others,
+                    "draw a transition that leads there, or remove it"));
+        });
     }
 
     private String name() {
@@ -147,8 +160,14 @@ final class MachineRules {
         return transition.event().timeTrigger().orElseThrow();
     }
 
+    /** Whether an event that is no time trigger was probably meant to be one. */
+    static boolean looksLikeATimer(Event event) {
+        return LIKE_A_TIMER.matcher(event.name()).matches();
+    }
+
     private void likeATimer(Transition transition) {
-        if (LIKE_A_TIMER.matcher(transition.event().name()).matches()) {
+        if (looksLikeATimer(transition.event())
+                && likeTimers.add(transition.event().trigger())) {
             findings.add(new Finding(
                     Rule.TIMER_CANNOT_FIRE,
                     element(transition),
@@ -177,26 +196,21 @@ final class MachineRules {
         }
     }
 
-    /** States that are reached and from which no transition leads to another one. */
-    List<State> trapStates() {
-        return machine.states().size() == 1
-                ? List.of()
-                : reachable.stream()
-                        .filter(state -> machine.transitionsFrom(state).stream()
-                                .allMatch(transition ->
-                                        transition.target().equals(state) || guards.shadowOf(transition) != null))
-                        .toList();
-    }
-
-    /** @param known traps that are reported elsewhere */
-    List<Finding> traps(Collection<State> known) {
-        return trapStates().stream()
-                .filter(state -> !known.contains(state))
-                .map(state -> new Finding(
+    /** States that are reached and from which no transition leads to another one, though they are drawn as no end. */
+    private void traps() {
+        if (machine.states().size() == 1) {
+            return;
+        }
+        for (State state : reachableAsDrawn()) {
+            boolean left = machine.transitionsFrom(state).stream()
+                    .anyMatch(transition -> !transition.target().equals(state) && guards.shadowOf(transition) == null);
+            if (!left && !machine.isEnd(state)) {
+                findings.add(new Finding(
                         Rule.TRAP_STATE,
                         new Element.OfState(side, state),
                         "state " + state + " of " + name() + " cannot be left",
-                        "draw a transition to another state"))
-                .toList();
+                        "draw a transition to another state"));
+            }
+        }
     }
 }

@@ -20,6 +20,7 @@ final class PairRules {
     private final CheckInput input;
     private final DecisionTable table;
     private final Set<State> originalReachable;
+    private final Set<State> evolvedReachable;
     private final Set<Event> unsendable;
     private final GuardedTriggers guards;
     private final PairGraph graph;
@@ -31,13 +32,27 @@ final class PairRules {
     /** Transitions of the new model whose event can come in some pair. */
     private final Set<Transition> live = new HashSet<>();
 
-    PairRules(CheckInput input, DecisionTable table, MachineRules originalRules) {
+    private final NoPathCauses noPath;
+    private final NoPathCauses hazards;
+
+    /** States of the device to which no events that can be sent lead where that is wanted. */
+    private final Set<State> unreached = new HashSet<>();
+
+    PairRules(
+            CheckInput input,
+            DecisionTable table,
+            PairGraph graph,
+            MachineRules originalRules,
+            MachineRules evolvedRules) {
         this.input = input;
         this.table = table;
         this.originalReachable = originalRules.reachable();
         this.unsendable = input.device().unsendable(input.pair().original());
         this.guards = new GuardedTriggers(input.pair().original());
-        this.graph = new PairGraph(input.pair().initial(), table);
+        this.evolvedReachable = evolvedRules.reachable();
+        this.graph = graph;
+        this.noPath = new NoPathCauses(input.pair().original(), input.device());
+        this.hazards = new NoPathCauses(input.pair().original(), input.device());
     }
 
     List<Finding> findings() {
@@ -50,13 +65,18 @@ final class PairRules {
                 }
                 if (turn.decision() instanceof Decision.Impossible impossible) {
                     if (!unsendable.contains(turn.event().trigger())) {
-                        impossible(turn, impossible, problems.contains(impossible));
+                        State target = transition(impossible).target();
+                        impossible(turn, input.pair().deviceStates(target), problems.contains(impossible));
                     }
                 } else if (!turn.deviceActed()) {
                     turn.decision().steps().stream().map(Step::transition).forEach(had::add);
                 }
             }
         }
+        noPath.groups().forEach(this::noPath);
+        hazards.groups().stream()
+                .filter(group -> !unreached.containsAll(group.targets()))
+                .forEach(this::hazard);
         dead();
         lost();
         unboundEffects();
@@ -89,24 +109,62 @@ final class PairRules {
         }
     }
 
-    private void impossible(Turn turn, Decision.Impossible decision, boolean problem) {
+    private static Transition transition(Decision.Impossible decision) {
+        return Objects.requireNonNull(decision.transition());
+    }
+
+    /** @param targets the device's states of which one is wanted */
+    private void impossible(Turn turn, List<State> targets, boolean problem) {
+        if (problem) {
+            noPath.add(turn, targets);
+            unreached.addAll(targets);
+        } else {
+            hazards.add(turn, targets);
+        }
+    }
+
+    private void noPath(NoPathCauses.Group group) {
+        String events = group.unsendable().isEmpty()
+                ? "an event that takes the device there"
+                : PairNotes.names(group.unsendable());
+        impossible(Rule.NO_PATH, group.turns(), "let the converter send " + events + ", or draw another target");
+    }
+
+    private void hazard(NoPathCauses.Group group) {
+        impossible(Rule.HAZARD, group.turns(), "nothing, if the event may fail then; the state is entered anew");
+    }
+
+    /** @param turns that have one cause */
+    private void impossible(Rule rule, List<Turn> turns, String mend) {
+        Turn first = turns.get(0);
+        Decision.Impossible decision = (Decision.Impossible) first.decision();
+        String others = turns.size() == 1
+                ? ""
+                : "; the same holds for "
+                        + PairNotes.names(turns.stream()
+                                .skip(1)
+                                .map(turn -> turn + " in " + turn.decision().before())
+                                .toList());
         findings.add(new Finding(
-                problem ? Rule.NO_PATH : Rule.HAZARD,
-                new Element.OfTransition(Element.Side.NEW, Objects.requireNonNull(decision.transition())),
-                "in " + decision.before() + (turn.deviceActed() ? ", when the device has acted on it by itself, " : " ")
-                        + decision.reason(),
-                problem
-                        ? "let the converter send an event that takes the device there, or draw another target"
-                        : "nothing, if the event may fail then; the state is entered anew",
-                graph.wayOver(turn)));
+                rule,
+                new Element.OfTransition(Element.Side.NEW, transition(decision)),
+                "in " + decision.before()
+                        + (first.deviceActed() ? ", when the device has acted on it by itself, " : " ")
+                        + decision.reason() + others,
+                mend,
+                graph.wayOver(first)));
     }
 
     private void lost() {
+        Set<State> visited = new HashSet<>();
+        graph.configurations().forEach(at -> visited.add(at.original()));
         for (Transition transition : input.pair().original().transitions()) {
             if (originalReachable.contains(transition.source())
                     && !had.contains(transition)
                     && !unsendable.contains(transition.event().trigger())
-                    && guards.shadowOf(transition) == null) {
+                    && guards.shadowOf(transition) == null
+                    && visited.contains(transition.source())
+                    && !isToldOtherwise(transition)) {
                 findings.add(new Finding(
                         Rule.DEGRADATION,
                         new Element.OfTransition(Element.Side.ORIGINAL, transition),
@@ -114,6 +172,17 @@ final class PairRules {
                         "nothing, if the new model is to do without; else draw a transition that leads there"));
             }
         }
+    }
+
+    /** A state of the device that the new model never enters is an unreachable state, or has no path. */
+    private boolean isToldOtherwise(Transition transition) {
+        return !isEntered(transition.source())
+                || !isEntered(transition.target())
+                || unreached.contains(transition.target());
+    }
+
+    private boolean isEntered(State original) {
+        return input.pair().evolvedStates(original).stream().anyMatch(evolvedReachable::contains);
     }
 
     private void unboundEffects() {

@@ -41,6 +41,10 @@ public enum Rule {
     UNBOUND_EFFECT(Severity.ERROR),
     /** Different guards of one trigger may hold at once; the one drawn first counts. */
     GUARD_OVERLAP(Severity.NOTE),
+    /** An event of the device that does nothing in a new state, though the device would act on it. */
+    SWALLOWED_EVENT(Severity.NOTE),
+    /** A way leads through a state of the device in which the device does something by itself. */
+    PASSED_EFFECT(Severity.NOTE),
     /** A property that was written down for the pair does not hold. */
     PROPERTY(Severity.ERROR);
 

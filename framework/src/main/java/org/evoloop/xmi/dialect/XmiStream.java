@@ -59,6 +59,10 @@ public final class XmiStream extends StreamReaderDelegate implements AutoCloseab
         if (Files.isDirectory(file)) {
             throw new ModelException(file + ": is a directory; name a file in it");
         }
+        // Nobody may ever write to a pipe, and a device need not end.
+        if (Files.exists(file) && !Files.isRegularFile(file)) {
+            throw new ModelException(file + ": is a pipe or a device; save the model in a file and name that");
+        }
         try {
             return of(file.toString(), ZippedModel.unpacked(file));
         } catch (NoSuchFileException missing) {

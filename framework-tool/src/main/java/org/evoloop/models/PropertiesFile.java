@@ -1,0 +1,61 @@
+package org.evoloop.models;
+
+import java.io.IOException;
+import java.nio.charset.CharacterCodingException;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import org.evoloop.statemachine.ModelException;
+import org.evoloop.xmi.ModelReference;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Option;
+
+/** The file in which an evolution's author writes what it must keep to. */
+@SuppressWarnings("NullAway.Init") // picocli sets the field
+final class PropertiesFile {
+    /** How its name ends. */
+    static final String ENDING = ".properties.txt";
+
+    @Option(
+            names = "--properties",
+            paramLabel = "FILE",
+            description =
+                    "Properties of the evolution (default: the file beside NEW that is called like it and ends in "
+                            + ENDING + ", if there is one).")
+    private @Nullable Path given;
+
+    /** The one that was named, else the one that belongs beside {@code evolved}, which need not be there. */
+    Path path(ModelReference evolved) {
+        return given != null ? given : beside(evolved.file());
+    }
+
+    /** Whether there is one; one that was named must be there. */
+    boolean isThere(ModelReference evolved) {
+        return given != null || Files.exists(path(evolved));
+    }
+
+    private static Path beside(Path models) {
+        String name = String.valueOf(models.getFileName());
+        int dot = name.lastIndexOf('.');
+        return models.resolveSibling((dot > 0 ? name.substring(0, dot) : name) + ENDING);
+    }
+
+    /**
+     * Its text.
+     *
+     * @throws ModelException if it is no file of text
+     * @throws IOException if it cannot be read for another reason
+     */
+    static String read(Path file) throws IOException {
+        if (Files.exists(file) && !Files.isRegularFile(file)) {
+            throw new ModelException(file + ": is no file; name a file of properties");
+        }
+        try {
+            return Files.readString(file);
+        } catch (NoSuchFileException missing) {
+            throw new ModelException(file + ": does not exist; correct the path", missing);
+        } catch (CharacterCodingException notText) {
+            throw new ModelException(file + ": holds bytes that are no text in UTF-8; save it in UTF-8", notText);
+        }
+    }
+}
