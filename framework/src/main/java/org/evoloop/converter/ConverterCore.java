@@ -1,6 +1,7 @@
 package org.evoloop.converter;
 
 import java.util.List;
+import java.util.Locale;
 import java.util.Set;
 import org.evoloop.converter.HistoryEntry.Outcome;
 import org.evoloop.evolution.Configuration;
@@ -17,6 +18,7 @@ import org.evoloop.loop.LoopConfig;
 import org.evoloop.loop.LoopListener;
 import org.evoloop.loop.MapeLoop;
 import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.Names;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.Transition;
 import org.jspecify.annotations.Nullable;
@@ -39,6 +41,10 @@ final class ConverterCore implements LoopListener<Occurrence> {
     private volatile @Nullable Occurrence observed;
     private volatile @Nullable Conversion active;
     private volatile boolean sent;
+
+    /** What came last, if neither model knows it. */
+    private volatile @Nullable Event unknown;
+
     private volatile long sentNanos;
 
     ConverterCore(LoopConfig config, StateKnowledge knowledge) {
@@ -122,6 +128,9 @@ final class ConverterCore implements LoopListener<Occurrence> {
             history.record(occurrence, before, before, Outcome.STALE, null, "the device has been sent an event since");
             return null;
         }
+        if (found == null && isUnknown(occurrence, before)) {
+            return null;
+        }
         if (occurrence.source() == Source.TIMER) {
             visits.heard(occurrence.event());
         }
@@ -137,9 +146,26 @@ final class ConverterCore implements LoopListener<Occurrence> {
         return decision;
     }
 
+    /** An event that neither model knows is told once a burst: until another one comes. */
+    private boolean isUnknown(Occurrence occurrence, Configuration before) {
+        Event event = occurrence.event();
+        if (knowledge.eventNames().knows(event)) {
+            unknown = null;
+            return false;
+        }
+        String text = knowledge.eventNames().unknown(event);
+        history.record(occurrence, before, before, Outcome.IGNORED, null, text);
+        if (!event.equals(unknown)) {
+            unknown = event;
+            failures.warn(text + " (" + occurrence.source().name().toLowerCase(Locale.ROOT) + ")");
+        }
+        return true;
+    }
+
     private boolean isNoNews(State found, Configuration before) {
         if (!knowledge.models().original().hasState(found)) {
-            failures.warn("the device was found in " + found + ", which is not a state of its model");
+            failures.warn("the device was found in " + found + ", which is not a state of its model"
+                    + Names.hint(found.name(), knowledge.models().original().states()));
             return true;
         }
         return found.equals(before.original());

@@ -18,6 +18,7 @@ import org.jspecify.annotations.Nullable;
  * <p>Threading: as {@link Monitor}; the methods {@code from...} may be called from any thread.
  */
 public abstract class EventMonitor extends Monitor<Occurrence> {
+    private volatile @Nullable EventNames eventNames;
     private volatile @Nullable LoopConfig config;
     private volatile @Nullable MapeLoop<Occurrence, ?, ?> loop;
 
@@ -29,7 +30,8 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
         super(name);
     }
 
-    void attach(LoopConfig loopConfig, MapeLoop<Occurrence, ?, ?> joined) {
+    void attach(LoopConfig loopConfig, MapeLoop<Occurrence, ?, ?> joined, EventNames names) {
+        eventNames = names;
         config = loopConfig;
         loop = joined;
     }
@@ -41,17 +43,20 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
     }
 
     /**
-     * Refuses {@code pressed} while nothing is converted.
+     * Refuses {@code pressed} if neither model knows it, and while nothing is converted.
      *
+     * @throws IllegalArgumentException if neither model knows the event
      * @throws IllegalStateException if the converter is not running
      */
-    final void requireRunning(Occurrence pressed) {
+    final void requireHeard(Occurrence pressed) {
         MapeLoop<Occurrence, ?, ?> joined = loop;
         LoopConfig attached = config;
-        if (joined == null || attached == null || !joined.has(this)) {
+        EventNames names = eventNames;
+        if (joined == null || attached == null || names == null || !joined.has(this)) {
             throw new IllegalStateException(
                     name() + " is not part of a converter that was built, so " + pressed.event() + " is refused");
         }
+        names.require(pressed.event());
         if (joined.state() != LoopState.RUNNING) {
             joined.offer(pressed);
             throw new IllegalStateException("the converter " + attached.name() + " is "

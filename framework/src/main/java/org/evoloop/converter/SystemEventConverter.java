@@ -212,7 +212,7 @@ public final class SystemEventConverter implements AutoCloseable {
 
     private void attach(ConverterCore built, Component component) {
         if (component instanceof EventMonitor monitor) {
-            monitor.attach(config, built.loop);
+            monitor.attach(config, built.loop, built.knowledge.eventNames());
         } else if (component instanceof DecisionAnalyze analyze) {
             analyze.attach(built);
         } else if (component instanceof DecisionPlan plan) {

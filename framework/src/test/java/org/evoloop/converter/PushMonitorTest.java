@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.loop.Analyze;
@@ -16,6 +17,7 @@ import org.evoloop.loop.LoopConfig;
 import org.evoloop.loop.LoopListener;
 import org.evoloop.loop.MapeLoop;
 import org.evoloop.loop.Plan;
+import org.evoloop.statemachine.Event;
 import org.evoloop.time.ManualClock;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -53,7 +55,8 @@ class PushMonitorTest {
     private MapeLoop<Occurrence, Occurrence, Occurrence> built() {
         LoopConfig config = LoopConfig.defaults("pushed", clock).withQueueCapacity(EVENTS);
         MapeLoop<Occurrence, Occurrence, Occurrence> loop = new MapeLoop<>(config, new Strict());
-        monitor.attach(config, loop);
+        monitor.attach(
+                config, loop, new EventNames(IN_ORDER.stream().map(Event::new).collect(Collectors.toSet())));
         loop.addMonitor(monitor);
         loop.addAnalyze(new Analyze<>("Analyze") {
             @Override
