@@ -16,6 +16,7 @@ import org.evoloop.evolution.ModelPair;
 import org.evoloop.loop.Component;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.ModelException;
+import org.evoloop.statemachine.Names;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -160,7 +161,7 @@ final class Assembly {
         for (Event event : events) {
             if (!triggers.contains(event)) {
                 problems.add(who + " " + event + ", which is not an event of the original model '"
-                        + pair.original().name() + "'");
+                        + pair.original().name() + "'" + Names.hint(event.name(), triggers));
             }
         }
     }

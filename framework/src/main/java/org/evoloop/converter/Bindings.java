@@ -15,6 +15,7 @@ import org.evoloop.evolution.DeviceEvents;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.evolution.Values;
 import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.Names;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.Transition;
@@ -111,12 +112,14 @@ final class Bindings implements Predicate<String> {
         }
         for (Event event : costs.keySet()) {
             if (!pair.original().triggers().contains(event)) {
-                problems.add("a cost is given to " + event + ", which is not an event of the original model");
+                problems.add("a cost is given to " + event + ", which is not an event of the original model"
+                        + Names.hint(event.name(), pair.original().triggers()));
             }
         }
         for (State state : doNotPass) {
             if (pair.original().alike(state).isEmpty()) {
-                problems.add(state + " is not to be passed, but is not a state of the original model");
+                problems.add(state + " is not to be passed, but is not a state of the original model"
+                        + Names.hint(state.name(), pair.original().states()));
             }
         }
         return problems;

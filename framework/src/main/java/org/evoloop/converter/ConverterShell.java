@@ -1,6 +1,7 @@
 package org.evoloop.converter;
 
 import java.util.List;
+import java.util.Locale;
 import org.evoloop.core.Outcome;
 import org.evoloop.core.Output;
 import org.evoloop.core.Rules;
@@ -13,6 +14,8 @@ import org.evoloop.loop.Failure;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.loop.LoopListener;
 import org.evoloop.loop.MapeLoop;
+import org.evoloop.statemachine.Event;
+import org.jspecify.annotations.Nullable;
 
 /**
  * What stands around the core of a converter that runs: the loop that brings its inputs, those who carry its directives
@@ -33,6 +36,9 @@ final class ConverterShell implements LoopListener<Occurrence>, CoreDriver.Liste
     final Carrier carrier;
     final Listeners listeners;
 
+    /** What came last, if neither model knows it. */
+    private @Nullable Event unknown;
+
     ConverterShell(LoopConfig config, StateKnowledge knowledge, DecisionTable table, Listeners listeners) {
         this.config = config;
         this.knowledge = knowledge;
@@ -41,7 +47,7 @@ final class ConverterShell implements LoopListener<Occurrence>, CoreDriver.Liste
         this.driver = new CoreDriver(
                 new Rules(table, knowledge::timersOf, config.queueCapacity()),
                 config.clock(),
-                knowledge.bindings(),
+                knowledge,
                 this);
         this.visits = new Visits(config, knowledge, transcript, failures);
         this.carrier = new Carrier(driver, visits, knowledge.bindings(), failures, transcript);
@@ -170,9 +176,25 @@ final class ConverterShell implements LoopListener<Occurrence>, CoreDriver.Liste
         if (ended.decision() instanceof Decision.Impossible impossible) {
             failures.warn(ended.occurrence() + " in " + ended.before() + ": " + impossible.reason());
         }
+        if (ended.occurrence() instanceof Occurrence.Heard heard) {
+            warnOfUnknown(heard);
+        } else if (ended.occurrence() instanceof Occurrence.Found && ended.outcome() == Outcome.FAILED) {
+            failures.warn(ended.detail());
+        }
         transcript.ended(ended.occurrence(), ended.after());
         history.record(
                 ended.occurrence(), ended.before(), ended.after(), ended.outcome(), ended.decision(), ended.detail());
         listeners.ended(history);
+    }
+
+    /** An event that neither model knows is told once a burst: until another one comes. */
+    private void warnOfUnknown(Occurrence.Heard heard) {
+        if (knowledge.eventNames().knows(heard.event())) {
+            unknown = null;
+        } else if (!heard.event().equals(unknown)) {
+            unknown = heard.event();
+            failures.warn(knowledge.eventNames().unknown(heard.event()) + " ("
+                    + heard.source().name().toLowerCase(Locale.ROOT) + ")");
+        }
     }
 }

@@ -42,6 +42,7 @@ final class CoreDriver implements Intake<Occurrence> {
     private final Core core;
     private final Clock clock;
     private final Bindings bindings;
+    private final EventNames names;
     private final Listener listener;
     private final List<Output> said = new ArrayList<>();
     private final ArrayDeque<Output.Directive> agenda = new ArrayDeque<>();
@@ -53,10 +54,11 @@ final class CoreDriver implements Intake<Occurrence> {
 
     private volatile Configuration at;
 
-    CoreDriver(Rules rules, Clock clock, Bindings bindings, Listener listener) {
+    CoreDriver(Rules rules, Clock clock, StateKnowledge knowledge, Listener listener) {
         this.core = new Core(rules);
         this.clock = clock;
-        this.bindings = bindings;
+        this.bindings = knowledge.bindings();
+        this.names = knowledge.eventNames();
         this.listener = listener;
         this.at = core.at();
     }
@@ -154,8 +156,11 @@ final class CoreDriver implements Intake<Occurrence> {
             steps = core.steps();
             rules = core.rules();
         }
-        return pending == null || pending.occurrence() != occurrence
-                ? null
+        if (pending == null || pending.occurrence() != occurrence) {
+            return null;
+        }
+        return occurrence instanceof Occurrence.Heard heard && !names.knows(heard.event())
+                ? new Decision.Refused(now, names.unknown(heard.event()))
                 : rules.decide(now, steps, pending, bindings.with(occurrence.values()));
     }
 

@@ -20,6 +20,7 @@ import org.jspecify.annotations.Nullable;
  * <p>Threading: as {@link Monitor}; the methods {@code from...} may be called from any thread.
  */
 public abstract class EventMonitor extends Monitor<Occurrence> {
+    private volatile @Nullable EventNames eventNames;
     private volatile @Nullable LoopConfig config;
     private volatile @Nullable MapeLoop<Occurrence, ?, ?> loop;
     private volatile Supplier<Set<String>> guards = Set::of;
@@ -33,7 +34,12 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
     }
 
     /** @param holding tells which guards of the original model hold now */
-    final void attach(LoopConfig loopConfig, MapeLoop<Occurrence, ?, ?> joined, Supplier<Set<String>> holding) {
+    final void attach(
+            LoopConfig loopConfig,
+            MapeLoop<Occurrence, ?, ?> joined,
+            EventNames names,
+            Supplier<Set<String>> holding) {
+        eventNames = names;
         config = loopConfig;
         loop = joined;
         guards = holding;
@@ -46,16 +52,21 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
     }
 
     /**
-     * Refuses {@code pressed} while nothing is converted.
+     * Refuses {@code pressed} if neither model knows it, and while nothing is converted.
      *
+     * @throws IllegalArgumentException if neither model knows the event
      * @throws IllegalStateException if the converter is not running
      */
-    final void requireRunning(Occurrence pressed) {
+    final void requireHeard(Occurrence pressed) {
         MapeLoop<Occurrence, ?, ?> joined = loop;
         LoopConfig attached = config;
-        if (joined == null || attached == null || !joined.has(this)) {
+        EventNames names = eventNames;
+        if (joined == null || attached == null || names == null || !joined.has(this)) {
             throw new IllegalStateException(
                     name() + " is not part of a converter that was built, so " + pressed.label() + " is refused");
+        }
+        if (pressed instanceof Occurrence.Heard heard) {
+            names.require(heard.event());
         }
         if (joined.state() != LoopState.RUNNING) {
             joined.offer(pressed);

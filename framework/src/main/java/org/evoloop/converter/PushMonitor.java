@@ -33,12 +33,13 @@ public class PushMonitor extends EventMonitor {
     /**
      * A control of the controller was operated.
      *
+     * @throws IllegalArgumentException if neither model knows the event; the message tells the nearest names
      * @throws IllegalStateException if the converter is not running, or this monitor is not part of one: the press is
      *     refused
      */
     public final void press(String event) {
         Occurrence pressed = fromController(event);
-        requireRunning(pressed);
+        requireHeard(pressed);
         push(pressed);
     }
 

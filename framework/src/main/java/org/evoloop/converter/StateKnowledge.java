@@ -21,6 +21,7 @@ import org.evoloop.evolution.Values;
 import org.evoloop.function.NewFunction;
 import org.evoloop.loop.Knowledge;
 import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.Names;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.Transition;
 import org.evoloop.time.Clock;
@@ -42,6 +43,7 @@ public class StateKnowledge extends Knowledge {
 
     private final Map<Ends, NewFunction> actions = new HashMap<>();
     private final Bindings bindings;
+    private final EventNames eventNames;
 
     /** What was registered more than once, a line each. */
     private final Set<String> repeated = new LinkedHashSet<>();
@@ -54,6 +56,7 @@ public class StateKnowledge extends Knowledge {
         requireNonNull(pair, "the models are null").requireValid();
         this.pair = pair;
         this.bindings = new Bindings(pair);
+        this.eventNames = EventNames.of(pair);
     }
 
     /** A transition by what its author calls it: its event with or without its guards. */
@@ -247,6 +250,10 @@ public class StateKnowledge extends Knowledge {
         driver = joined;
     }
 
+    final EventNames eventNames() {
+        return eventNames;
+    }
+
     final Bindings bindings() {
         return bindings;
     }
@@ -256,7 +263,8 @@ public class StateKnowledge extends Knowledge {
         List<String> problems = new ArrayList<>(repeated);
         for (State state : functions.keySet()) {
             if (!pair.evolved().hasState(state)) {
-                problems.add("a function is registered for " + state + ", which is not a state of the new model");
+                problems.add("a function is registered for " + state + ", which is not a state of the new model"
+                        + Names.hint(state.name(), pair.evolved().states()));
             } else if (!pair.isNew(state)) {
                 problems.add("a function is registered for " + state + ", but the device itself has that state");
             }
@@ -265,7 +273,8 @@ public class StateKnowledge extends Knowledge {
             for (Map.Entry<Event, Duration> timer : ofState.getValue().entrySet()) {
                 String what = "raises " + timer.getKey() + " in " + ofState.getKey();
                 if (!pair.evolved().hasTrigger(ofState.getKey(), timer.getKey())) {
-                    problems.add("a timer " + what + ", where the new model has no transition for it");
+                    problems.add("a timer " + what + ", where the new model has no transition for it"
+                            + (eventNames.knows(timer.getKey()) ? "" : ": " + eventNames.unknown(timer.getKey())));
                 }
                 if (timer.getKey().timeTrigger().isPresent()) {
                     problems.add("a timer " + what + ", which the new model does by itself; register none");

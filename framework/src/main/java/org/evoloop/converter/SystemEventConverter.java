@@ -229,7 +229,7 @@ public final class SystemEventConverter implements AutoCloseable {
 
     private void attach(ConverterShell built, Component component) {
         if (component instanceof EventMonitor monitor) {
-            monitor.attach(config, built.loop, built.driver::holding);
+            monitor.attach(config, built.loop, built.knowledge.eventNames(), built.driver::holding);
         } else if (component instanceof EventAnalyze analyze) {
             analyze.attach(built.driver);
         } else if (component instanceof EventExecute execute) {

@@ -112,6 +112,11 @@ final class Visits implements VisitHost {
     }
 
     @Override
+    public void requireKnown(Event event) {
+        knowledge.eventNames().require(event);
+    }
+
+    @Override
     public void raise(Visit raising, Event event) throws InterruptedException {
         put(raised(raising, event, Source.FUNCTION));
     }

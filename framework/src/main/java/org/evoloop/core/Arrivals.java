@@ -5,6 +5,7 @@ import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Source;
 import org.evoloop.evolution.Step;
 import org.evoloop.evolution.Values;
+import org.evoloop.statemachine.Names;
 import org.evoloop.statemachine.State;
 import org.jspecify.annotations.Nullable;
 
@@ -47,7 +48,10 @@ final class Arrivals {
 
     private void find(Occurrence.Found found) {
         if (!ledger.isDevicesState(found.state())) {
-            endAtOnce(found, Outcome.FAILED, found.state() + " is not a state of the device's model");
+            endAtOnce(found, Outcome.FAILED, "the device was found in " + found.state() + ", which is not a state of its model"
+                            + Names.hint(
+                                    found.state().name(),
+                                    ledger.rules.table().models().original().states()));
         } else if (ledger.place.isOld(found)) {
             endAtOnce(found, Outcome.STALE, OVERTAKEN);
         } else {

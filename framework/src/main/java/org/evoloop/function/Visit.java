@@ -158,8 +158,13 @@ public final class Visit {
         deliverLast();
     }
 
-    /** Ends the function with {@code event} after {@code delay}, unless the state is left or it has finished before. */
+    /**
+     * Ends the function with {@code event} after {@code delay}, unless the state is left or it has finished before.
+     *
+     * @throws IllegalArgumentException if neither model knows the event, and as {@link #after}
+     */
     public void finishAfter(Duration delay, String event) {
+        host.requireKnown(new Event(event));
         after(delay, () -> finish(event));
     }
 

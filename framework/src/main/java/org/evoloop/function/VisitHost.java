@@ -20,6 +20,13 @@ public interface VisitHost {
     boolean accepts(Visit visit, Event event);
 
     /**
+     * Refuses an event that nobody could hear.
+     *
+     * @throws IllegalArgumentException if neither model knows the event; the message tells the nearest names
+     */
+    void requireKnown(Event event);
+
+    /**
      * Queues an event that the visit raises; waits while the queue is full.
      *
      * @throws InterruptedException if the thread is told to stop while it waits

@@ -146,7 +146,8 @@ class ConverterBuildTest {
                 .satisfies(refusal -> assertThat(
                                 String.valueOf(refusal.getMessage()).lines())
                         .containsExactlyInAnyOrder(
-                                "a function is registered for Dance, which is not a state of the new model",
+                                "a function is registered for Dance, which is not a state of the new model; there is Clean, "
+                                        + "Move, Off, On, Spot, SpotWait",
                                 "a function is registered for Clean, but the device itself has that state",
                                 "a timer raises timeout in Clean, where the new model has no transition for it",
                                 "the timer that raises timeout in SpotWait has the delay PT-1S, allowed is 0 to 36500 days",
@@ -156,9 +157,10 @@ class ConverterBuildTest {
                                 "new state Move has no function: register one in registerNewFunctions, "
                                         + "NewFunction.none() if nothing has to run",
                                 "the device cannot become what 'new' asks for:",
-                                "  Device can send Max, which is not an event of the original model 'original'",
+                                "  Device can send Max, which is not an event of the original model 'original'; there is "
+                                        + "Clean, Spot, endSpot",
                                 "  Panel names as the device's own Dock, which is not an event of the original model "
-                                        + "'original'",
+                                        + "'original'; there is Clean, Spot, endSpot",
                                 "  event Spot of the original model can be sent by no execute component and is not declared "
                                         + "to be the device's own; name it in sendableEvents, or in spontaneousEvents of "
                                         + "a monitor",

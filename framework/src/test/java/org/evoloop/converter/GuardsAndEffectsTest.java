@@ -313,8 +313,8 @@ class GuardsAndEffectsTest {
                                 "guard [cold] is bound, but drawn in neither model",
                                 "guard [hot] of the new model is not bound: call guard in registerNewFunctions",
                                 "effect blink is bound, but the new model does not draw it",
-                                "a cost is given to Dance, which is not an event of the original model",
-                                "Hall is not to be passed, but is not a state of the original model",
+                                "a cost is given to Dance, which is not an event of the original model; there is press",
+                                "Hall is not to be passed, but is not a state of the original model; there is Off, On",
                                 "the device cannot become what 'new' asks for:",
                                 "  effect beep of the new model is not bound: call effect in registerNewFunctions"));
     }

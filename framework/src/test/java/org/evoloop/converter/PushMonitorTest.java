@@ -8,6 +8,7 @@ import java.util.Set;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.loop.Analyze;
@@ -17,6 +18,7 @@ import org.evoloop.loop.LoopConfig;
 import org.evoloop.loop.LoopListener;
 import org.evoloop.loop.MapeLoop;
 import org.evoloop.loop.Plan;
+import org.evoloop.statemachine.Event;
 import org.evoloop.time.ManualClock;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -54,7 +56,8 @@ class PushMonitorTest {
     private MapeLoop<Occurrence, Occurrence, Occurrence> built() {
         LoopConfig config = LoopConfig.defaults("pushed", clock).withQueueCapacity(EVENTS);
         MapeLoop<Occurrence, Occurrence, Occurrence> loop = new MapeLoop<>(config, new Strict());
-        monitor.attach(config, loop, Set::of);
+        EventNames names = new EventNames(IN_ORDER.stream().map(Event::new).collect(Collectors.toSet()));
+        monitor.attach(config, loop, names, Set::of);
         loop.addMonitor(monitor);
         loop.addAnalyze(new Analyze<>("Analyze") {
             @Override

@@ -26,7 +26,7 @@ import org.junit.jupiter.params.provider.MethodSource;
  */
 class RandomWalkTest {
     private static final int STEPS = 2_000;
-    private static final List<String> EVENTS = List.of("Clean", "Spot", "arriveSpot", "timeout", "Dance");
+    private static final List<String> EVENTS = List.of("Clean", "Spot", "arriveSpot", "timeout");
     private static final double FAILURE_RATE = 0.2;
 
     static LongStream seeds() {

@@ -58,8 +58,8 @@ class StatusAndHistoryTest {
                 "new function of SpotWait");
         robot.pass(Duration.ofSeconds(5));
         assertLast("timeout (function)", at("Clean", "SpotWait"), at("On", "On"), Outcome.HANDLED, "Clean");
-        robot.controller("Dance");
-        assertLast("Dance (controller)", at("On", "On"), at("On", "On"), Outcome.IGNORED, "not acceptable in On");
+        robot.controller("arriveSpot");
+        assertLast("arriveSpot (controller)", at("On", "On"), at("On", "On"), Outcome.IGNORED, "not acceptable in On");
         robot.controller("Spot").device("endSpot");
         assertLast(
                 "endSpot (device, the device acted)",

@@ -129,7 +129,7 @@ class TwoDevicesTest {
     void whatEachMonitorTellsStaysInOrder() {
         for (String event : List.of("wake", "unlock", "open", "close", "lock")) {
             remote.press(event);
-            bell.press("nonsense");
+            bell.push(bell.fromController("nonsense"));
         }
         LiveRobot.until(() -> converter.history().size() == 10);
         assertThat(converter.history())

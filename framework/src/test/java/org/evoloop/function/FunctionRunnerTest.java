@@ -37,6 +37,9 @@ class FunctionRunnerTest {
         }
 
         @Override
+        public void requireKnown(Event event) {}
+
+        @Override
         public void raise(Visit visit, Event event) {}
 
         @Override

@@ -52,6 +52,11 @@ final class VisitLog implements VisitHost {
     }
 
     @Override
+    public void requireKnown(Event event) {
+        // Everything is known here.
+    }
+
+    @Override
     public void raise(Visit visit, Event event) throws InterruptedException {
         events.put("raised " + event);
     }

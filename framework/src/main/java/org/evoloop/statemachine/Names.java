@@ -1,0 +1,67 @@
+package org.evoloop.statemachine;
+
+import java.util.Collection;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.Stream;
+
+/** What people may have meant by a name that there is not. */
+public final class Names {
+    private static final int NEAREST = 3;
+    private static final int LISTED = 20;
+
+    private Names() {}
+
+    /**
+     * For messages: {@code "; did you mean Clean?"}, else, if no name is near, what there is.
+     *
+     * @param known what there is
+     */
+    public static String hint(String wrong, Collection<?> known) {
+        List<String> near = nearest(wrong, known.stream().map(Object::toString));
+        if (!near.isEmpty()) {
+            return "; did you mean " + String.join(" or ", near) + "?";
+        }
+        List<String> listed =
+                known.stream().map(Object::toString).sorted().limit(LISTED).toList();
+        return "; there is " + (listed.isEmpty() ? "none" : String.join(", ", listed))
+                + (known.size() > LISTED ? " and " + (known.size() - LISTED) + " more" : "");
+    }
+
+    /** Those that differ by few letters, or only in capitals, blanks, hyphens and the like; the nearest first. */
+    private static List<String> nearest(String wrong, Stream<String> known) {
+        String plain = plain(wrong);
+        int most = Math.max(1, wrong.length() / 3);
+        return known.distinct()
+                .filter(name -> distance(plain, plain(name)) <= most)
+                .sorted(Comparator.<String>comparingInt(name -> distance(plain, plain(name)))
+                        .thenComparing(name -> name))
+                .limit(NEAREST)
+                .toList();
+    }
+
+    private static String plain(String name) {
+        return name.toLowerCase(Locale.ROOT).replaceAll("[\\s_.-]", "");
+    }
+
+    /** Letters that must be added, left out, changed, or put in the place of their neighbour (optimal string alignment). */
+    private static int distance(String from, String to) {
+        int[][] distance = new int[from.length() + 1][to.length() + 1];
+        for (int i = 0; i <= from.length(); i++) {
+            for (int j = 0; j <= to.length(); j++) {
+                distance[i][j] = i == 0 ? j : j == 0 ? i : step(distance, i, j, from, to);
+            }
+        }
+        return distance[from.length()][to.length()];
+    }
+
+    private static int step(int[][] distance, int i, int j, String from, String to) {
+        boolean same = from.charAt(i - 1) == to.charAt(j - 1);
+        int least =
+                Math.min(distance[i - 1][j - 1] + (same ? 0 : 1), Math.min(distance[i - 1][j], distance[i][j - 1]) + 1);
+        boolean swapped =
+                i > 1 && j > 1 && from.charAt(i - 1) == to.charAt(j - 2) && from.charAt(i - 2) == to.charAt(j - 1);
+        return swapped ? Math.min(least, distance[i - 2][j - 2] + 1) : least;
+    }
+}
