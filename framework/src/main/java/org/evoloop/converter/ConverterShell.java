@@ -45,10 +45,7 @@ final class ConverterShell implements LoopListener<Occurrence>, CoreDriver.Liste
         this.listeners = listeners;
         this.history = new History(config.clock());
         this.driver = new CoreDriver(
-                new Rules(table, knowledge::timersOf, config.queueCapacity()),
-                config.clock(),
-                knowledge,
-                this);
+                new Rules(table, knowledge::timersOf, config.queueCapacity()), config.clock(), knowledge, this);
         this.visits = new Visits(config, knowledge, transcript, failures);
         this.carrier = new Carrier(driver, visits, knowledge.bindings(), failures, transcript);
         this.loop = new MapeLoop<>(config, this, carrier::next, driver);

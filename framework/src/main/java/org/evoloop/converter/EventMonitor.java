@@ -35,10 +35,7 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
 
     /** @param holding tells which guards of the original model hold now */
     final void attach(
-            LoopConfig loopConfig,
-            MapeLoop<Occurrence, ?, ?> joined,
-            EventNames names,
-            Supplier<Set<String>> holding) {
+            LoopConfig loopConfig, MapeLoop<Occurrence, ?, ?> joined, EventNames names, Supplier<Set<String>> holding) {
         eventNames = names;
         config = loopConfig;
         loop = joined;

@@ -1,6 +1,5 @@
 package org.evoloop.core;
 
-import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Source;
 import org.evoloop.evolution.Step;
@@ -48,7 +47,10 @@ final class Arrivals {
 
     private void find(Occurrence.Found found) {
         if (!ledger.isDevicesState(found.state())) {
-            endAtOnce(found, Outcome.FAILED, "the device was found in " + found.state() + ", which is not a state of its model"
+            endAtOnce(
+                    found,
+                    Outcome.FAILED,
+                    "the device was found in " + found.state() + ", which is not a state of its model"
                             + Names.hint(
                                     found.state().name(),
                                     ledger.rules.table().models().original().states()));

@@ -85,8 +85,7 @@ final class Conversion {
         if (!current.meanwhile().isEmpty()) {
             // In the order in which they were told, the step came last.
             target = Overlap.takes(ledger.rules.table(), ledger.place.at().original(), step);
-            sure = sent.inOrder()
-                    || Overlap.alwaysEndsIn(target, ledger.rules.table(), step, current.meanwhile());
+            sure = sent.inOrder() || Overlap.alwaysEndsIn(target, ledger.rules.table(), step, current.meanwhile());
         }
         ledger.place.took(target, sent.atNanos(), ledger.out);
         ledger.out.add(new Output.Took(step));

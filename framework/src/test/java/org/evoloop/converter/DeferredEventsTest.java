@@ -28,8 +28,8 @@ class DeferredEventsTest {
 
     private final List<String> sent = new ArrayList<>();
     private final PushMonitor panel = new PushMonitor("Panel");
-    private final SystemEventConverter converter =
-            new SystemEventConverter(LoopConfig.defaults("mill", new ManualClock()).withoutThreads());
+    private final SystemEventConverter converter = new SystemEventConverter(
+            LoopConfig.defaults("mill", new ManualClock()).withoutThreads());
 
     /** A mill that is cleaned first, and does not grind meanwhile. */
     private static StateMachine evolved(boolean guarded) {
@@ -42,8 +42,7 @@ class DeferredEventsTest {
                 .defers("Cleaning", new Event("grind"));
         if (guarded) {
             builder.transition(
-                    new Transition(
-                            new State("Cleaning"), new Event("grind", List.of("urgent")), new State("Grinding")),
+                    new Transition(new State("Cleaning"), new Event("grind", List.of("urgent")), new State("Grinding")),
                     "");
         }
         return builder.build();

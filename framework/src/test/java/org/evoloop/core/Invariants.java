@@ -42,7 +42,8 @@ final class Invariants {
     }
 
     private String recordIsDevice() {
-        boolean quiet = world.untold.isEmpty() && new Core(world.scene.rules(), after).doubt().isEmpty();
+        boolean quiet = world.untold.isEmpty()
+                && new Core(world.scene.rules(), after).doubt().isEmpty();
         return quiet && !after.at().original().equals(world.device)
                 ? "record: the device is in " + world.device + ", the record says " + after.at()
                 : "";
