@@ -92,7 +92,7 @@ class FunctionRequestsTest {
             });
             player.acts("play");
             player.settle();
-            player.press("rewind");
+            player.press("faded");
             player.settle();
         }
         assertThat(heard)
@@ -100,6 +100,6 @@ class FunctionRequestsTest {
                         "(Stopped, Stopped) to (Playing, Stopped)",
                         "(Playing, Stopped) to (Playing, Playing)",
                         "play HANDLED",
-                        "rewind IGNORED");
+                        "faded IGNORED");
     }
 }
