@@ -66,7 +66,7 @@ final class Carrying {
     private void announce(Output.Send send) {
         World next = done();
         Step step = send.step();
-        // Whether the core lets it be sent is known when it has been told, see Explorer.
+        // Unless the core does not let it be sent, see World.heard.
         next.flight = new World.Flight(send.number(), step);
         tell(new Input.Sending(send.number(), time), next);
     }

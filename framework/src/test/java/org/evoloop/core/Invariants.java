@@ -93,7 +93,9 @@ final class Invariants {
                 return "visit: " + start + " in visit " + visit;
             }
         }
-        return "";
+        return visit != after.visit().number() || over != after.visit().over()
+                ? "visit: told " + visit + (over ? ", over" : "") + ", known " + after.visit()
+                : "";
     }
 
     private String stepsAreSentOnce() {
