@@ -18,8 +18,7 @@ import org.evoloop.evolution.Step;
  * @param settled whether the device has told where it is, so that the record is sure until the step is told to have had its
  *     effect after all
  */
-public record Doubt(
-        String why, long number, Step step, long stepsBefore, List<Occurrence> meanwhile, boolean settled) {
+public record Doubt(String why, long number, Step step, long stepsBefore, List<Occurrence> meanwhile, boolean settled) {
     static final long UNSETTLED = -1;
 
     Doubt acted(Occurrence fact) {

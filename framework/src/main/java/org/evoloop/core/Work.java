@@ -51,8 +51,7 @@ public record Work(
     }
 
     Work acted(Occurrence fact) {
-        return new Work(
-                pending, decision, taken, effectsRun, failedEffects, sending, Overlap.add(meanwhile, fact));
+        return new Work(pending, decision, taken, effectsRun, failedEffects, sending, Overlap.add(meanwhile, fact));
     }
 
     Work askingAgain() {

@@ -26,7 +26,9 @@ final class Carrying {
         if (work != null) {
             carrying.goOn(work);
             carrying.fail(work);
-        } else if (world.phase == Phase.OPEN && (!now.waiting().isEmpty() || now.followOwed())) {
+        }
+        // Also while something is in progress: then nothing must come of it.
+        if (world.phase == Phase.OPEN && (!now.waiting().isEmpty() || now.followOwed())) {
             carrying.tell(new Input.Ready(time), world.copy());
         }
         return carrying.found;

@@ -71,7 +71,8 @@ final class Exploration {
                 continue;
             }
             List<Move> moves = Moves.of(at.snapshot(), at.world(), at.depth() + 1);
-            if (moves.isEmpty() && at.snapshot().work() != null) {
+            boolean idle = moves.stream().allMatch(move -> move.input() instanceof Input.Ready);
+            if (idle && at.snapshot().work() != null) {
                 return new Result(seen.size(), deepest, "stuck: nothing can happen\n" + at.path());
             }
             for (Move move : moves) {

@@ -30,6 +30,7 @@ final class Invariants {
         Invariants invariants = new Invariants(before, input, said, after, world);
         return List.of(
                         invariants.recordIsDevice(),
+                        invariants.oneAfterTheOther(),
                         invariants.sumIsRight(),
                         invariants.visitsEnd(),
                         invariants.stepsAreSentOnce(),
@@ -42,10 +43,29 @@ final class Invariants {
     }
 
     private String recordIsDevice() {
-        boolean quiet = world.untold.isEmpty() && new Core(world.scene.rules(), after).doubt().isEmpty();
+        boolean quiet = world.untold.isEmpty()
+                && new Core(world.scene.rules(), after).doubt().isEmpty();
         return quiet && !after.at().original().equals(world.device)
                 ? "record: the device is in " + world.device + ", the record says " + after.at()
                 : "";
+    }
+
+    /** First come first served, and only when nothing is in progress. */
+    private String oneAfterTheOther() {
+        for (Output output : said) {
+            if (output instanceof Output.Begin begin) {
+                if (before.work() != null) {
+                    return "order: " + begin + " while " + before.work() + " is in progress";
+                }
+                List<Pending> ahead = new ArrayList<>(before.waiting());
+                ahead.retainAll(after.waiting());
+                int place = before.waiting().indexOf(begin.pending());
+                if (!ahead.isEmpty() && before.waiting().indexOf(ahead.get(0)) < place) {
+                    return "order: " + begin + " before " + ahead.get(0);
+                }
+            }
+        }
+        return "";
     }
 
     private String sumIsRight() {

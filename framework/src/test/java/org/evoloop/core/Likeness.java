@@ -84,7 +84,13 @@ final class Likeness {
     private @Nullable Object ofDoubt(@Nullable Doubt doubt) {
         return doubt == null
                 ? null
-                : list(of(doubt.number()), doubt.step(), doubt.stepsBefore() < 0, doubt.stepsBefore() == now.steps(), ofAll(doubt.meanwhile()), doubt.settled());
+                : list(
+                        of(doubt.number()),
+                        doubt.step(),
+                        doubt.stepsBefore() < 0,
+                        doubt.stepsBefore() == now.steps(),
+                        ofAll(doubt.meanwhile()),
+                        doubt.settled());
     }
 
     private Object of(Pending pending) {

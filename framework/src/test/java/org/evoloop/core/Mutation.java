@@ -1,6 +1,7 @@
 package org.evoloop.core;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.function.Predicate;
 import org.evoloop.core.Scene.Act;
@@ -78,13 +79,26 @@ enum Mutation {
                     : after;
         }
     },
+    THE_QUEUE_DOES_NOT_WAIT("order", Scene.bulb().with(2, Act.PRESS)) {
+        @Override
+        Snapshot ahead(Snapshot before, Input input) {
+            return input instanceof Input.Ready ? Snapshots.work(before, null) : before;
+        }
+    },
+    LAST_COME_IS_FIRST_SERVED("order", Scene.bulb().with(2, Act.PRESS)) {
+        @Override
+        Snapshot ahead(Snapshot before, Input input) {
+            List<Pending> reversed = new ArrayList<>(before.waiting());
+            Collections.reverse(reversed);
+            return input instanceof Input.Ready ? Snapshots.waiting(before, reversed) : before;
+        }
+    },
     A_STEP_IS_ASKED_FOR_TWICE("sent", Scene.bulb().with(1, Act.PRESS)) {
         @Override
         List<Output> unsay(Snapshot before, Input input, List<Output> said) {
             return said.stream()
-                    .flatMap(output -> output instanceof Output.Send
-                            ? List.of(output, output).stream()
-                            : List.of(output).stream())
+                    .flatMap(output ->
+                            output instanceof Output.Send ? List.of(output, output).stream() : List.of(output).stream())
                     .toList();
         }
     },
@@ -97,7 +111,9 @@ enum Mutation {
     VISITS_ARE_NOT_TOLD_APART("visit", Scene.robot().with(1, Act.PRESS, Act.RAISE)) {
         @Override
         Snapshot ahead(Snapshot before, Input input) {
-            return input instanceof Input.Ready ? Snapshots.allOf(before, before.visit().number()) : before;
+            return input instanceof Input.Ready
+                    ? Snapshots.allOf(before, before.visit().number())
+                    : before;
         }
 
         @Override

@@ -55,8 +55,7 @@ final class RandomPair {
     private Transition transition(String source, String event, String target, double effectRate) {
         List<String> effects = random.nextDouble() < effectRate ? List.of("beep", "blink") : List.of();
         boolean internal = source.equals(target) && random.nextBoolean();
-        return new Transition(
-                new State(source), new Event(event), new State(target), effects, internal, Set.of());
+        return new Transition(new State(source), new Event(event), new State(target), effects, internal, Set.of());
     }
 
     private String pick(List<String> names) {

@@ -34,7 +34,9 @@ class SnapshotTextTest {
         told.ready().planned();
         told.observe(new Occurrence.Heard(
                 new Event("Clean", List.of("hot", "50 % full")),
-                Values.of("temperature", 21.5).with("room", "\"Küche\"\\\n\ud83d\ude00").with("night", true),
+                Values.of("temperature", 21.5)
+                        .with("room", "\"Küche\"\\\n\ud83d\ude00")
+                        .with("night", true),
                 Source.PANEL,
                 true,
                 Set.of("b", "a"),

@@ -35,13 +35,14 @@ final class Snapshots {
 
     /** What waits is all of this visit. */
     static Snapshot allOf(Snapshot of, long visit) {
-        return waiting(of, of.waiting().stream().map(pending -> of(pending, visit)).toList());
+        return waiting(
+                of, of.waiting().stream().map(pending -> of(pending, visit)).toList());
     }
 
     private static Pending of(Pending pending, long visit) {
         if (pending.occurrence() instanceof Occurrence.Heard heard && heard.visit() != Occurrence.ANY_VISIT) {
-            Occurrence moved = new Occurrence.Heard(
-                    heard.event(), heard.values(), heard.source(), visit, heard.observedNanos());
+            Occurrence moved =
+                    new Occurrence.Heard(heard.event(), heard.values(), heard.source(), visit, heard.observedNanos());
             return new Pending(
                     pending.number(), moved, pending.from(), pending.own(), pending.stepsBefore(), pending.attempts());
         }

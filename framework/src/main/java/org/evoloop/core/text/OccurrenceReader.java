@@ -23,14 +23,13 @@ final class OccurrenceReader {
     Occurrence read() {
         String kind = lines.next();
         long observedNanos = lines.number();
-        Occurrence read =
-                switch (kind) {
-                    case "heard" -> heard(observedNanos);
-                    case "asked" -> asked(observedNanos);
-                    case "found" -> new Occurrence.Found(names.originalState(), observedNanos);
-                    case "in-doubt" -> new Occurrence.InDoubt(lines.text(), observedNanos);
-                    default -> throw lines.damaged("'" + kind + "' is no occurrence");
-                };
+        Occurrence read = switch (kind) {
+            case "heard" -> heard(observedNanos);
+            case "asked" -> asked(observedNanos);
+            case "found" -> new Occurrence.Found(names.originalState(), observedNanos);
+            case "in-doubt" -> new Occurrence.InDoubt(lines.text(), observedNanos);
+            default -> throw lines.damaged("'" + kind + "' is no occurrence");
+        };
         lines.ends();
         return read;
     }

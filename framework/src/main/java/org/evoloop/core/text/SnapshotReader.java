@@ -48,8 +48,7 @@ final class SnapshotReader {
         Tally tally = tally();
         lines.next("end");
         lines.endsAll();
-        return new Snapshot(
-                open, at, doubt, steps, lastStepNanos, visit, waiting, losing, owed, work, tally);
+        return new Snapshot(open, at, doubt, steps, lastStepNanos, visit, waiting, losing, owed, work, tally);
     }
 
     private void version() {

@@ -57,10 +57,7 @@ final class SnapshotWriter {
     }
 
     private void at(String name, Configuration at) {
-        line(
-                name,
-                new Quoted(at.original().name()),
-                new Quoted(at.evolved().name()));
+        line(name, new Quoted(at.original().name()), new Quoted(at.evolved().name()));
     }
 
     private void visit(Snapshot.Visit visit) {
