@@ -4,11 +4,26 @@ import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAPac
 import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAnyPackage;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
 
+import com.tngtech.archunit.core.domain.JavaClass;
+import com.tngtech.archunit.core.domain.JavaField;
+import com.tngtech.archunit.core.domain.JavaModifier;
 import com.tngtech.archunit.core.importer.ImportOption;
 import com.tngtech.archunit.junit.AnalyzeClasses;
 import com.tngtech.archunit.junit.ArchTest;
+import com.tngtech.archunit.lang.ArchCondition;
 import com.tngtech.archunit.lang.ArchRule;
+import com.tngtech.archunit.lang.ConditionEvents;
+import com.tngtech.archunit.lang.SimpleConditionEvent;
 import com.tngtech.archunit.library.Architectures;
+import java.time.Clock;
+import java.time.Instant;
+import java.time.LocalDate;
+import java.time.LocalDateTime;
+import java.time.LocalTime;
+import java.time.ZonedDateTime;
+import java.util.Random;
+import java.util.Timer;
+import java.util.UUID;
 
 /** The rooms of the framework and the arrows between them. */
 @AnalyzeClasses(packages = "org.evoloop", importOptions = ImportOption.DoNotIncludeTests.class)
@@ -26,6 +41,8 @@ class ArchitectureTest {
             .definedBy("org.evoloop.xmi..")
             .layer("evolution")
             .definedBy("org.evoloop.evolution..")
+            .layer("core")
+            .definedBy("org.evoloop.core..")
             .layer("loop")
             .definedBy("org.evoloop.loop..")
             .layer("function")
@@ -44,14 +61,16 @@ class ArchitectureTest {
             .mayOnlyAccessLayers("statechart", "statemachine")
             .whereLayer("evolution")
             .mayOnlyAccessLayers("statemachine")
+            .whereLayer("core")
+            .mayOnlyAccessLayers("evolution", "statemachine")
             .whereLayer("loop")
             .mayOnlyAccessLayers("time")
             .whereLayer("function")
             .mayOnlyAccessLayers("loop", "time", "statemachine")
             .whereLayer("converter")
-            .mayOnlyAccessLayers("loop", "function", "evolution", "time", "statemachine")
+            .mayOnlyAccessLayers("core", "loop", "function", "evolution", "time", "statemachine")
             .whereLayer("console")
-            .mayOnlyAccessLayers("converter", "loop", "function", "evolution", "time", "statemachine");
+            .mayOnlyAccessLayers("converter", "core", "loop", "function", "evolution", "time", "statemachine");
 
     @ArchTest
     static final ArchRule decisionsArePure = noClasses()
@@ -63,6 +82,57 @@ class ArchitectureTest {
             .orShould()
             .dependOnClassesThat()
             .areAssignableTo(Thread.class);
+
+    /** The same inputs give the same outputs: nothing in it waits, looks at a clock, throws dice or tells anybody. */
+    @ArchTest
+    static final ArchRule theCoreIsDeterministic = noClasses()
+            .that(resideInAPackage("org.evoloop.core.."))
+            .should()
+            .dependOnClassesThat()
+            .resideInAnyPackage(
+                    "java.util.concurrent..",
+                    "java.io..",
+                    "java.nio..",
+                    "java.net..",
+                    "java.util.random..",
+                    "java.lang.ref..",
+                    "org.slf4j..",
+                    "jakarta..")
+            .orShould()
+            .dependOnClassesThat()
+            .belongToAnyOf(
+                    Thread.class,
+                    ThreadLocal.class,
+                    Timer.class,
+                    Random.class,
+                    UUID.class,
+                    Clock.class,
+                    Instant.class,
+                    LocalDate.class,
+                    LocalTime.class,
+                    LocalDateTime.class,
+                    ZonedDateTime.class)
+            .orShould()
+            .callMethod(System.class, "nanoTime")
+            .orShould()
+            .callMethod(Math.class, "random")
+            .orShould()
+            .callMethod(System.class, "identityHashCode", Object.class)
+            .orShould(haveStaticState());
+
+    /** Static state would make two cores side by side one. */
+    private static ArchCondition<JavaClass> haveStaticState() {
+        return new ArchCondition<>("have static fields that are not final") {
+            @Override
+            public void check(JavaClass item, ConditionEvents events) {
+                for (JavaField field : item.getFields()) {
+                    boolean constant = field.getModifiers().contains(JavaModifier.FINAL);
+                    boolean shared = field.getModifiers().contains(JavaModifier.STATIC) && !constant;
+                    events.add(new SimpleConditionEvent(field, shared, field.getFullName() + " is static, not final"));
+                }
+            }
+        };
+    }
 
     @ArchTest
     static final ArchRule timeIsInjected = noClasses()

@@ -21,8 +21,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * Whatever happens, and whatever cannot be sent: after every step the knowledge's original state is where the device is.
- * The device follows the original model to the letter, and acts on its own buttons when it pleases.
+ * Whatever happens, however much of it waits, and whatever cannot be sent: after every step the knowledge's original state is
+ * where the device is. The device follows the original model to the letter, and acts on its own buttons when it pleases.
  */
 class RandomWalkTest {
     private static final int STEPS = 2_000;
@@ -43,6 +43,9 @@ class RandomWalkTest {
                         .as("the original state after step %d (%s) with seed %d", step, what, seed)
                         .isEqualTo(walk.device.state);
             }
+            assertThat(walk.converter.status().queue().highest())
+                    .as("most that ever waited, with seed %d", seed)
+                    .isGreaterThanOrEqualTo(3);
             ConverterStatus.EventCounts counts = walk.converter.status().events();
             assertThat(List.of(counts.handled(), counts.ignored(), counts.failed()))
                     .as("handled, ignored and failed with seed %d", seed)
@@ -73,9 +76,18 @@ class RandomWalkTest {
             converter.start();
         }
 
-        /** Does something at random and lets the converter come to rest; returns what was done. */
+        /** Does something at random and lets the converter deal with some of what waits; returns what was done. */
         String step() throws InterruptedException {
-            String what = switch (random.nextInt(10)) {
+            String what = act();
+            converter.observe(panel);
+            for (int turns = random.nextInt(3); turns > 0 && converter.step(); turns--) {
+                converter.observe(panel);
+            }
+            return what;
+        }
+
+        private String act() {
+            return switch (random.nextInt(10)) {
                 case 0, 1, 2 -> {
                     String event = EVENTS.get(random.nextInt(EVENTS.size()));
                     panel.press(event);
@@ -96,11 +108,6 @@ class RandomWalkTest {
                 }
                 default -> change();
             };
-            converter.observe(panel);
-            while (converter.step()) {
-                converter.observe(panel);
-            }
-            return what;
         }
 
         private String deviceActs(String name) {

@@ -26,7 +26,9 @@ final class Carrying {
         if (work != null) {
             carrying.goOn(work);
             carrying.fail(work);
-        } else if (world.phase == Phase.OPEN && (!now.waiting().isEmpty() || now.followOwed())) {
+        }
+        // Also while something is in progress: then nothing must come of it.
+        if (world.phase == Phase.OPEN && (!now.waiting().isEmpty() || now.followOwed())) {
             carrying.tell(new Input.Ready(time), world.copy());
         }
         return carrying.found;
@@ -66,7 +68,7 @@ final class Carrying {
     private void announce(Output.Send send) {
         World next = done();
         Step step = send.step();
-        // Whether the core lets it be sent is known when it has been told, see Explorer.
+        // Unless the core does not let it be sent, see World.heard.
         next.flight = new World.Flight(send.number(), step);
         tell(new Input.Sending(send.number(), time), next);
     }

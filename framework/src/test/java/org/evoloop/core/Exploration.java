@@ -70,7 +70,12 @@ final class Exploration {
             if (deepest == depth) {
                 continue;
             }
-            for (Move move : Moves.of(at.snapshot(), at.world(), at.depth() + 1)) {
+            List<Move> moves = Moves.of(at.snapshot(), at.world(), at.depth() + 1);
+            boolean idle = moves.stream().allMatch(move -> move.input() instanceof Input.Ready);
+            if (idle && at.snapshot().work() != null) {
+                return new Result(seen.size(), deepest, "stuck: nothing can happen\n" + at.path());
+            }
+            for (Move move : moves) {
                 String violation = go(at, move);
                 if (!violation.isEmpty()) {
                     return new Result(seen.size(), deepest, violation);
@@ -89,11 +94,7 @@ final class Exploration {
             Wiring.Result result = wiring.tell(scene.rules(), before, move.input());
             said = result.said();
             after = result.after();
-            if (move.input() instanceof Input.Sending
-                    && !(after.work() != null && after.work().sending())) {
-                world.noLongerSent();
-            }
-            world.heard(said, after);
+            world.heard(move.input(), said, after);
         }
         Path path = new Path(at.path(), move.what());
         String violation = Invariants.check(before, move.input(), said, after, world);

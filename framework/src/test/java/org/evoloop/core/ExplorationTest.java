@@ -17,6 +17,11 @@ import org.junit.jupiter.params.provider.MethodSource;
 class ExplorationTest {
     private static final int TO_THE_END = Integer.MAX_VALUE;
 
+    /** An adapter that keeps the order with a device that can tell where it is, and one that does neither. */
+    private static Stream<Scene> bestAndWorst(Scene scene) {
+        return Stream.of(scene, scene.mute().outOfOrder());
+    }
+
     static Stream<Scene> papersPairs() {
         return Stream.of(Scene.bulb(), Scene.robot())
                 .flatMap(scene -> Stream.of(
@@ -27,7 +32,7 @@ class ExplorationTest {
                         scene.with(2, Act.PRESS, Act.RAISE).with(1, Act.OWN),
                         scene.with(1, Act.PRESS, Act.ASK, Act.OWN, Act.CHANGE, Act.GIVE_UP),
                         scene.with(2, Act.PRESS, Act.FAIL).with(1, Act.OWN, Act.DISMISS)))
-                .flatMap(scene -> scene.kinds().stream());
+                .flatMap(ExplorationTest::bestAndWorst);
     }
 
     @ParameterizedTest
@@ -39,20 +44,20 @@ class ExplorationTest {
     static Stream<Scene> everything() {
         return Stream.of(Scene.bulb(), Scene.robot())
                 .map(scene -> scene.with(2, Act.values()))
-                .flatMap(scene -> scene.kinds().stream());
+                .flatMap(ExplorationTest::bestAndWorst);
     }
 
     @ParameterizedTest
     @MethodSource("everything")
     void everythingTogether(Scene scene) {
-        explore(scene, 6);
+        explore(scene, 5);
     }
 
     @ParameterizedTest
     @MethodSource("everything")
     @Tag("slow")
     void everythingTogetherDeeper(Scene scene) {
-        explore(scene, 8);
+        explore(scene, 7);
     }
 
     static Stream<Scene> deeper() {
@@ -60,7 +65,7 @@ class ExplorationTest {
                 .flatMap(scene -> Stream.of(
                         scene.with(4, Act.PRESS).with(3, Act.OWN),
                         scene.with(2, Act.PRESS, Act.OWN, Act.GIVE_UP).with(1, Act.STOP),
-                        scene.with(1, Act.values())))
+                        scene.with(2, Act.PRESS, Act.OWN, Act.JUMP, Act.GIVE_UP)))
                 .flatMap(scene -> scene.kinds().stream());
     }
 
@@ -72,10 +77,10 @@ class ExplorationTest {
     }
 
     static Stream<Scene> randomPairs() {
-        return LongStream.concat(LongStream.rangeClosed(1, 7), LongStream.of(new Random().nextLong()))
+        return LongStream.concat(LongStream.rangeClosed(1, 5), LongStream.of(new Random().nextLong()))
                 .mapToObj(RandomPair::scene)
                 .map(scene -> scene.with(1, Act.PRESS, Act.OWN, Act.GIVE_UP, Act.RAISE, Act.STOP))
-                .flatMap(scene -> Stream.of(scene, scene.outOfOrder().mute()));
+                .flatMap(ExplorationTest::bestAndWorst);
     }
 
     @ParameterizedTest

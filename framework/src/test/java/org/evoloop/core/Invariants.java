@@ -30,6 +30,7 @@ final class Invariants {
         Invariants invariants = new Invariants(before, input, said, after, world);
         return List.of(
                         invariants.recordIsDevice(),
+                        invariants.oneAfterTheOther(),
                         invariants.sumIsRight(),
                         invariants.visitsEnd(),
                         invariants.stepsAreSentOnce(),
@@ -47,6 +48,24 @@ final class Invariants {
         return quiet && !after.at().original().equals(world.device)
                 ? "record: the device is in " + world.device + ", the record says " + after.at()
                 : "";
+    }
+
+    /** First come first served, and only when nothing is in progress. */
+    private String oneAfterTheOther() {
+        for (Output output : said) {
+            if (output instanceof Output.Begin begin) {
+                if (before.work() != null) {
+                    return "order: " + begin + " while " + before.work() + " is in progress";
+                }
+                List<Pending> ahead = new ArrayList<>(before.waiting());
+                ahead.retainAll(after.waiting());
+                int place = before.waiting().indexOf(begin.pending());
+                if (!ahead.isEmpty() && before.waiting().indexOf(ahead.get(0)) < place) {
+                    return "order: " + begin + " before " + ahead.get(0);
+                }
+            }
+        }
+        return "";
     }
 
     private String sumIsRight() {
@@ -94,7 +113,9 @@ final class Invariants {
                 return "visit: " + start + " in visit " + visit;
             }
         }
-        return "";
+        return visit != after.visit().number() || over != after.visit().over()
+                ? "visit: told " + visit + (over ? ", over" : "") + ", known " + after.visit()
+                : "";
     }
 
     private String stepsAreSentOnce() {

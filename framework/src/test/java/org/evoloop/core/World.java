@@ -104,8 +104,11 @@ final class World {
     }
 
     /** Goes on after the core was told something. */
-    void heard(List<Output> said, Snapshot after) {
+    void heard(Input input, List<Output> said, Snapshot after) {
         Work work = after.work();
+        if (input instanceof Input.Sending && (work == null || !work.sending())) {
+            noLongerSent();
+        }
         for (Output output : said) {
             if (output instanceof Output.Begin) {
                 plans.clear();

@@ -1,0 +1,79 @@
+package org.evoloop.core.text;
+
+import java.util.List;
+import java.util.Locale;
+import org.evoloop.evolution.Configuration;
+import org.evoloop.evolution.Decision;
+import org.evoloop.evolution.Step;
+import org.evoloop.statemachine.Transition;
+import org.jspecify.annotations.Nullable;
+
+/** What a decision is called, and how one is made of its parts again. */
+enum DecisionKind {
+    NOT_ACCEPTABLE,
+    EXISTING_FUNCTION,
+    NEW_FUNCTION,
+    RESYNCHRONIZATION,
+    SENDING,
+    INQUIRY,
+    REFUSED,
+    IMPOSSIBLE;
+
+    /** As it is written: {@code existing-function}. */
+    String word() {
+        return name().toLowerCase(Locale.ROOT).replace('_', '-');
+    }
+
+    static DecisionKind of(Decision decision) {
+        if (decision instanceof Decision.NotAcceptable) {
+            return NOT_ACCEPTABLE;
+        } else if (decision instanceof Decision.ExistingFunction) {
+            return EXISTING_FUNCTION;
+        } else if (decision instanceof Decision.NewFunction) {
+            return NEW_FUNCTION;
+        } else if (decision instanceof Decision.Resynchronization) {
+            return RESYNCHRONIZATION;
+        } else if (decision instanceof Decision.Sending) {
+            return SENDING;
+        } else if (decision instanceof Decision.Inquiry) {
+            return INQUIRY;
+        }
+        return decision instanceof Decision.Refused ? REFUSED : IMPOSSIBLE;
+    }
+
+    static String reasonOf(Decision decision) {
+        if (decision instanceof Decision.Refused refused) {
+            return refused.reason();
+        }
+        return decision instanceof Decision.Impossible impossible ? impossible.reason() : "";
+    }
+
+    /** Whether such a decision is nothing without a transition of the new model. */
+    boolean needsTransition() {
+        return this == EXISTING_FUNCTION || this == NEW_FUNCTION;
+    }
+
+    /** @param transition not null if it {@linkplain #needsTransition() is needed} */
+    Decision made(
+            Configuration before,
+            Configuration after,
+            List<Step> steps,
+            @Nullable Transition transition,
+            List<String> effects,
+            String reason) {
+        if (transition != null && this == EXISTING_FUNCTION) {
+            return new Decision.ExistingFunction(before, after, steps, transition, effects);
+        } else if (transition != null && this == NEW_FUNCTION) {
+            return new Decision.NewFunction(before, after, steps, transition, effects);
+        }
+        return switch (this) {
+            case NOT_ACCEPTABLE -> new Decision.NotAcceptable(before, after, steps);
+            case RESYNCHRONIZATION -> new Decision.Resynchronization(before, after, steps);
+            case SENDING -> new Decision.Sending(before, after, steps);
+            case INQUIRY -> new Decision.Inquiry(before);
+            case REFUSED -> new Decision.Refused(before, reason);
+            case IMPOSSIBLE -> new Decision.Impossible(before, after, steps, transition, reason);
+            default -> throw new IllegalArgumentException(this + " without a transition");
+        };
+    }
+}

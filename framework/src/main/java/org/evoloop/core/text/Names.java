@@ -1,0 +1,70 @@
+package org.evoloop.core.text;
+
+import org.evoloop.evolution.ModelPair;
+import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.ModelException;
+import org.evoloop.statemachine.State;
+import org.evoloop.statemachine.StateMachine;
+import org.evoloop.statemachine.Transition;
+
+/** Looks up in the models what the next words of a line name. */
+final class Names {
+    private final ModelPair models;
+    private final Lines lines;
+
+    Names(ModelPair models, Lines lines) {
+        this.models = models;
+        this.lines = lines;
+    }
+
+    State originalState() {
+        return state(models.original());
+    }
+
+    State evolvedState() {
+        return state(models.evolved());
+    }
+
+    private State state(StateMachine model) {
+        String name = lines.text();
+        for (State state : model.states()) {
+            if (state.name().equals(name)) {
+                return state;
+            }
+        }
+        throw gone(model, "has no state '" + name + "'");
+    }
+
+    private SnapshotException gone(StateMachine model, String what) {
+        return lines.wrong("the model '" + model.name() + "' " + what
+                + "; use the models with which it was written, or begin without it");
+    }
+
+    Transition originalTransition() {
+        return transition(models.original());
+    }
+
+    Transition evolvedTransition() {
+        return transition(models.evolved());
+    }
+
+    private Transition transition(StateMachine model) {
+        State source = state(model);
+        Event event = event();
+        State target = state(model);
+        Transition known = model.transition(source, event).orElse(null);
+        if (known == null || !known.target().equals(target)) {
+            throw gone(model, "has no transition " + source + " --" + event + "--> " + target);
+        }
+        return known;
+    }
+
+    Event event() {
+        String name = lines.text();
+        try {
+            return new Event(name, lines.texts());
+        } catch (ModelException e) {
+            throw lines.damaged(e.getMessage());
+        }
+    }
+}

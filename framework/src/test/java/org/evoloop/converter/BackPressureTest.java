@@ -1,0 +1,75 @@
+package org.evoloop.converter;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.Set;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.LinkedBlockingQueue;
+import org.evoloop.evolution.Step;
+import org.evoloop.function.NewFunction;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** The queue waits, not the device: while a step is made ready for or sent nothing else begins, and all keeps its order. */
+@Timeout(60)
+class BackPressureTest {
+
+    @Test
+    void nothingBeginsWhileAStepIsMadeReadyForAndSent() {
+        LinkedBlockingQueue<Integer> depths = new LinkedBlockingQueue<>();
+        try (LiveRobot robot = new LiveRobot(
+                NewFunction.none(),
+                8,
+                made -> made.converter.addExecute(new EventExecute("Device") {
+                    @Override
+                    protected Set<String> sendableEvents() {
+                        return Set.of("Clean", "Spot");
+                    }
+
+                    @Override
+                    protected void awaitReady(Step step) {
+                        pressOnceMore();
+                    }
+
+                    @Override
+                    protected void send(Step step) {
+                        pressOnceMore();
+                    }
+
+                    private void pressOnceMore() {
+                        made.panel.press("Dance");
+                        depths.add(made.converter.status().queue().depth());
+                    }
+                }))) {
+            robot.panel.press("Clean");
+            robot.awaitHistory(3);
+
+            assertThat(depths).as("how many waited after each press").containsExactly(1, 2);
+        }
+    }
+
+    @Test
+    void firstComeIsFirstServed() throws InterruptedException {
+        CountDownLatch sending = new CountDownLatch(1);
+        CountDownLatch goOn = new CountDownLatch(1);
+        try (LiveRobot robot = new LiveRobot(
+                NewFunction.none(),
+                8,
+                made -> made.converter.addExecute(made.device("Device", step -> {
+                    sending.countDown();
+                    LiveRobot.await(goOn);
+                })))) {
+            robot.panel.press("Clean");
+            LiveRobot.await(sending);
+            List<String> pressed = List.of("3", "1", "Clean", "2", "Spot", "Clean", "1", "4");
+            pressed.forEach(robot.panel::press);
+            goOn.countDown();
+            robot.awaitHistory(9);
+
+            assertThat(robot.converter.history().subList(1, 9))
+                    .extracting(entry -> entry.occurrence().label())
+                    .containsExactlyElementsOf(pressed);
+        }
+    }
+}

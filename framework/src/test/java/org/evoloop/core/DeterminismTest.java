@@ -1,0 +1,60 @@
+package org.evoloop.core;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+import java.util.stream.LongStream;
+import org.evoloop.core.Scene.Act;
+import org.evoloop.core.text.SnapshotText;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** The same inputs give the same outputs and the same next state, also when that is written down and restored each time. */
+class DeterminismTest {
+    private static final int STORIES = 1_000;
+    private static final int LENGTH = 25;
+
+    static LongStream seeds() {
+        return LongStream.concat(LongStream.rangeClosed(1, 9), LongStream.of(new Random().nextLong()));
+    }
+
+    @ParameterizedTest(name = "seed {0}")
+    @MethodSource("seeds")
+    void aThousandStoriesToldAgain(long seed) {
+        Random random = new Random(seed);
+        List<Scene> scenes = new ArrayList<>(Scene.robot().with(3, Act.values()).kinds());
+        scenes.addAll(Scene.bulb().with(3, Act.values()).kinds());
+        scenes.addAll(RandomPair.scene(seed).with(3, Act.values()).kinds());
+        for (int story = 0; story < STORIES; story++) {
+            Scene scene = scenes.get(random.nextInt(scenes.size()));
+            isToldAgain(scene, RandomStory.of(scene, random, LENGTH));
+        }
+    }
+
+    private static void isToldAgain(Scene scene, List<Input> inputs) {
+        Core first = new Core(scene.rules());
+        Core second = new Core(scene.rules());
+        Snapshot restored = second.snapshot();
+        for (Input input : inputs) {
+            List<Output> said = new ArrayList<>();
+            List<Output> saidAgain = new ArrayList<>();
+            first.apply(input, said);
+            second.apply(input, saidAgain);
+            Wiring.Result afterRestoring = Wiring.REAL.tell(scene.rules(), restored, input);
+            restored = SnapshotText.read(scene.rules(), SnapshotText.write(afterRestoring.after()));
+
+            if (!said.equals(saidAgain) || !said.equals(afterRestoring.said())) {
+                assertThat(List.of(saidAgain, afterRestoring.said()))
+                        .as("%s after %s", scene, inputs)
+                        .containsOnly(said);
+            }
+            if (!first.snapshot().equals(second.snapshot()) || !first.snapshot().equals(restored)) {
+                assertThat(List.of(second.snapshot(), restored))
+                        .as("%s after %s", scene, inputs)
+                        .containsOnly(first.snapshot());
+            }
+        }
+    }
+}

@@ -1,0 +1,206 @@
+package org.evoloop.core;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.function.Predicate;
+import org.evoloop.core.Scene.Act;
+import org.evoloop.evolution.Decision;
+import org.evoloop.evolution.Occurrence;
+import org.evoloop.evolution.Step;
+
+/** Mechanisms of the core, each taken out by undoing what it does to a snapshot or says, and what has to notice it. */
+enum Mutation {
+    FACTS_WAIT_FOR_THEIR_TURN("record", Scene.robot().with(1, Act.OWN)) {
+        @Override
+        Snapshot undo(Snapshot before, Input input, Snapshot after) {
+            return isFact(input) ? Snapshots.at(after, before.at()) : after;
+        }
+    },
+    CLOSING_DISCARDS_FACTS("sum", Scene.robot().with(1, Act.OWN, Act.STOP)) {
+        @Override
+        Snapshot undo(Snapshot before, Input input, Snapshot after) {
+            return input instanceof Input.Closing ? Snapshots.waiting(after, List.of()) : after;
+        }
+    },
+    A_CLOSED_CONVERTER_HEARS_NO_FACTS("record", Scene.robot().with(1, Act.OWN)) {
+        @Override
+        Snapshot undo(Snapshot before, Input input, Snapshot after) {
+            return isFact(input) && !before.open() ? before : after;
+        }
+    },
+    FACTS_ARE_REFUSED_LIKE_PRESSES("fact", Scene.bulb().with(1, Act.OWN)) {
+        @Override
+        List<Output> unsay(Snapshot before, Input input, List<Output> said) {
+            return isFact(input) ? List.of(new Output.Refused(((Input.Observed) input).occurrence())) : said;
+        }
+    },
+    GIVING_UP_LEAVES_NO_DOUBT("record", Scene.bulb().with(1, Act.PRESS, Act.GIVE_UP)) {
+        @Override
+        Snapshot undo(Snapshot before, Input input, Snapshot after) {
+            return input instanceof Input.GivenUp ? Snapshots.sure(after) : after;
+        }
+    },
+    THE_ORDER_IS_NEVER_IN_DOUBT("record", Scene.robot().outOfOrder().with(1, Act.PRESS, Act.JUMP)) {
+        @Override
+        Snapshot undo(Snapshot before, Input input, Snapshot after) {
+            return input instanceof Input.Sent && before.doubt() == null ? Snapshots.sure(after) : after;
+        }
+    },
+    WHAT_HAPPENS_DURING_A_STEP_IS_FORGOTTEN("record", Scene.bulb().with(1, Act.PRESS, Act.OWN)) {
+        @Override
+        Snapshot undo(Snapshot before, Input input, Snapshot after) {
+            return isFact(input) ? Snapshots.work(after, before.work()) : after;
+        }
+    },
+    AN_ANSWER_COUNTS_HOWEVER_OLD_IT_IS("record", Scene.bulb().with(1, Act.PRESS, Act.GIVE_UP, Act.OWN)) {
+        @Override
+        Snapshot ahead(Snapshot before, Input input) {
+            Work work = before.work();
+            return input instanceof Input.Located && work != null
+                    ? Snapshots.work(before, Work.begin(work.pending()).decided(new Decision.Inquiry(before.at())))
+                    : before;
+        }
+    },
+    AN_OVERTAKEN_STEP_IS_SENT_ALL_THE_SAME("sent", Scene.bulb().with(1, Act.PRESS, Act.OWN)) {
+        @Override
+        Snapshot ahead(Snapshot before, Input input) {
+            Work work = before.work();
+            Step step = work == null ? null : work.nextStep();
+            return input instanceof Input.Sending && step != null
+                    ? Snapshots.at(before, before.at().withOriginal(step.source()))
+                    : before;
+        }
+
+        @Override
+        Snapshot undo(Snapshot before, Input input, Snapshot after) {
+            return input instanceof Input.Sending
+                    ? Snapshots.at(after, after.at().withOriginal(before.at().original()))
+                    : after;
+        }
+    },
+    THE_QUEUE_DOES_NOT_WAIT("order", Scene.bulb().with(2, Act.PRESS)) {
+        @Override
+        Snapshot ahead(Snapshot before, Input input) {
+            return input instanceof Input.Ready ? Snapshots.work(before, null) : before;
+        }
+    },
+    LAST_COME_IS_FIRST_SERVED("order", Scene.bulb().with(2, Act.PRESS)) {
+        @Override
+        Snapshot ahead(Snapshot before, Input input) {
+            List<Pending> reversed = new ArrayList<>(before.waiting());
+            Collections.reverse(reversed);
+            return input instanceof Input.Ready ? Snapshots.waiting(before, reversed) : before;
+        }
+    },
+    A_STEP_IS_ASKED_FOR_TWICE("sent", Scene.bulb().with(1, Act.PRESS)) {
+        @Override
+        List<Output> unsay(Snapshot before, Input input, List<Output> said) {
+            return said.stream()
+                    .flatMap(output ->
+                            output instanceof Output.Send ? List.of(output, output).stream() : List.of(output).stream())
+                    .toList();
+        }
+    },
+    A_STEP_THAT_WAS_TAKEN_IS_STILL_TO_BE_TAKEN("record", Scene.bulb().with(1, Act.PRESS)) {
+        @Override
+        Snapshot undo(Snapshot before, Input input, Snapshot after) {
+            return input instanceof Input.Sent ? Snapshots.at(after, before.at()) : after;
+        }
+    },
+    VISITS_ARE_NOT_TOLD_APART("visit", Scene.robot().with(1, Act.PRESS, Act.RAISE)) {
+        @Override
+        Snapshot ahead(Snapshot before, Input input) {
+            return input instanceof Input.Ready
+                    ? Snapshots.allOf(before, before.visit().number())
+                    : before;
+        }
+
+        @Override
+        List<Output> unsay(Snapshot before, Input input, List<Output> said) {
+            // Which visit it was of is what the driver told.
+            Pending first = before.waiting().isEmpty() ? null : before.waiting().get(0);
+            return said.stream()
+                    .map(output -> output instanceof Output.Begin begin
+                                    && first != null
+                                    && begin.pending().number() == first.number()
+                            ? new Output.Begin(first)
+                            : output)
+                    .toList();
+        }
+    },
+    A_STATE_IS_NOT_ENTERED_AGAIN("stuck", Scene.robot().with(1, Act.PRESS, Act.FAIL)) {
+        @Override
+        Snapshot undo(Snapshot before, Input input, Snapshot after) {
+            return input instanceof Input.Failed ? Snapshots.visit(after, before.visit()) : after;
+        }
+
+        @Override
+        List<Output> unsay(Snapshot before, Input input, List<Output> said) {
+            return input instanceof Input.Failed ? without(said, Output.Enter.class::isInstance) : said;
+        }
+    },
+    NOBODY_IS_ASKED_TO_GO_ON("stuck", Scene.robot().with(1, Act.PRESS)) {
+        @Override
+        List<Output> unsay(Snapshot before, Input input, List<Output> said) {
+            return without(said, Output.Send.class::isInstance);
+        }
+    },
+    A_STATE_IS_LEFT_BEHIND_RUNNING("visit", Scene.bulb().with(1, Act.PRESS)) {
+        @Override
+        List<Output> unsay(Snapshot before, Input input, List<Output> said) {
+            return without(said, Output.Leave.class::isInstance);
+        }
+    },
+    WHAT_ENDS_IS_NOT_COUNTED("sum", Scene.bulb().with(1, Act.PRESS)) {
+        @Override
+        Snapshot undo(Snapshot before, Input input, Snapshot after) {
+            return input instanceof Input.Observed ? after : Snapshots.tally(after, before.tally());
+        }
+    };
+
+    /** With what word the violation begins. */
+    final String invariant;
+
+    /** In which it is violated. */
+    final Scene scene;
+
+    Mutation(String invariant, Scene scene) {
+        this.invariant = invariant;
+        this.scene = scene;
+    }
+
+    /** The core without the mechanism. */
+    Wiring wiring() {
+        return (rules, before, input) -> {
+            Wiring.Result real = Wiring.REAL.tell(rules, ahead(before, input), input);
+            return new Wiring.Result(unsay(before, input, real.said()), undo(before, input, real.after()));
+        };
+    }
+
+    /** What the core is made to believe before it is told something. */
+    Snapshot ahead(Snapshot before, Input input) {
+        return before;
+    }
+
+    Snapshot undo(Snapshot before, Input input, Snapshot after) {
+        return after;
+    }
+
+    List<Output> unsay(Snapshot before, Input input, List<Output> said) {
+        return said;
+    }
+
+    private static boolean isFact(Input input) {
+        return input instanceof Input.Observed observed
+                && !(observed.occurrence() instanceof Occurrence.Asked)
+                && (observed.occurrence().isFact()
+                        || observed.occurrence().label().equals("endSpot"));
+    }
+
+    private static List<Output> without(List<Output> said, Predicate<Output> unwanted) {
+        List<Output> left = new ArrayList<>(said);
+        left.removeIf(unwanted);
+        return left;
+    }
+}

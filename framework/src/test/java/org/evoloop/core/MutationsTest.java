@@ -1,0 +1,21 @@
+package org.evoloop.core;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+/** Each invariant of exploration is violated when a mechanism is taken out that keeps it. */
+class MutationsTest {
+
+    @ParameterizedTest
+    @EnumSource
+    void isNoticed(Mutation mutation) {
+        assertThat(Exploration.of(mutation.scene, Wiring.REAL, 20).violation())
+                .as("with the mechanism")
+                .isEmpty();
+        assertThat(Exploration.of(mutation.scene, mutation.wiring(), 20).violation())
+                .as("without it")
+                .startsWith(mutation.invariant + ":");
+    }
+}

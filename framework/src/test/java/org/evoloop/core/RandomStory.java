@@ -1,0 +1,33 @@
+package org.evoloop.core;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+
+/** One way through a scene at random: what a core is told in the course of it. */
+final class RandomStory {
+    private RandomStory() {}
+
+    /** @param length how many happenings, with those that the core does not notice */
+    static List<Input> of(Scene scene, Random random, int length) {
+        List<Input> inputs = new ArrayList<>();
+        Core core = new Core(scene.rules());
+        World world = new World(scene);
+        for (int time = 1; time <= length; time++) {
+            List<Move> moves = Moves.of(core.snapshot(), world, time);
+            if (moves.isEmpty()) {
+                return inputs;
+            }
+            Move move = moves.get(random.nextInt(moves.size()));
+            world = move.world();
+            Input input = move.input();
+            if (input != null) {
+                List<Output> said = new ArrayList<>();
+                core.apply(input, said);
+                world.heard(input, said, core.snapshot());
+                inputs.add(input);
+            }
+        }
+        return inputs;
+    }
+}

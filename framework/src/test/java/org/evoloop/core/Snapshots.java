@@ -1,0 +1,73 @@
+package org.evoloop.core;
+
+import java.util.List;
+import org.evoloop.evolution.Configuration;
+import org.evoloop.evolution.Occurrence;
+import org.jspecify.annotations.Nullable;
+
+/** Snapshots with something else in one place. */
+final class Snapshots {
+    private Snapshots() {}
+
+    static Snapshot at(Snapshot of, Configuration at) {
+        return made(of, at, of.doubt(), of.visit(), of.waiting(), of.work(), of.tally());
+    }
+
+    static Snapshot sure(Snapshot of) {
+        return made(of, of.at(), null, of.visit(), of.waiting(), of.work(), of.tally());
+    }
+
+    static Snapshot visit(Snapshot of, Snapshot.Visit visit) {
+        return made(of, of.at(), of.doubt(), visit, of.waiting(), of.work(), of.tally());
+    }
+
+    static Snapshot waiting(Snapshot of, List<Pending> waiting) {
+        return made(of, of.at(), of.doubt(), of.visit(), waiting, of.work(), of.tally());
+    }
+
+    static Snapshot work(Snapshot of, @Nullable Work work) {
+        return made(of, of.at(), of.doubt(), of.visit(), of.waiting(), work, of.tally());
+    }
+
+    static Snapshot tally(Snapshot of, Tally tally) {
+        return made(of, of.at(), of.doubt(), of.visit(), of.waiting(), of.work(), tally);
+    }
+
+    /** What waits is all of this visit. */
+    static Snapshot allOf(Snapshot of, long visit) {
+        return waiting(
+                of, of.waiting().stream().map(pending -> of(pending, visit)).toList());
+    }
+
+    private static Pending of(Pending pending, long visit) {
+        if (pending.occurrence() instanceof Occurrence.Heard heard && heard.visit() != Occurrence.ANY_VISIT) {
+            Occurrence moved =
+                    new Occurrence.Heard(heard.event(), heard.values(), heard.source(), visit, heard.observedNanos());
+            return new Pending(
+                    pending.number(), moved, pending.from(), pending.own(), pending.stepsBefore(), pending.attempts());
+        }
+        return pending;
+    }
+
+    private static Snapshot made(
+            Snapshot of,
+            Configuration at,
+            @Nullable Doubt doubt,
+            Snapshot.Visit visit,
+            List<Pending> waiting,
+            @Nullable Work work,
+            Tally tally) {
+        return new Snapshot(
+                of.open(),
+                at,
+                doubt,
+                of.steps(),
+                of.lastStepNanos(),
+                visit,
+                waiting,
+                of.losing(),
+                of.followOwed(),
+                work,
+                tally);
+    }
+}
