@@ -22,6 +22,7 @@ import org.evoloop.evolution.Step;
 import org.evoloop.statechart.Vertex.Kind;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
+import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.Transition;
 import org.junit.jupiter.api.Test;
 
@@ -94,17 +95,17 @@ class AddedHistoryTest {
         }
         ModelPair pair = new ModelPair(flatOriginal.machine(), flatEvolved.machine());
         if (!pair.violations().isEmpty()
-                || !keys(flatOriginal, pair.original().initial())
-                        .equals(keys(flatEvolved, pair.evolved().initial()))) {
+                || !keys(flatOriginal, pair.original(), pair.original().initial())
+                        .equals(keys(flatEvolved, pair.evolved(), pair.evolved().initial()))) {
             return false;
         }
         Set<List<String>> known = Set.copyOf(pair.original().states().stream()
-                .map(state -> keys(flatOriginal, state))
+                .map(state -> keys(flatOriginal, pair.original(), state))
                 .toList());
         for (State state : pair.evolved().states()) {
             assertThat(pair.isNew(state))
                     .as("seed %d: %s is new", seed, state)
-                    .isEqualTo(!known.contains(keys(flatEvolved, state)));
+                    .isEqualTo(!known.contains(keys(flatEvolved, pair.evolved(), state)));
         }
         walk(
                 "seed " + seed + " of " + pair.evolved(),
@@ -142,7 +143,7 @@ class AddedHistoryTest {
             at = decision.after();
             assertThat(wanted.leaves())
                     .as("%s, new model after %s", what, story)
-                    .isEqualTo(keys(flatEvolved, at.evolved()));
+                    .isEqualTo(keys(flatEvolved, pair.evolved(), at.evolved()));
             if (!pair.isNew(at.evolved())) {
                 assertThat(device.leaves())
                         .as("%s, device after %s", what, story)
@@ -152,8 +153,11 @@ class AddedHistoryTest {
         }
     }
 
-    private static List<String> keys(Flattening flattening, State state) {
-        return flattening.leaves().getOrDefault(state, List.of()).stream()
+    /** @param machine the flat one, with some of its states under other names in the same order */
+    private static List<String> keys(Flattening flattening, StateMachine machine, State state) {
+        int number = List.copyOf(machine.states()).indexOf(state);
+        State named = List.copyOf(flattening.machine().states()).get(number);
+        return flattening.leaves().getOrDefault(named, List.of()).stream()
                 .map(Vertex::key)
                 .toList();
     }

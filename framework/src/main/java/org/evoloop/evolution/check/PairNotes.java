@@ -59,8 +59,7 @@ final class PairNotes {
                 new Element.OfState(Element.Side.NEW, swallowed.first().evolved()),
                 "new state " + state + " swallows " + names(swallowed.events()) + ", which the device knows in "
                         + names(swallowed.where()),
-                "nothing, if such an event is to do nothing there; else draw a transition for it",
-                graph.wayTo(swallowed.first()))));
+                "nothing, if such an event is to do nothing there; else draw a transition for it")));
     }
 
     private boolean isSwallowed(State state, Event event) {

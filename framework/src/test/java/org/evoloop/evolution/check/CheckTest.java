@@ -232,6 +232,19 @@ class CheckTest {
     }
 
     @Test
+    void anEventThatWaitsIsNotSwallowed() {
+        StateMachine waiting = StateMachine.named("new")
+                .initial("Off")
+                .transition("Off", "press", "On")
+                .transition("On", "press", "Off")
+                .transition("On", "dim", "Warm")
+                .transition("Warm", "up", "Off")
+                .defers("Warm", new Event("press"))
+                .build();
+        assertThat(Check.run(CheckInput.of(new ModelPair(LAMP, waiting)))).isEmpty();
+    }
+
+    @Test
     void aFindingNamesMachineElementAndMend() {
         assertThat(Check.run(lampWith("On dim -> Warm"))).singleElement().satisfies(finding -> {
             assertThat(finding)
