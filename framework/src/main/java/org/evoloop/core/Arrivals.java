@@ -22,10 +22,8 @@ final class Arrivals {
     void observe(Occurrence occurrence) {
         if (occurrence instanceof Occurrence.Found found) {
             find(found);
-        } else if (occurrence instanceof Occurrence.Heard heard
-                && (heard.deviceActed()
-                        || ledger.rules.table().isDevicesOwn(heard.event().trigger()))) {
-            follow(heard);
+        } else if (occurrence instanceof Occurrence.Heard heard) {
+            hear(heard);
         } else if (ledger.open) {
             enqueue(occurrence, null, null);
         } else {
@@ -82,10 +80,19 @@ final class Arrivals {
                 && ledger.stay.isCurrent(due.visit())
                 && !ledger.stay.isOver()
                 && ledger.stay.isDue(due.event(), due.atNanos())) {
-            enqueue(
-                    new Occurrence.Heard(due.event(), Values.NONE, Source.TIMER, due.visit(), due.atNanos()),
-                    null,
-                    null);
+            hear(new Occurrence.Heard(due.event(), Values.NONE, Source.TIMER, due.visit(), due.atNanos()));
+        }
+    }
+
+    /** What only the device can take, such as a time trigger of its own model, it has taken. */
+    private void hear(Occurrence.Heard heard) {
+        if (heard.deviceActed() || ledger.rules.table().isDevicesOwn(heard.event().trigger())) {
+            follow(heard);
+        } else if (ledger.open) {
+            enqueue(heard, null, null);
+        } else {
+            ledger.counts.observe();
+            ledger.refused(heard);
         }
     }
 

@@ -38,7 +38,7 @@ class BackPressureTest {
                     }
 
                     private void pressOnceMore() {
-                        made.panel.press("Dance");
+                        made.panel.press("timeout");
                         depths.add(made.converter.status().queue().depth());
                     }
                 }))) {
@@ -62,7 +62,7 @@ class BackPressureTest {
                 })))) {
             robot.panel.press("Clean");
             LiveRobot.await(sending);
-            List<String> pressed = List.of("3", "1", "Clean", "2", "Spot", "Clean", "1", "4");
+            List<String> pressed = List.of("timeout", "Clean", "arriveSpot", "Clean", "timeout", "arriveSpot", "Clean", "timeout");
             pressed.forEach(robot.panel::press);
             goOn.countDown();
             robot.awaitHistory(9);
