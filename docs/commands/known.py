@@ -39,6 +39,7 @@ def typed(documented: str, **details: object) -> Known:
 
 
 THIS = "is what runs this test"
+MUTANTS = "takes some minutes of both processors: over a thousand mutants of the models, a test run of its own"
 NO_BOARD = "hardware: takes a camera's pictures of a printed chessboard (CalibrationTest draws them)"
 ELSEWHERE = "is for the project that scaffold writes, whose tests build one"
 
@@ -132,6 +133,8 @@ KNOWN = [
     # The study.
     typed("./evoloop study", slow=True, needs_study=True),
     typed("./evoloop study --check", slow=True, needs_study=True),
+    Known("./evoloop study --check --slow", why_not=MUTANTS),
+    Known("./evoloop study --check [--slow]", why_not=MUTANTS),
     typed("./evoloop study --experiment", slow=True, needs_study=True),
     typed("./evoloop study --measured", slow=True, needs_study=True),
     Known(

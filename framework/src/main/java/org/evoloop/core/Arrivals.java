@@ -86,7 +86,8 @@ final class Arrivals {
 
     /** What only the device can take, such as a time trigger of its own model, it has taken. */
     private void hear(Occurrence.Heard heard) {
-        if (heard.deviceActed() || ledger.rules.table().isDevicesOwn(heard.event().trigger())) {
+        if (heard.deviceActed()
+                || ledger.rules.table().isDevicesOwn(heard.event().trigger())) {
             follow(heard);
         } else if (ledger.open) {
             enqueue(heard, null, null);

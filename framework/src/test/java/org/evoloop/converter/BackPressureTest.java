@@ -62,7 +62,8 @@ class BackPressureTest {
                 })))) {
             robot.panel.press("Clean");
             LiveRobot.await(sending);
-            List<String> pressed = List.of("timeout", "Clean", "arriveSpot", "Clean", "timeout", "arriveSpot", "Clean", "timeout");
+            List<String> pressed =
+                    List.of("timeout", "Clean", "arriveSpot", "Clean", "timeout", "arriveSpot", "Clean", "timeout");
             pressed.forEach(robot.panel::press);
             goOn.countDown();
             robot.awaitHistory(9);

@@ -64,7 +64,7 @@ final class Names {
         try {
             return new Event(name, lines.texts());
         } catch (ModelException e) {
-            throw lines.damaged(e.getMessage());
+            throw lines.damaged(String.valueOf(e.getMessage()));
         }
     }
 }

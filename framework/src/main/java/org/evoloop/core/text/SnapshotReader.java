@@ -106,7 +106,9 @@ final class SnapshotReader {
 
     private @Nullable Transition transition(String name) {
         lines.next(name);
-        return ended(isNone() ? null : names.evolvedTransition());
+        Transition transition = isNone() ? null : names.evolvedTransition();
+        lines.ends();
+        return transition;
     }
 
     /** Whether {@code none} stands in place of what begins with a name. */
@@ -125,7 +127,8 @@ final class SnapshotReader {
         lines.next(name);
         String by = lines.word();
         if (by.equals("none")) {
-            return ended(null);
+            lines.ends();
+            return null;
         }
         if (!by.equals("device") && !by.equals("sent")) {
             throw lines.damaged("'device', 'sent' or 'none' was expected, not '" + by + "'");
@@ -149,7 +152,8 @@ final class SnapshotReader {
         long stepsBefore = lines.total();
         int attempts = ended(lines.count());
         lines.next("from");
-        State from = ended(isNone() ? null : names.originalState());
+        State from = isNone() ? null : names.originalState();
+        lines.ends();
         Step own = step("own");
         return new Pending(number, occurrences.read(), from, own, stepsBefore, attempts);
     }
@@ -162,7 +166,8 @@ final class SnapshotReader {
         lines.next("doubt");
         String first = lines.word();
         if (first.equals("none")) {
-            return ended(null);
+            lines.ends();
+            return null;
         }
         long number = lines.numberIn(first);
         long stepsBefore = lines.number();
@@ -175,7 +180,8 @@ final class SnapshotReader {
         lines.next("work");
         String first = lines.word();
         if (first.equals("none")) {
-            return ended(null);
+            lines.ends();
+            return null;
         }
         int taken = lines.countIn(first);
         int effectsRun = lines.count();
