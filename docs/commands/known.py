@@ -20,6 +20,7 @@ class Known:
     :param why_not: why it is not run
     :param slow: takes more than half a minute
     :param needs_study: needs what ./evoloop study fetches; not run where that was never set up
+    :param not_now: what it says where it cannot do its work for once; then it is skipped
     :param input: for standard input
     :param shows: what stands in its standard output
     """
@@ -29,6 +30,7 @@ class Known:
     why_not: str = ""
     slow: bool = False
     needs_study: bool = False
+    not_now: str = ""
     input: str = ""
     shows: str = ""
 
@@ -129,6 +131,7 @@ KNOWN = [
         "java -XX:+UseSerialGC -XX:TieredStopAtLevel=1 -cp benchmarks/target/benchmarks.jar"
         " org.evoloop.benchmarks.running.CameraCost",
         slow=True,
+        not_now="other processes were busy",
     ),
     # The study.
     typed("./evoloop study", slow=True, needs_study=True),
