@@ -83,6 +83,10 @@ public abstract class EventExecute extends Execute<ChangePlan> {
      * the device acted by itself while a step was on its way. Events wait meanwhile, for as long as the loop's step limit
      * lets this take.
      *
+     * <p>The answer has to be newer than all that was told before. A step that was given up is expected to have had its effect
+     * by then, or never to have it, unless its component still reports it: in order, that counts as having come after the
+     * answer; else the record is in doubt again.
+     *
      * @return the name of a state of the original model; empty if the device cannot tell, which is the usual answer: then
      *     the converter goes on with the likelier of the states, and says that it is in doubt. A step that was given up is
      *     taken to have had no effect, and what the device did by itself to have come in the order in which it was told
