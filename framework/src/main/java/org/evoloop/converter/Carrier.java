@@ -70,12 +70,15 @@ final class Carrier {
 
     private static Execute<ChangePlan> senderOf(@Nullable Event event, List<Execute<ChangePlan>> inOrder) {
         for (int index = 0; event != null && index < inOrder.size(); index++) {
-            if (inOrder.get(index) instanceof EventExecute sender
-                    && sender.events().contains(event)) {
+            if (sends(inOrder.get(index), event)) {
                 return inOrder.get(index);
             }
         }
         return inOrder.get(0);
+    }
+
+    private static boolean sends(Execute<ChangePlan> execute, Event event) {
+        return execute instanceof EventExecute sender && sender.events().contains(event);
     }
 
     /** Carries {@code plan} out as far as {@code execute} can. */
@@ -119,11 +122,11 @@ final class Carrier {
     }
 
     private boolean canSend(Step step, EventExecute execute) {
-        if (execute.events().contains(step.trigger())) {
+        if (sends(execute, step.trigger())) {
             return true;
         }
         for (Execute<ChangePlan> other : senders) {
-            if (other instanceof EventExecute sender && sender.events().contains(step.trigger())) {
+            if (sends(other, step.trigger())) {
                 return false;
             }
         }

@@ -195,7 +195,7 @@ final class CoreDriver implements Intake<Occurrence> {
         return pending != null && pending.occurrence() == plan.occurrence() ? next(pending.number()) : null;
     }
 
-    /** That has been taken on. */
+    /** Takes {@code directive}, which is being carried out, off the agenda. */
     synchronized void done(Output.Directive directive) {
         if (agenda.peek() == directive) {
             agenda.remove();

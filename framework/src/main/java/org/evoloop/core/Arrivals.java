@@ -24,7 +24,14 @@ final class Arrivals {
             find(found);
         } else if (occurrence instanceof Occurrence.Heard heard) {
             hear(heard);
-        } else if (ledger.open) {
+        } else {
+            askedFor(occurrence);
+        }
+    }
+
+    /** What somebody wants is taken only while the converter is open. */
+    private void askedFor(Occurrence occurrence) {
+        if (ledger.open) {
             enqueue(occurrence, null, null);
         } else {
             ledger.counts.observe();
@@ -89,11 +96,8 @@ final class Arrivals {
         if (heard.deviceActed()
                 || ledger.rules.table().isDevicesOwn(heard.event().trigger())) {
             follow(heard);
-        } else if (ledger.open) {
-            enqueue(heard, null, null);
         } else {
-            ledger.counts.observe();
-            ledger.refused(heard);
+            askedFor(heard);
         }
     }
 

@@ -75,7 +75,7 @@ final class Conversion {
     /** The step has had its effect. */
     void took(Input.Sent sent) {
         Work current = ledger.inProgress(sent.number());
-        Step step = current == null || !current.sending() ? null : current.nextStep();
+        Step step = current == null ? null : current.stepOnItsWay();
         if (current == null || step == null) {
             tookLate(sent);
             return;
@@ -218,7 +218,7 @@ final class Conversion {
     /** A component was given up, maybe with a step on its way. */
     void giveUp(Input.GivenUp givenUp) {
         Work current = ledger.inProgress(givenUp.number());
-        Step step = current == null || !current.sending() ? null : current.nextStep();
+        Step step = current == null ? null : current.stepOnItsWay();
         conclude(givenUp.number(), Outcome.FAILED, givenUp.reason(), givenUp.atNanos());
         if (current != null && step != null) {
             ledger.doubt(
@@ -243,28 +243,33 @@ final class Conversion {
             return;
         }
         State state = located.state();
-        State taken = ledger.place.at().original();
         if (ledger.place.doubt() == null) {
             conclude(located.number(), Outcome.HANDLED, FOUND_MEANWHILE, located.atNanos());
         } else if (overtaken || state == null || !ledger.isDevicesState(state)) {
             conclude(
                     located.number(),
                     Outcome.IGNORED,
-                    "the device cannot tell where it is; it is taken to be in " + taken,
+                    "the device cannot tell where it is; it is taken to be in "
+                            + ledger.place.at().original(),
                     located.atNanos());
-        } else if (state.equals(taken)) {
-            ledger.happensMeanwhile(new Occurrence.Found(state, located.atNanos()));
-            ledger.settleDoubt();
-            conclude(located.number(), Outcome.HANDLED, "the device is in " + state, located.atNanos());
         } else {
             ledger.happensMeanwhile(new Occurrence.Found(state, located.atNanos()));
             ledger.settleDoubt();
+            isIn(state, current, located.atNanos());
+        }
+    }
+
+    /** The device has told where it is; both models follow if that is news. */
+    private void isIn(State state, Work current, long atNanos) {
+        if (state.equals(ledger.place.at().original())) {
+            conclude(current.pending().number(), Outcome.HANDLED, "the device is in " + state, atNanos);
+        } else {
             Decision found = ledger.rules.table().find(ledger.place.at(), state);
             ledger.place.moveDevice(state, ledger.out);
             if (found.leavesState()) {
                 ledger.stay.leave(ledger.out);
             }
-            arrive(current.decided(found), located.atNanos());
+            arrive(current.decided(found), atNanos);
         }
     }
 }

@@ -27,7 +27,7 @@ final class Ledger {
     @Nullable
     Work work;
 
-    /** Takes what follows from the input at hand. */
+    /** Where the outputs of the current input go. */
     List<Output> out = new ArrayList<>();
 
     Ledger(Rules rules, Snapshot snapshot) {

@@ -65,6 +65,12 @@ public record Work(
                 : null;
     }
 
+    /** The step that is on its way to the device; null if none is. */
+    @Nullable
+    Step stepOnItsWay() {
+        return sending ? nextStep() : null;
+    }
+
     /** The effect to be run next; null if there is none left. */
     public @Nullable String nextEffect() {
         return decision != null && effectsRun < decision.effects().size()

@@ -93,10 +93,24 @@ final class EventConversion {
             return new Decision.Impossible(
                     before, before.withOriginal(original), steps, transition, noWay(original, event, target));
         }
-        List<Step> all = joined(steps, way.get());
-        State reached = all.isEmpty() ? original : all.get(all.size() - 1).target();
+        return existing(before, steps, steps, way.get(), transition);
+    }
+
+    /**
+     * @param steps the device's own of this decision, which come before the way
+     * @param done all that the device has done about the event by itself, whose effects need not be run
+     */
+    private static Decision existing(
+            Configuration before, List<Step> steps, List<Step> done, List<Step> way, Transition transition) {
+        List<Step> all = joined(steps, way);
+        State reached =
+                all.isEmpty() ? before.original() : all.get(all.size() - 1).target();
         return new Decision.ExistingFunction(
-                before, new Configuration(reached, target), all, transition, effectsLeft(transition, all));
+                before,
+                new Configuration(reached, transition.target()),
+                all,
+                transition,
+                effectsLeft(transition, joined(done, way)));
     }
 
     /** See {@link DecisionTable#react}. */
@@ -113,16 +127,12 @@ final class EventConversion {
         }
         List<State> goals = pair.deviceStates(target);
         if (follow && own != null && goals.contains(own.target())) {
-            return new Decision.ExistingFunction(
-                    at, at.withEvolved(target), List.of(), transition, effectsLeft(transition, done));
+            return existing(at, List.of(), done, List.of(), transition);
         }
         List<Step> way = planner.shortestPath(at.original(), goals).orElse(null);
-        if (way == null) {
-            return new Decision.Impossible(at, at, List.of(), transition, noWay(at.original(), event, target));
-        }
-        State reached = way.isEmpty() ? at.original() : way.get(way.size() - 1).target();
-        return new Decision.ExistingFunction(
-                at, new Configuration(reached, target), way, transition, effectsLeft(transition, joined(done, way)));
+        return way == null
+                ? new Decision.Impossible(at, at, List.of(), transition, noWay(at.original(), event, target))
+                : existing(at, List.of(), done, way, transition);
     }
 
     private static List<Step> joined(List<Step> first, List<Step> then) {
