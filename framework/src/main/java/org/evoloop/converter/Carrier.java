@@ -50,7 +50,7 @@ final class Carrier {
         if (last == null) {
             return senderOf(firstToSend(plan), inOrder);
         }
-        Output.Directive directive = driver.next(plan);
+        Output.Directive directive = driver.toDo(plan);
         if (directive instanceof Output.Send send) {
             return senderOf(send.step().trigger(), inOrder);
         }
@@ -83,27 +83,26 @@ final class Carrier {
 
     /** Carries {@code plan} out as far as {@code execute} can. */
     void carryOut(ChangePlan plan, EventExecute execute) throws Exception {
-        long number = driver.takeUp(plan);
+        Agenda agenda = driver.takeUp(plan);
+        long number = agenda.turn();
         Exception unsettled = null;
-        for (Output.Directive next = driver.next(number); next != null; next = driver.next(number)) {
+        for (Output.Directive next = agenda.poll(); next != null; next = agenda.poll()) {
             if (next instanceof Output.Send send) {
                 if (!canSend(send.step(), execute)) {
+                    agenda.handBack(next);
                     return;
                 }
-                driver.done(next);
                 send(number, send.step(), plan.occurrence().values(), execute);
             } else if (next instanceof Output.Run run) {
-                driver.done(next);
                 driver.ran(number, run(run.effect(), plan.occurrence(), execute));
             } else if (next instanceof Output.Locate) {
                 State state = execute.locate().map(State::new).orElse(null);
                 if (state == null && senders.indexOf(execute) < senders.size() - 1) {
+                    agenda.handBack(next);
                     return;
                 }
-                driver.done(next);
                 driver.located(number, state);
             } else if (next instanceof Output.Settle settle) {
-                driver.done(next);
                 transcript.say();
                 try {
                     execute.settled(settle.now());
@@ -111,7 +110,6 @@ final class Carrier {
                     unsettled = cause;
                 }
             } else {
-                driver.done(next);
                 visit(next);
             }
         }
@@ -159,10 +157,8 @@ final class Carrier {
 
     /** Carries out what belongs to no occurrence in progress: visits begin or end. */
     void carryOut() {
-        for (Output.Directive next = driver.next(CoreDriver.NOBODY);
-                next != null;
-                next = driver.next(CoreDriver.NOBODY)) {
-            driver.done(next);
+        Agenda agenda = driver.agenda();
+        for (Output.Directive next = agenda.poll(); next != null; next = agenda.poll()) {
             visit(next);
         }
         transcript.say();

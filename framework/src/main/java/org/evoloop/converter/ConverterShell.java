@@ -1,53 +1,38 @@
 package org.evoloop.converter;
 
 import java.util.List;
-import java.util.Locale;
-import org.evoloop.core.Outcome;
-import org.evoloop.core.Output;
 import org.evoloop.core.Rules;
 import org.evoloop.core.Tally;
-import org.evoloop.evolution.Configuration;
-import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.DecisionTable;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.loop.Failure;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.loop.LoopListener;
 import org.evoloop.loop.MapeLoop;
-import org.evoloop.statemachine.Event;
-import org.jspecify.annotations.Nullable;
 
 /**
  * What stands around the core of a converter that runs: the loop that brings its inputs, those who carry its directives
  * out, and the books that are kept of what it says.
  *
- * <p>Threading: the loop calls it for one event at a time; whoever drives the core tells it what the core says.
+ * <p>Threading: the loop calls it for one event at a time.
  */
-final class ConverterShell implements LoopListener<Occurrence>, CoreDriver.Listener {
+final class ConverterShell implements LoopListener<Occurrence> {
     private final LoopConfig config;
-    private final Transcript transcript = new Transcript();
-    private final FailureLog failures = new FailureLog();
     final StateKnowledge knowledge;
-    final History history;
-    final LatencyWindow latency = new LatencyWindow();
+    final Books books;
     final MapeLoop<Occurrence, Analysis, ChangePlan> loop;
     final Visits visits;
     final CoreDriver driver;
     final Carrier carrier;
-    final Listeners listeners;
-
-    /** What came last, if neither model knows it. */
-    private @Nullable Event unknown;
 
     ConverterShell(LoopConfig config, StateKnowledge knowledge, DecisionTable table, Listeners listeners) {
         this.config = config;
         this.knowledge = knowledge;
-        this.listeners = listeners;
-        this.history = new History(config.clock());
+        this.books = new Books(config.clock(), listeners);
         this.driver = new CoreDriver(
-                new Rules(table, knowledge::timersOf, config.queueCapacity()), config.clock(), knowledge, this);
-        this.visits = new Visits(config, knowledge, transcript, failures);
-        this.carrier = new Carrier(driver, visits, knowledge.bindings(), failures, transcript);
+                new Rules(table, knowledge::timersOf, config.queueCapacity()), config.clock(), knowledge, books);
+        this.visits = new Visits(config, knowledge, books.transcript(), books.failures());
+        this.carrier = new Carrier(driver, visits, knowledge.bindings(), books.failures(), books.transcript());
         this.loop = new MapeLoop<>(config, this, carrier::next, driver);
         visits.attach(loop);
         knowledge.attach(driver);
@@ -101,8 +86,8 @@ final class ConverterShell implements LoopListener<Occurrence>, CoreDriver.Liste
     }
 
     private void report(Failure<Occurrence> failure) {
-        failures.log(failure);
-        listeners.failed(failure);
+        books.failures().log(failure);
+        books.listeners().failed(failure);
     }
 
     ConverterStatus.EventCounts counts() {
@@ -133,65 +118,9 @@ final class ConverterShell implements LoopListener<Occurrence>, CoreDriver.Liste
     @Override
     public void dropped(Occurrence occurrence, boolean first) {
         if (first) {
-            failures.warn("the queue of " + config.queueCapacity()
-                    + " events is full, and events are lost; status counts them, history names them");
-        }
-    }
-
-    // What the core says
-
-    @Override
-    public void heard(Output output) {
-        if (output instanceof Output.Begin begin) {
-            transcript.observed(begin.pending().occurrence());
-        } else if (output instanceof Output.Decided decided) {
-            transcript.decided(decided.decision());
-            latency.record(decided.waitedNanos());
-        } else if (output instanceof Output.Send send) {
-            transcript.step(send.step());
-        } else if (output instanceof Output.Took took) {
-            transcript.command(took.step().trigger());
-        } else if (output instanceof Output.Ended ended) {
-            record(ended);
-        } else if (output instanceof Output.Overtaken overtaken) {
-            transcript.ended(overtaken.occurrence(), driver.configuration());
-        } else if (output instanceof Output.Dropped dropped) {
-            Configuration now = driver.configuration();
-            history.record(dropped.occurrence(), now, now, Outcome.DROPPED, null, "the queue was full");
-            listeners.ended(history);
-        } else if (output instanceof Output.Moved moved) {
-            listeners.moved(moved.before(), moved.after());
-        } else if (output instanceof Output.Doubted doubted) {
-            if (!doubted.why().isEmpty()) {
-                failures.warn("the state of the device is in doubt: " + doubted.why());
-            }
-            listeners.doubted(doubted.why());
-        }
-    }
-
-    private void record(Output.Ended ended) {
-        if (ended.decision() instanceof Decision.Impossible impossible) {
-            failures.warn(ended.occurrence() + " in " + ended.before() + ": " + impossible.reason());
-        }
-        if (ended.occurrence() instanceof Occurrence.Heard heard) {
-            warnOfUnknown(heard);
-        } else if (ended.occurrence() instanceof Occurrence.Found && ended.outcome() == Outcome.FAILED) {
-            failures.warn(ended.detail());
-        }
-        transcript.ended(ended.occurrence(), ended.after());
-        history.record(
-                ended.occurrence(), ended.before(), ended.after(), ended.outcome(), ended.decision(), ended.detail());
-        listeners.ended(history);
-    }
-
-    /** An event that neither model knows is told once a burst: until another one comes. */
-    private void warnOfUnknown(Occurrence.Heard heard) {
-        if (knowledge.eventNames().knows(heard.event())) {
-            unknown = null;
-        } else if (!heard.event().equals(unknown)) {
-            unknown = heard.event();
-            failures.warn(knowledge.eventNames().unknown(heard.event()) + " ("
-                    + heard.source().name().toLowerCase(Locale.ROOT) + ")");
+            books.failures()
+                    .warn("the queue of " + config.queueCapacity()
+                            + " events is full, and events are lost; status counts them, history names them");
         }
     }
 }

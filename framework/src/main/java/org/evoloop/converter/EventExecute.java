@@ -4,7 +4,6 @@ import java.util.Collections;
 import java.util.HashSet;
 import java.util.Optional;
 import java.util.Set;
-import java.util.concurrent.atomic.AtomicLong;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Step;
 import org.evoloop.evolution.Values;
@@ -19,7 +18,11 @@ import org.jspecify.annotations.Nullable;
  * more by whoever starts the converter, before the loop opens, and {@link #released} by whoever stops it.
  */
 public abstract class EventExecute extends Execute<ChangePlan> {
-    private final AtomicLong sending = new AtomicLong();
+    private final Object effect = new Object();
+
+    /** The turn in which a step is being sent whose effect was not told yet; 0 if none is. */
+    private long sending;
+
     private volatile @Nullable Set<Event> events;
     private volatile Values values = Values.NONE;
     private volatile @Nullable CoreDriver driver;
@@ -63,13 +66,18 @@ public abstract class EventExecute extends Execute<ChangePlan> {
      * returns. May be called from any thread; does nothing when nothing is being sent.
      */
     protected final void tookEffect() {
-        report(sending.getAndSet(0), true);
+        report(true);
     }
 
-    private void report(long number, boolean inOrder) {
-        CoreDriver told = driver;
-        if (number != 0 && told != null) {
-            told.sent(number, inOrder);
+    /** Whoever comes second waits until it was told: what follows from it has to be known before the plan goes on. */
+    private void report(boolean inOrder) {
+        synchronized (effect) {
+            CoreDriver told = driver;
+            long number = sending;
+            sending = 0;
+            if (number != 0 && told != null) {
+                told.sent(number, inOrder);
+            }
         }
     }
 
@@ -128,9 +136,11 @@ public abstract class EventExecute extends Execute<ChangePlan> {
     /** Sends a step, which was announced under {@code number}. */
     final void perform(long number, Step step, Values carried) throws Exception {
         values = carried;
-        sending.set(number);
+        synchronized (effect) {
+            sending = number;
+        }
         send(step);
-        report(sending.compareAndSet(number, 0) ? number : 0, false);
+        report(false);
     }
 
     /** {@link #sendableEvents}, asked for once: every event that is converted needs them more than once. */

@@ -127,9 +127,10 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
     }
 
     private Occurrence occurrence(String event, Values values, Source source, boolean deviceActed) {
+        EventNames names = eventNames;
+        Event heard = names == null ? new Event(event) : names.named(event);
         // A fact moves the record at once, so what its guards say is asked here, before it is told.
-        return new Occurrence.Heard(
-                new Event(event), values, source, deviceActed, guards.get(), Occurrence.ANY_VISIT, nanoTime());
+        return new Occurrence.Heard(heard, values, source, deviceActed, guards.get(), Occurrence.ANY_VISIT, nanoTime());
     }
 
     private long nanoTime() {

@@ -1,9 +1,11 @@
 package org.evoloop.core;
 
+import java.util.function.Predicate;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Source;
 import org.evoloop.evolution.Step;
 import org.evoloop.evolution.Values;
+import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.Names;
 import org.evoloop.statemachine.State;
 import org.jspecify.annotations.Nullable;
@@ -13,6 +15,7 @@ final class Arrivals {
     private static final String OVERTAKEN = "the device has been sent an event since";
 
     private final Ledger ledger;
+    private final Predicate<Pending> deferred = this::isDeferred;
 
     Arrivals(Ledger ledger) {
         this.ledger = ledger;
@@ -82,12 +85,12 @@ final class Arrivals {
     }
 
     /** Takes what a timer of the current visit raises. */
-    void timerDue(Input.TimerDue due) {
+    void timerDue(long visit, Event event) {
         if (ledger.open
-                && ledger.stay.isCurrent(due.visit())
+                && ledger.stay.isCurrent(visit)
                 && !ledger.stay.isOver()
-                && ledger.stay.isDue(due.event(), due.atNanos())) {
-            hear(new Occurrence.Heard(due.event(), Values.NONE, Source.TIMER, due.visit(), due.atNanos()));
+                && ledger.stay.isDue(event, ledger.nowNanos)) {
+            hear(new Occurrence.Heard(event, Values.NONE, Source.TIMER, visit, ledger.nowNanos));
         }
     }
 
@@ -106,22 +109,24 @@ final class Arrivals {
         boolean hasHappened = from != null || occurrence.isFact();
         boolean mayBeLost = !hasHappened && occurrence.source().isButton();
         int capacity = ledger.rules.queueCapacity();
-        if (mayBeLost ? ledger.line.hasRoom(capacity, ledger.work == null) : ledger.line.hasRoomForFacts(capacity)) {
+        if (mayBeLost
+                ? ledger.line.hasRoom(capacity, ledger.progress.isIdle())
+                : ledger.line.hasRoomForFacts(capacity)) {
             ledger.line.add(new Pending(number, occurrence, from, own, ledger.place.steps(), 0));
-            ledger.out.add(new Output.Queued(occurrence));
+            ledger.out.queued(occurrence);
         } else {
             ledger.followOwed |= hasHappened;
             ledger.counts.end(Outcome.DROPPED);
-            ledger.out.add(new Output.Dropped(occurrence, ledger.line.lose()));
+            ledger.out.dropped(occurrence, ledger.line.lose());
         }
     }
 
     /** Gives the next occurrence its turn if nothing is in progress; those that come to nothing end at once. */
-    void begin(long atNanos) {
-        while (ledger.work == null && ledger.open) {
-            Pending next = ledger.line.next(this::isDeferred);
+    void begin() {
+        while (ledger.progress.isIdle() && ledger.open) {
+            Pending next = ledger.line.next(deferred);
             if (next == null && ledger.followOwed) {
-                next = owedFinding(atNanos);
+                next = owedFinding();
             }
             if (next == null) {
                 return;
@@ -138,11 +143,16 @@ final class Arrivals {
     }
 
     /** In place of the facts that were lost: the new model is put where the device is. */
-    private Pending owedFinding(long atNanos) {
+    private Pending owedFinding() {
         ledger.followOwed = false;
         State there = ledger.place.at().original();
         return new Pending(
-                ledger.counts.observe(), new Occurrence.Found(there, atNanos), there, null, ledger.place.steps(), 0);
+                ledger.counts.observe(),
+                new Occurrence.Found(there, ledger.nowNanos),
+                there,
+                null,
+                ledger.place.steps(),
+                0);
     }
 
     private void giveTurn(Pending pending) {
@@ -158,7 +168,7 @@ final class Arrivals {
         if (occurrence instanceof Occurrence.Heard heard && heard.source() == Source.TIMER) {
             ledger.stay.heard(heard.event());
         }
-        ledger.work = Work.begin(pending);
-        ledger.out.add(new Output.Begin(pending));
+        ledger.progress.begin(pending);
+        ledger.out.begin(pending);
     }
 }

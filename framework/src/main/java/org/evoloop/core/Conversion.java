@@ -1,5 +1,6 @@
 package org.evoloop.core;
 
+import java.util.List;
 import java.util.Objects;
 import java.util.Set;
 import org.evoloop.evolution.Configuration;
@@ -8,6 +9,7 @@ import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Step;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.Transition;
+import org.jspecify.annotations.Nullable;
 
 /** How the occurrence in progress is carried out, step by step, and how it ends. */
 final class Conversion {
@@ -17,259 +19,241 @@ final class Conversion {
     static final int MOST_ATTEMPTS = 8;
 
     private final Ledger ledger;
+    private final Progress progress;
 
     Conversion(Ledger ledger) {
         this.ledger = ledger;
+        this.progress = ledger.progress;
     }
 
     /** Takes up a plan. */
-    void plan(Input.Planned planned) {
-        Work current = ledger.inProgress(planned.number());
-        if (current == null || current.decision() != null) {
+    void plan(long number, Decision decision) {
+        if (!progress.isOf(number) || progress.decision() != null) {
             return;
         }
-        Decision decision = planned.decision();
-        if (!decision.start().equals(ledger.place.at())) {
-            again(current, "it was decided at " + decision.start(), planned.atNanos());
+        if (!decision.startsIn(ledger.place.at())) {
+            again("it was decided at " + decision.start());
             return;
         }
-        Pending pending = current.pending();
-        ledger.out.add(new Output.Decided(
-                pending, decision, planned.atNanos() - pending.occurrence().observedNanos()));
+        Pending pending = progress.pending();
+        ledger.out.decided(
+                pending, decision, ledger.nowNanos - pending.occurrence().observedNanos());
         if (decision.leavesState()) {
             // Before the first step leaves: a function that still moved the device would contradict it.
             ledger.stay.leave(ledger.out);
         }
-        ledger.work = current.decided(decision);
-        goOn(ledger.work, planned.atNanos());
+        progress.decide(decision);
+        goOn();
     }
 
-    private void goOn(Work current, long atNanos) {
-        long number = current.pending().number();
-        Step step = current.nextStep();
-        String effect = current.nextEffect();
-        if (current.decision() instanceof Decision.Inquiry) {
-            ledger.out.add(new Output.Locate(number));
+    private void goOn() {
+        Step step = progress.step();
+        String effect = progress.effect();
+        if (progress.decision() instanceof Decision.Inquiry) {
+            ledger.out.locate();
         } else if (step != null) {
-            ledger.out.add(new Output.Send(number, step));
+            ledger.out.send(step);
         } else if (effect != null) {
-            ledger.out.add(new Output.Run(number, effect));
+            ledger.out.run(effect);
         } else {
-            arrive(current, atNanos);
+            arrive();
         }
     }
 
     /** The next step is about to be sent. */
-    void send(Input.Sending sending) {
-        Work current = ledger.inProgress(sending.number());
-        Step step = current == null || current.sending() ? null : current.nextStep();
-        if (current != null && step != null) {
-            if (step.source().equals(ledger.place.at().original())) {
-                ledger.work = current.sendingNext();
-            } else {
-                again(current, "the device left " + step.source() + " by itself", sending.atNanos());
-            }
+    void send(long number) {
+        Step step = progress.isOf(number) && !progress.isSending() ? progress.step() : null;
+        if (step == null) {
+            return;
+        }
+        if (step.source().equals(ledger.place.at().original())) {
+            progress.send();
+        } else {
+            again("the device left " + step.source() + " by itself");
         }
     }
 
     /** The step has had its effect. */
-    void took(Input.Sent sent) {
-        Work current = ledger.inProgress(sent.number());
-        Step step = current == null ? null : current.stepOnItsWay();
-        if (current == null || step == null) {
-            tookLate(sent);
+    void took(long number, boolean inOrder, long atNanos) {
+        Step step = stepOnItsWay(number);
+        if (step == null) {
+            tookLate(number, inOrder, atNanos);
             return;
         }
+        List<Occurrence> meanwhile = progress.meanwhile();
         State target = step.target();
         boolean sure = true;
-        if (!current.meanwhile().isEmpty()) {
+        if (!meanwhile.isEmpty()) {
             // In the order in which they were told, the step came last.
             target = Overlap.takes(ledger.rules.table(), ledger.place.at().original(), step);
-            sure = sent.inOrder() || Overlap.alwaysEndsIn(target, ledger.rules.table(), step, current.meanwhile());
+            sure = inOrder || Overlap.alwaysEndsIn(target, ledger.rules.table(), step, meanwhile);
         }
-        ledger.place.took(target, sent.atNanos(), ledger.out);
-        ledger.out.add(new Output.Took(step));
-        Work next = current.tookNext();
-        ledger.work = next;
+        ledger.place.took(target, atNanos, ledger.out);
+        ledger.out.took(step);
+        progress.took();
         if (!sure || !target.equals(step.target())) {
-            again(next, "the device acted by itself while " + step.trigger() + " was sent", sent.atNanos());
+            again("the device acted by itself while " + step.trigger() + " was sent");
         } else {
-            goOn(next, sent.atNanos());
+            goOn();
         }
         if (!sure) {
-            ledger.doubt(
-                    "nobody knows whether the device acted before or after it took " + step.trigger(),
-                    current,
-                    step,
-                    sent.atNanos());
+            String why = "nobody knows whether the device acted before or after it took " + step.trigger();
+            ledger.doubt(why, number, step, meanwhile);
         }
     }
 
+    private @Nullable Step stepOnItsWay(long number) {
+        return progress.isOf(number) && progress.isSending() ? progress.step() : null;
+    }
+
     /** A step that was given up has had its effect after all, which settles its doubt if the order is known. */
-    private void tookLate(Input.Sent sent) {
+    private void tookLate(long number, boolean inOrder, long atNanos) {
         Doubt doubt = ledger.place.lastDoubt();
         if (doubt == null) {
             return;
         }
         State target = Overlap.takes(ledger.rules.table(), ledger.place.at().original(), doubt.step());
-        Work current = ledger.work;
-        boolean another = current != null && current.sending();
-        if (doubt.number() == sent.number() && isOrderKnown(sent, doubt, target, another)) {
+        if (doubt.number() == number && isOrderKnown(inOrder, doubt, target)) {
             ledger.settleDoubt();
             ledger.place.doubt(doubt.stepsBefore() == Doubt.UNSETTLED ? ledger.place.lastDoubt() : null);
-            ledger.place.took(target, sent.atNanos(), ledger.out);
-            ledger.out.add(new Output.Took(doubt.step()));
-            if (current != null && another) {
+            ledger.place.took(target, atNanos, ledger.out);
+            ledger.out.took(doubt.step());
+            if (progress.isSending()) {
                 // To the step that is being sent, that is something which the device did before.
-                ledger.work = current.acted(new Occurrence.Found(target, sent.atNanos()));
+                progress.acted(new Occurrence.Found(target, atNanos));
             }
         } else if (doubt.settled()) {
             ledger.place.doubt(doubt.settled(false));
-            ledger.out.add(new Output.Doubted(doubt.why()));
-            ledger.ask(sent.atNanos());
+            ledger.out.doubted(doubt.why());
+            ledger.ask();
         }
     }
 
-    private boolean isOrderKnown(Input.Sent sent, Doubt doubt, State target, boolean another) {
-        if (sent.inOrder()) {
+    private boolean isOrderKnown(boolean inOrder, Doubt doubt, State target) {
+        if (inOrder) {
             return doubt.settled() || doubt.stepsBefore() == ledger.place.steps();
         }
         return doubt.stepsBefore() == ledger.place.steps()
-                && !another
+                && !progress.isSending()
                 && Overlap.alwaysEndsIn(target, ledger.rules.table(), doubt.step(), doubt.meanwhile());
     }
 
     /** An effect was run. */
-    void ran(Input.EffectRun run) {
-        Work current = ledger.inProgress(run.number());
-        if (current != null) {
-            Work next = current.ranNext(run.failure());
-            ledger.work = next;
-            goOn(next, run.atNanos());
+    void ran(long number, String failure) {
+        if (progress.isOf(number)) {
+            progress.ran(failure);
+            goOn();
         }
     }
 
     /** All is done: the evolved system enters its next state. */
-    private void arrive(Work current, long atNanos) {
-        Decision decision = Objects.requireNonNull(current.decision());
+    private void arrive() {
+        Decision decision = Objects.requireNonNull(progress.decision());
+        Occurrence occurrence = progress.pending().occurrence();
+        String failedEffects = progress.failedEffects();
         long visit = ledger.stay.number();
-        ledger.place.move(ledger.place.at().withEvolved(decision.after().evolved()), ledger.out);
+        ledger.place.moveEvolved(decision.after(), ledger.out);
         if (decision.leavesState()) {
             Transition transition = decision.transition();
-            ledger.enter(transition, transition == null ? Set.of() : transition.keeps(), atNanos);
+            ledger.enter(transition, transition == null ? Set.of() : transition.keeps());
         }
-        ledger.work = null;
-        ledger.ended(
-                current.pending().occurrence(),
-                decision.before(),
-                outcome(current, decision),
-                decision,
-                current.failedEffects());
+        progress.end();
+        ledger.ended(occurrence, decision.before(), outcome(decision, failedEffects), decision, failedEffects);
         if (decision instanceof Decision.Impossible && decision.transition() != null) {
             // Its timers start anew: what was impossible now may be possible the next time.
             ledger.stay.leave(ledger.out);
         }
-        ledger.enterAgain(atNanos);
-        ledger.out.add(new Output.Settle(ledger.place.at()));
+        ledger.enterAgain();
+        ledger.out.settle(ledger.place.at());
         ledger.start(visit);
     }
 
-    private static Outcome outcome(Work done, Decision decision) {
+    private static Outcome outcome(Decision decision, String failedEffects) {
         if (decision instanceof Decision.NotAcceptable || decision instanceof Decision.Refused) {
             return Outcome.IGNORED;
         }
-        return decision instanceof Decision.Impossible || !done.failedEffects().isEmpty()
-                ? Outcome.FAILED
-                : Outcome.HANDLED;
+        return decision instanceof Decision.Impossible || !failedEffects.isEmpty() ? Outcome.FAILED : Outcome.HANDLED;
     }
 
     /** The plan has been overtaken: the occurrence is decided anew, before all others. */
-    private void again(Work current, String why, long atNanos) {
-        Pending next = current.pending().again();
-        Occurrence occurrence = next.occurrence();
+    private void again(String why) {
+        Pending next = progress.pending().again();
         if (next.attempts() > MOST_ATTEMPTS || (!ledger.open && !next.hasHappened())) {
-            conclude(next.number(), Outcome.FAILED, "overtaken: " + why, atNanos);
+            conclude(next.number(), Outcome.FAILED, "overtaken: " + why);
         } else {
-            ledger.work = null;
+            progress.end();
             ledger.line.addFirst(next);
-            ledger.out.add(new Output.Overtaken(occurrence, why));
+            ledger.out.overtaken(next.occurrence(), why);
         }
     }
 
     /** The occurrence in progress ends before its plan was carried out. */
-    void conclude(long number, Outcome outcome, String reason, long atNanos) {
-        Work current = ledger.inProgress(number);
-        if (current == null) {
+    void conclude(long number, Outcome outcome, String reason) {
+        if (!progress.isOf(number)) {
             return;
         }
-        Pending pending = current.pending();
-        Decision decision = current.decision();
+        Pending pending = progress.pending();
+        Decision decision = progress.decision();
         State from = pending.from();
         Configuration before = decision != null
                 ? decision.before()
                 : from == null ? ledger.place.at() : ledger.place.at().withOriginal(from);
         long visit = ledger.stay.number();
-        ledger.work = null;
+        progress.end();
         ledger.ended(pending.occurrence(), before, outcome, null, reason);
-        ledger.enterAgain(atNanos);
+        ledger.enterAgain();
         ledger.start(visit);
     }
 
     /** A component was given up, maybe with a step on its way. */
-    void giveUp(Input.GivenUp givenUp) {
-        Work current = ledger.inProgress(givenUp.number());
-        Step step = current == null ? null : current.stepOnItsWay();
-        conclude(givenUp.number(), Outcome.FAILED, givenUp.reason(), givenUp.atNanos());
-        if (current != null && step != null) {
-            ledger.doubt(
-                    "nobody knows whether " + step.trigger() + " had its effect: " + givenUp.reason(),
-                    current,
-                    step,
-                    givenUp.atNanos());
+    void giveUp(long number, String reason) {
+        Step step = stepOnItsWay(number);
+        List<Occurrence> meanwhile = progress.meanwhile();
+        conclude(number, Outcome.FAILED, reason);
+        if (step != null) {
+            String why = "nobody knows whether " + step.trigger() + " had its effect: " + reason;
+            ledger.doubt(why, number, step, meanwhile);
         }
     }
 
-    /** The device was asked. */
-    void located(Input.Located located) {
-        Work current = ledger.inProgress(located.number());
-        if (current == null) {
+    /** The device was asked; {@code state} is null if it could not tell. */
+    void located(long number, @Nullable State state) {
+        if (!progress.isOf(number)) {
             return;
         }
         // What the device has done since it was asked may be older or newer than its answer.
-        boolean overtaken = ledger.place.doubt() != null && !current.meanwhile().isEmpty();
-        if (overtaken && current.pending().attempts() < MOST_ATTEMPTS) {
-            ledger.work = current.askingAgain();
-            ledger.out.add(new Output.Locate(located.number()));
+        boolean overtaken =
+                ledger.place.doubt() != null && !progress.meanwhile().isEmpty();
+        if (overtaken && progress.pending().attempts() < MOST_ATTEMPTS) {
+            progress.askAgain();
+            ledger.out.locate();
             return;
         }
-        State state = located.state();
         if (ledger.place.doubt() == null) {
-            conclude(located.number(), Outcome.HANDLED, FOUND_MEANWHILE, located.atNanos());
+            conclude(number, Outcome.HANDLED, FOUND_MEANWHILE);
         } else if (overtaken || state == null || !ledger.isDevicesState(state)) {
-            conclude(
-                    located.number(),
-                    Outcome.IGNORED,
-                    "the device cannot tell where it is; it is taken to be in "
-                            + ledger.place.at().original(),
-                    located.atNanos());
+            State taken = ledger.place.at().original();
+            String why = "the device cannot tell where it is; it is taken to be in " + taken;
+            conclude(number, Outcome.IGNORED, why);
         } else {
-            ledger.happensMeanwhile(new Occurrence.Found(state, located.atNanos()));
+            ledger.happensMeanwhile(new Occurrence.Found(state, ledger.nowNanos));
             ledger.settleDoubt();
-            isIn(state, current, located.atNanos());
+            isIn(state, number);
         }
     }
 
     /** The device has told where it is; both models follow if that is news. */
-    private void isIn(State state, Work current, long atNanos) {
+    private void isIn(State state, long number) {
         if (state.equals(ledger.place.at().original())) {
-            conclude(current.pending().number(), Outcome.HANDLED, "the device is in " + state, atNanos);
+            conclude(number, Outcome.HANDLED, "the device is in " + state);
         } else {
             Decision found = ledger.rules.table().find(ledger.place.at(), state);
             ledger.place.moveDevice(state, ledger.out);
             if (found.leavesState()) {
                 ledger.stay.leave(ledger.out);
             }
-            arrive(current.decided(found), atNanos);
+            progress.decide(found);
+            arrive();
         }
     }
 }

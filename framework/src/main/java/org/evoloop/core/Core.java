@@ -4,6 +4,11 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import org.evoloop.evolution.Configuration;
+import org.evoloop.evolution.Decision;
+import org.evoloop.evolution.Occurrence;
+import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.State;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A converter between its inputs and its outputs.
@@ -21,13 +26,13 @@ public final class Core {
     private final Conversion conversion;
 
     /** A converter that has not been opened yet, in the initial states of its models. */
-    public Core(Rules rules) {
-        this(rules, fresh(rules));
+    public Core(Rules rules, Outputs outputs) {
+        this(rules, fresh(rules), outputs);
     }
 
     /** Goes on where {@code snapshot} was taken, by the {@code rules} that counted then. */
-    public Core(Rules rules, Snapshot snapshot) {
-        this.ledger = new Ledger(rules, snapshot);
+    public Core(Rules rules, Snapshot snapshot, Outputs outputs) {
+        this.ledger = new Ledger(rules, snapshot, outputs);
         this.arrivals = new Arrivals(ledger);
         this.conversion = new Conversion(ledger);
     }
@@ -44,7 +49,8 @@ public final class Core {
                 false,
                 false,
                 null,
-                new Tally(0, 0, 0, 0, 0, 0, 0, 0, 0));
+                new Tally(0, 0, 0, 0, 0, 0, 0, 0, 0),
+                0);
     }
 
     /** All that it knows now. */
@@ -52,59 +58,108 @@ public final class Core {
         return ledger.snapshot();
     }
 
-    /** Takes {@code input} and adds to {@code outputs} what follows from it, in order. */
-    public void apply(Input input, List<Output> outputs) {
-        ledger.out = outputs;
-        if (input instanceof Input.Observed observed) {
-            arrivals.observe(observed.occurrence());
-        } else if (input instanceof Input.Ready ready) {
-            arrivals.begin(ready.atNanos());
-        } else if (input instanceof Input.Planned planned) {
-            conversion.plan(planned);
-        } else if (input instanceof Input.Sending sending) {
-            conversion.send(sending);
-        } else if (input instanceof Input.Sent sent) {
-            conversion.took(sent);
-        } else if (input instanceof Input.EffectRun run) {
-            conversion.ran(run);
-        } else if (input instanceof Input.TimerDue due) {
-            arrivals.timerDue(due);
-        } else if (input instanceof Input.Located located) {
-            conversion.located(located);
-        } else if (input instanceof Input.Dismissed dismissed) {
-            conversion.conclude(dismissed.number(), Outcome.IGNORED, "dismissed", dismissed.atNanos());
-        } else if (input instanceof Input.Failed failed) {
-            conversion.conclude(failed.number(), Outcome.FAILED, failed.reason(), failed.atNanos());
-        } else if (input instanceof Input.GivenUp givenUp) {
-            conversion.giveUp(givenUp);
-        } else if (input instanceof Input.Opened opened) {
-            open(opened.atNanos());
-        } else if (input instanceof Input.Closing) {
-            close();
-        } else if (input instanceof Input.Closed) {
-            ledger.stay.leave(outputs);
-        } else if (input instanceof Input.Changed changed) {
-            ledger.rules = changed.rules();
-            // Another component may be able to tell what the one before it could not.
-            ledger.ask(changed.atNanos());
-        }
+    /** Takes {@code input}, and says to its outputs what follows from it, in order. */
+    public void apply(Input input) {
+        input.applyTo(this);
     }
 
-    private void open(long atNanos) {
+    // Each input can be told as a value, by apply, or by the method of its name, which leaves no garbage in an event's
+    // way.
+
+    /** See {@link Input.Opened}. */
+    public void opened(long atNanos) {
+        ledger.isAt(atNanos);
         long visit = ledger.stay.number();
         ledger.open = true;
-        ledger.ask(atNanos);
+        ledger.ask();
         ledger.stay.leave(ledger.out);
-        ledger.enter(ledger.stay.by(), Set.of(), atNanos);
+        ledger.enter(ledger.stay.by(), Set.of());
         ledger.start(visit);
     }
 
-    /** What has happened already waits until the converter is opened again; all else is refused. */
-    private void close() {
+    /** See {@link Input.Closing}. */
+    public void closing() {
         ledger.open = false;
         for (Pending pending : ledger.line.withoutFacts()) {
             ledger.refused(pending.occurrence());
         }
+    }
+
+    /** See {@link Input.Closed}. */
+    public void closed() {
+        ledger.stay.leave(ledger.out);
+    }
+
+    /** See {@link Input.Observed}. */
+    public void observed(Occurrence occurrence) {
+        ledger.isAt(occurrence.observedNanos());
+        arrivals.observe(occurrence);
+    }
+
+    /** See {@link Input.TimerDue}. */
+    public void timerDue(long visit, Event event, long atNanos) {
+        ledger.isAt(atNanos);
+        arrivals.timerDue(visit, event);
+    }
+
+    /** See {@link Input.Ready}. */
+    public void ready() {
+        arrivals.begin();
+    }
+
+    /** See {@link Input.Planned}. */
+    public void planned(long number, Decision decision, long atNanos) {
+        ledger.isAt(atNanos);
+        conversion.plan(number, decision);
+    }
+
+    /** See {@link Input.Dismissed}. */
+    public void dismissed(long number, long atNanos) {
+        ledger.isAt(atNanos);
+        conversion.conclude(number, Outcome.IGNORED, "dismissed");
+    }
+
+    /** See {@link Input.Sending}. */
+    public void sending(long number) {
+        conversion.send(number);
+    }
+
+    /** See {@link Input.Sent}. */
+    public void sent(long number, boolean inOrder, long atNanos) {
+        ledger.isAt(atNanos);
+        conversion.took(number, inOrder, atNanos);
+    }
+
+    /** See {@link Input.EffectRun}. */
+    public void effectRun(long number, String failure, long atNanos) {
+        ledger.isAt(atNanos);
+        conversion.ran(number, failure);
+    }
+
+    /** See {@link Input.Located}. */
+    public void located(long number, @Nullable State state, long atNanos) {
+        ledger.isAt(atNanos);
+        conversion.located(number, state);
+    }
+
+    /** See {@link Input.Failed}. */
+    public void failed(long number, String reason, long atNanos) {
+        ledger.isAt(atNanos);
+        conversion.conclude(number, Outcome.FAILED, reason);
+    }
+
+    /** See {@link Input.GivenUp}. */
+    public void givenUp(long number, String reason, long atNanos) {
+        ledger.isAt(atNanos);
+        conversion.giveUp(number, reason);
+    }
+
+    /** See {@link Input.Changed}. */
+    public void changed(Rules rules, long atNanos) {
+        ledger.isAt(atNanos);
+        ledger.rules = rules;
+        // Another component may be able to tell what the one before it could not.
+        ledger.ask();
     }
 
     /** Where device and evolved system are. */
@@ -130,18 +185,17 @@ public final class Core {
 
     /** Whether the step that was asked for may be sent: it was announced, and nothing has overtaken it. */
     public boolean maySend(long number) {
-        Work current = ledger.inProgress(number);
-        return current != null && current.sending();
+        return ledger.progress.isOf(number) && ledger.progress.isSending();
     }
 
     /** Whether an occurrence is in progress. */
     public boolean isBusy() {
-        return ledger.work != null;
+        return !ledger.progress.isIdle();
     }
 
     /** Whether one more event of a controller would be taken. */
     public boolean hasRoom() {
-        return ledger.line.hasRoom(ledger.rules.queueCapacity(), ledger.work == null);
+        return ledger.line.hasRoom(ledger.rules.queueCapacity(), ledger.progress.isIdle());
     }
 
     /** How many occurrences wait for their turn. */

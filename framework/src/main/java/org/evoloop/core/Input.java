@@ -14,33 +14,80 @@ import org.jspecify.annotations.Nullable;
  * <p>Threading: immutable.
  */
 public sealed interface Input {
+    /** Tells it to {@code core}. */
+    void applyTo(Core core);
 
     /** The converter is opened: it takes controllers' events, and the current state is entered anew. */
-    record Opened(long atNanos) implements Input {}
+    record Opened(long atNanos) implements Input {
+        @Override
+        public void applyTo(Core core) {
+            core.opened(atNanos);
+        }
+    }
 
     /** The converter is closed to all but facts. The occurrence in progress may still come to its end. */
-    record Closing() implements Input {}
+    record Closing() implements Input {
+        @Override
+        public void applyTo(Core core) {
+            core.closing();
+        }
+    }
 
     /** Nothing is in progress any more: what runs in the current state ends. */
-    record Closed() implements Input {}
+    record Closed() implements Input {
+        @Override
+        public void applyTo(Core core) {
+            core.closed();
+        }
+    }
 
     /** Something occurred. A fact moves the original model at once; all else waits for its turn. */
-    record Observed(Occurrence occurrence) implements Input {}
+    record Observed(Occurrence occurrence) implements Input {
+        @Override
+        public void applyTo(Core core) {
+            core.observed(occurrence);
+        }
+    }
 
     /** A timer of a visit has run down. */
-    record TimerDue(long visit, Event event, long atNanos) implements Input {}
+    record TimerDue(long visit, Event event, long atNanos) implements Input {
+        @Override
+        public void applyTo(Core core) {
+            core.timerDue(visit, event, atNanos);
+        }
+    }
 
     /** Nothing is in progress, and the next occurrence may begin. */
-    record Ready(long atNanos) implements Input {}
+    record Ready() implements Input {
+        @Override
+        public void applyTo(Core core) {
+            core.ready();
+        }
+    }
 
     /** The occurrence in progress was analyzed and planned. */
-    record Planned(long number, Decision decision, long atNanos) implements Input {}
+    record Planned(long number, Decision decision, long atNanos) implements Input {
+        @Override
+        public void applyTo(Core core) {
+            core.planned(number, decision, atNanos);
+        }
+    }
 
     /** Analyze or plan has nothing to do about it. */
-    record Dismissed(long number, long atNanos) implements Input {}
+    record Dismissed(long number, long atNanos) implements Input {
+        @Override
+        public void applyTo(Core core) {
+            core.dismissed(number, atNanos);
+        }
+    }
 
     /** The device is ready for the step that was asked for, and the step is about to be sent. */
-    record Sending(long number, long atNanos) implements Input {}
+    record Sending(long number) implements Input {
+        @Override
+        public void applyTo(Core core) {
+            core.sending(number);
+        }
+    }
 
     /**
      * The step that was being sent has had its effect.
@@ -48,20 +95,50 @@ public sealed interface Input {
      * @param inOrder whether the adapter vouches that everything the device did by itself before this effect, and nothing
      *     that it did after, was told before this
      */
-    record Sent(long number, boolean inOrder, long atNanos) implements Input {}
+    record Sent(long number, boolean inOrder, long atNanos) implements Input {
+        @Override
+        public void applyTo(Core core) {
+            core.sent(number, inOrder, atNanos);
+        }
+    }
 
     /** An effect of the new model was run; {@code failure} says what went wrong and is empty if nothing did. */
-    record EffectRun(long number, String failure, long atNanos) implements Input {}
+    record EffectRun(long number, String failure, long atNanos) implements Input {
+        @Override
+        public void applyTo(Core core) {
+            core.effectRun(number, failure, atNanos);
+        }
+    }
 
     /** The device was asked where it is; {@code state} is null if that cannot be told. */
-    record Located(long number, @Nullable State state, long atNanos) implements Input {}
+    record Located(long number, @Nullable State state, long atNanos) implements Input {
+        @Override
+        public void applyTo(Core core) {
+            core.located(number, state, atNanos);
+        }
+    }
 
     /** A component failed with it; a step that was being sent had no effect. */
-    record Failed(long number, String reason, long atNanos) implements Input {}
+    record Failed(long number, String reason, long atNanos) implements Input {
+        @Override
+        public void applyTo(Core core) {
+            core.failed(number, reason, atNanos);
+        }
+    }
 
     /** A component was given up with it; whether a step that was being sent had its effect, nobody knows. */
-    record GivenUp(long number, String reason, long atNanos) implements Input {}
+    record GivenUp(long number, String reason, long atNanos) implements Input {
+        @Override
+        public void applyTo(Core core) {
+            core.givenUp(number, reason, atNanos);
+        }
+    }
 
     /** Models or components have changed: from now on these rules count. */
-    record Changed(Rules rules, long atNanos) implements Input {}
+    record Changed(Rules rules, long atNanos) implements Input {
+        @Override
+        public void applyTo(Core core) {
+            core.changed(rules, atNanos);
+        }
+    }
 }

@@ -1,6 +1,5 @@
 package org.evoloop.core;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import org.evoloop.evolution.Configuration;
@@ -20,25 +19,27 @@ final class Ledger {
     Rules rules;
     boolean open;
 
+    /** The latest time that it was told. */
+    long nowNanos;
+
     /** Whether facts were lost, so that the new model has to follow the device when nothing waits any more. */
     boolean followOwed;
 
-    /** The occurrence in progress; null if there is none. */
-    @Nullable
-    Work work;
+    final Progress progress;
 
-    /** Where the outputs of the current input go. */
-    List<Output> out = new ArrayList<>();
+    final Outputs out;
 
-    Ledger(Rules rules, Snapshot snapshot) {
+    Ledger(Rules rules, Snapshot snapshot, Outputs out) {
         Snapshot.Visit visit = snapshot.visit();
         this.rules = rules;
+        this.out = out;
         this.open = snapshot.open();
+        this.nowNanos = snapshot.nowNanos();
         this.place = new Place(snapshot.at(), snapshot.steps(), snapshot.lastStepNanos(), snapshot.doubt());
         this.counts = new Counts(snapshot.tally());
         this.line = new Line(snapshot.waiting(), counts, snapshot.losing());
         this.stay = new Stay(visit.number(), visit.over(), visit.by(), visit.deadlines());
-        this.work = snapshot.work();
+        this.progress = new Progress(snapshot.work());
         this.followOwed = snapshot.followOwed();
     }
 
@@ -53,19 +54,18 @@ final class Ledger {
                 line.waiting(),
                 line.isLosing(),
                 followOwed,
-                work,
-                counts.tally());
-    }
-
-    /** The occurrence in progress if it is the one of this number; null if that was given up. */
-    @Nullable
-    Work inProgress(long number) {
-        Work current = work;
-        return current != null && current.pending().number() == number ? current : null;
+                progress.work(),
+                counts.tally(),
+                nowNanos);
     }
 
     boolean isDevicesState(State state) {
         return rules.table().models().original().hasState(state);
+    }
+
+    /** It is this late at least; what was observed before may be told after. */
+    void isAt(long atNanos) {
+        nowNanos = Math.max(nowNanos, atNanos);
     }
 
     // What has become of an occurrence
@@ -73,49 +73,49 @@ final class Ledger {
     void ended(
             Occurrence occurrence, Configuration before, Outcome outcome, @Nullable Decision decision, String detail) {
         counts.end(outcome);
-        out.add(new Output.Ended(occurrence, before, place.at(), outcome, decision, detail));
+        out.ended(occurrence, before, place.at(), outcome, decision, detail);
     }
 
     void refused(Occurrence occurrence) {
         counts.refuse();
-        out.add(new Output.Refused(occurrence));
+        out.refused(occurrence);
     }
 
     // Visits
 
-    void enter(@Nullable Transition by, Set<String> kept, long atNanos) {
-        stay.enter(place.at().evolved(), by, kept, rules, atNanos, out);
+    void enter(@Nullable Transition by, Set<String> kept) {
+        stay.enter(place.at().evolved(), by, kept, rules, nowNanos, out);
     }
 
     /** Enters the current state anew if its visit has ended without another state being entered. */
-    void enterAgain(long atNanos) {
+    void enterAgain() {
         if (stay.isOver() && open && !line.isRetryNext()) {
-            enter(stay.by(), Set.of(), atNanos);
+            enter(stay.by(), Set.of());
         }
     }
 
     /** The function of the current state begins, if another visit than {@code before} has begun and the state is new. */
     void start(long before) {
-        if (stay.number() != before && rules.table().models().isNew(place.at().evolved())) {
-            out.add(new Output.Start(stay.number()));
+        if (stay.number() != before && rules.table().isNew(place.at().evolved())) {
+            out.start(stay.number());
         }
     }
 
     // Doubt
 
     /** From now on the record is in doubt; the device is asked before anything else is begun. */
-    void doubt(String why, Work during, Step step, long atNanos) {
+    void doubt(String why, long number, Step step, List<Occurrence> meanwhile) {
         long before = place.lastDoubt() == null ? place.steps() : Doubt.UNSETTLED;
-        place.doubt(new Doubt(why, during.pending().number(), step, before, during.meanwhile(), false));
-        out.add(new Output.Doubted(why));
-        ask(atNanos);
+        place.doubt(new Doubt(why, number, step, before, meanwhile, false));
+        out.doubted(why);
+        ask();
     }
 
     /** Has the device asked if the record is in doubt and that was not seen to yet. */
-    void ask(long atNanos) {
+    void ask() {
         Doubt doubt = place.doubt();
         if (doubt != null && !line.holdsDoubt()) {
-            Occurrence occurrence = new Occurrence.InDoubt(doubt.why(), atNanos);
+            Occurrence occurrence = new Occurrence.InDoubt(doubt.why(), nowNanos);
             line.addFirst(new Pending(counts.observe(), occurrence, null, null, place.steps(), 0));
         }
     }
@@ -124,15 +124,14 @@ final class Ledger {
         Doubt doubt = place.doubt();
         if (doubt != null) {
             place.doubt(doubt.settled(true));
-            out.add(new Output.Doubted(""));
+            out.doubted("");
         }
     }
 
     /** What the device does while a step is on its way, or while it is asked where it is, may be older or newer than that. */
     void happensMeanwhile(Occurrence fact) {
-        Work current = work;
-        if (current != null && (current.sending() || current.decision() instanceof Decision.Inquiry)) {
-            work = current.acted(fact);
+        if (progress.mayOverlap()) {
+            progress.acted(fact);
         }
         Doubt doubt = place.lastDoubt();
         if (doubt != null) {

@@ -18,6 +18,9 @@ import org.jspecify.annotations.Nullable;
  */
 public sealed interface Output {
 
+    /** The one {@link Leave} that there has to be. */
+    Leave LEAVE = new Leave();
+
     /** Something to be done, in order, by whoever carries the occurrence in progress. */
     sealed interface Directive extends Output {}
 
@@ -27,17 +30,17 @@ public sealed interface Output {
     /** An occurrence has its turn: it is to be analyzed and planned. */
     record Begin(Pending pending) implements Output {}
 
-    /** The state of this visit will be left: its timers and its function end. */
-    record Leave(long visit) implements Directive {}
+    /** The state that was entered last will be left: its timers and its function end. */
+    record Leave() implements Directive {}
 
     /** Send this step when the device is ready for it, and tell when that begins and when it has had its effect. */
-    record Send(long number, Step step) implements Directive {}
+    record Send(Step step) implements Directive {}
 
     /** Run this effect. */
-    record Run(long number, String effect) implements Directive {}
+    record Run(String effect) implements Directive {}
 
     /** Ask the device where it is. */
-    record Locate(long number) implements Directive {}
+    record Locate() implements Directive {}
 
     /**
      * A state is entered.

@@ -1,6 +1,5 @@
 package org.evoloop.core;
 
-import java.util.List;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.statemachine.State;
@@ -53,14 +52,14 @@ final class Place {
         doubt = newDoubt;
     }
 
-    void move(Configuration next, List<Output> out) {
+    void move(Configuration next, Outputs out) {
         if (!next.equals(at)) {
-            out.add(new Output.Moved(at, next));
+            out.moved(at, next);
             at = next;
         }
     }
 
-    void moveDevice(State state, List<Output> out) {
+    void moveDevice(State state, Outputs out) {
         if (!state.equals(at.original())) {
             move(at.withOriginal(state), out);
         }
@@ -76,8 +75,13 @@ final class Place {
         return steps > 0 && found.observedNanos() < lastStepNanos;
     }
 
+    /** The evolved system goes where {@code end} says; the device is where it is. */
+    void moveEvolved(Configuration end, Outputs out) {
+        move(end.original().equals(at.original()) ? end : at.withEvolved(end.evolved()), out);
+    }
+
     /** A step has had its effect, and took the device to {@code state}. */
-    void took(State state, long atNanos, List<Output> out) {
+    void took(State state, long atNanos, Outputs out) {
         steps++;
         lastStepNanos = atNanos;
         moveDevice(state, out);

@@ -60,9 +60,7 @@ public record Rules(DecisionTable table, Timers timers, int queueCapacity) {
             boolean byItself,
             Predicate<String> holds) {
         Decision known = table.decide(before, table.resolve(before, event, holds), true);
-        return known.start().equals(at)
-                ? known
-                : table.react(at, table.resolve(at, event, holds), pending.own(), byItself);
+        return known.startsIn(at) ? known : table.react(at, table.resolve(at, event, holds), pending.own(), byItself);
     }
 
     /** The same with other decisions. */

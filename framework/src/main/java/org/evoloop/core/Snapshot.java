@@ -24,6 +24,7 @@ import org.jspecify.annotations.Nullable;
  * @param followOwed whether facts were lost, so that the new model has to follow the device when nothing waits any more
  * @param work the occurrence in progress; null if there is none
  * @param tally how many occurrences came and what became of them
+ * @param nowNanos the latest time that it was told
  */
 public record Snapshot(
         boolean open,
@@ -36,7 +37,8 @@ public record Snapshot(
         boolean losing,
         boolean followOwed,
         @Nullable Work work,
-        Tally tally) {
+        Tally tally,
+        long nowNanos) {
 
     /**
      * The visit of a state.

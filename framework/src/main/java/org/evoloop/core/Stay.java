@@ -3,7 +3,6 @@ package org.evoloop.core;
 import java.time.Duration;
 import java.util.Collections;
 import java.util.LinkedHashMap;
-import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import org.evoloop.statemachine.Event;
@@ -47,10 +46,10 @@ final class Stay {
         return visit == number && number > 0;
     }
 
-    void leave(List<Output> out) {
+    void leave(Outputs out) {
         if (!over) {
             over = true;
-            out.add(new Output.Leave(number));
+            out.leave();
         }
     }
 
@@ -59,8 +58,7 @@ final class Stay {
      *
      * @param kept names of time triggers that go on from the visit before, since a state around both is not left
      */
-    void enter(
-            State state, @Nullable Transition leading, Set<String> kept, Rules rules, long atNanos, List<Output> out) {
+    void enter(State state, @Nullable Transition leading, Set<String> kept, Rules rules, long atNanos, Outputs out) {
         number++;
         over = false;
         by = leading;
@@ -74,7 +72,7 @@ final class Stay {
                 }
             });
         }
-        out.add(new Output.Enter(number, state, leading, inOrder()));
+        out.enter(number, state, leading, inOrder());
     }
 
     /** When the timers are due, in the order in which they were set. */

@@ -36,9 +36,19 @@ public sealed interface Decision {
 
     /** Where the system stands when planning begins: {@link #before}, moved on by the step that the device took itself. */
     default Configuration start() {
+        return before().withOriginal(deviceStart());
+    }
+
+    /** Where the device is when planning begins: where the step that it took itself has led. */
+    default State deviceStart() {
         return steps().isEmpty() || !steps().get(0).byDevice()
-                ? before()
-                : before().withOriginal(steps().get(0).target());
+                ? before().original()
+                : steps().get(0).target();
+    }
+
+    /** Whether planning begins in {@code at}. */
+    default boolean startsIn(Configuration at) {
+        return at.evolved().equals(before().evolved()) && at.original().equals(deviceStart());
     }
 
     /** Whether the new model leaves its state, be it towards itself; an internal transition does not. */
@@ -88,8 +98,8 @@ public sealed interface Decision {
 
         /** The device is there already. */
         @Override
-        public Configuration start() {
-            return before.withOriginal(after.original());
+        public State deviceStart() {
+            return after.original();
         }
 
         @Override

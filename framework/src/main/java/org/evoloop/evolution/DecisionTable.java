@@ -301,6 +301,11 @@ public final class DecisionTable {
         return device.isOwn(trigger);
     }
 
+    /** Whether {@code state} is one that only the new model has: a function that the converter runs. */
+    public boolean isNew(State state) {
+        return conversion.isNew(state);
+    }
+
     /**
      * The step that the device takes by itself on {@code trigger} in {@code at}; null if its model has none there.
      *

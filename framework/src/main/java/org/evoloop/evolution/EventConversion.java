@@ -38,6 +38,11 @@ final class EventConversion {
         newStates.removeIf(state -> !pair.isNew(state));
     }
 
+    /** Whether {@code state} is one that only the new model has. */
+    boolean isNew(State state) {
+        return newStates.contains(state);
+    }
+
     /** Whether {@code trigger} is an event of the device that nobody sends and that is not declared to be its own. */
     boolean isUnsendable(Event trigger) {
         return unsendable.contains(trigger);
@@ -83,7 +88,7 @@ final class EventConversion {
                             + " is the device's, but can neither be sent nor is it declared to be the device's own");
         }
         State target = transition.target();
-        if (newStates.contains(target)) {
+        if (isNew(target)) {
             return new Decision.NewFunction(
                     before, new Configuration(original, target), steps, transition, effectsLeft(transition, steps));
         }
@@ -121,7 +126,7 @@ final class EventConversion {
         }
         State target = transition.target();
         List<Step> done = own == null ? List.of() : List.of(own);
-        if (newStates.contains(target)) {
+        if (isNew(target)) {
             return new Decision.NewFunction(
                     at, at.withEvolved(target), List.of(), transition, effectsLeft(transition, done));
         }

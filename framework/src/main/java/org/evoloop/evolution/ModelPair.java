@@ -103,6 +103,6 @@ public record ModelPair(StateMachine original, StateMachine evolved) {
 
     /** Whether {@code state} is one that only the new model has: a function that the converter runs. */
     public boolean isNew(State state) {
-        return deviceStates(state).isEmpty();
+        return !original.hasAlike(state) && !original.hasAlike(evolved.withoutMemory(state));
     }
 }

@@ -27,6 +27,7 @@ public final class StateMachine {
     private final Set<State> states;
     private final Set<Event> events;
     private final Set<Event> spontaneous;
+    private final Set<String> guards;
     private final Map<State, List<Transition>> outgoing;
     private final Map<State, Map<Event, Transition>> byEvent;
     private final List<String> initialEffects;
@@ -49,6 +50,7 @@ public final class StateMachine {
         this.states = Collections.unmodifiableSet(new LinkedHashSet<>(states));
         this.events = Collections.unmodifiableSet(new LinkedHashSet<>(events));
         this.spontaneous = Collections.unmodifiableSet(new LinkedHashSet<>(spontaneous));
+        this.guards = guardsOf(this.events);
         this.outgoing = new LinkedHashMap<>();
         this.byEvent = new HashMap<>();
         for (Map.Entry<State, Map<Event, Transition>> row : outgoing.entrySet()) {
@@ -66,11 +68,20 @@ public final class StateMachine {
         this.states = same.states;
         this.events = same.events;
         this.spontaneous = same.spontaneous;
+        this.guards = same.guards;
         this.outgoing = same.outgoing;
         this.byEvent = same.byEvent;
         this.initialEffects = same.initialEffects;
         this.traits = same.traits;
         this.alike = same.alike;
+    }
+
+    private static Set<String> guardsOf(Set<Event> events) {
+        Set<String> guards = new LinkedHashSet<>();
+        for (Event event : events) {
+            guards.addAll(event.guards());
+        }
+        return Collections.unmodifiableSet(guards);
     }
 
     private Map<State, List<State>> findAlike() {
@@ -203,6 +214,11 @@ public final class StateMachine {
         return several != null ? several : hasState(state) ? List.of(state) : List.of();
     }
 
+    /** Whether any state differs from {@code state} at most in what the machine remembers, see {@link #alike}. */
+    public boolean hasAlike(State state) {
+        return hasState(state) || alike.containsKey(withoutMemory(state));
+    }
+
     /**
      * Where {@code state} is drawn: the path {@code Outer.Inner} of the innermost state that is active in it, of regions
      * side by side one for each. Its name where nothing else is known.
@@ -243,11 +259,7 @@ public final class StateMachine {
 
     /** The texts of all guards. */
     public Set<String> guards() {
-        Set<String> guards = new LinkedHashSet<>();
-        for (Event event : events) {
-            guards.addAll(event.guards());
-        }
-        return Collections.unmodifiableSet(guards);
+        return guards;
     }
 
     /** T, ordered by source state. */

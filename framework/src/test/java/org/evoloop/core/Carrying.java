@@ -29,7 +29,7 @@ final class Carrying {
         }
         // Also while something is in progress: then nothing must come of it.
         if (world.phase == Phase.OPEN && (!now.waiting().isEmpty() || now.followOwed())) {
-            carrying.tell(new Input.Ready(time), world.copy());
+            carrying.tell(new Input.Ready(), world.copy());
         }
         return carrying.found;
     }
@@ -46,7 +46,7 @@ final class Carrying {
                 tell(new Input.Planned(number, plan, time), world.copy());
             }
         } else if (asked instanceof Output.Send send) {
-            announce(send);
+            announce(number, send.step());
         } else if (asked instanceof Output.Run) {
             tell(new Input.EffectRun(number, "", time), done());
             if (world.may(Act.FAIL)) {
@@ -65,12 +65,11 @@ final class Carrying {
         return next;
     }
 
-    private void announce(Output.Send send) {
+    private void announce(long number, Step step) {
         World next = done();
-        Step step = send.step();
         // Unless the core does not let it be sent, see World.heard.
-        next.flight = new World.Flight(send.number(), step);
-        tell(new Input.Sending(send.number(), time), next);
+        next.flight = new World.Flight(number, step);
+        tell(new Input.Sending(number), next);
     }
 
     private void locate(long number) {

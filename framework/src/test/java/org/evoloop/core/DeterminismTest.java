@@ -34,14 +34,16 @@ class DeterminismTest {
     }
 
     private static void isToldAgain(Scene scene, List<Input> inputs) {
-        Core first = new Core(scene.rules());
-        Core second = new Core(scene.rules());
+        List<Output> said = new ArrayList<>();
+        List<Output> saidAgain = new ArrayList<>();
+        Core first = new Core(scene.rules(), said::add);
+        Core second = new Core(scene.rules(), saidAgain::add);
         Snapshot restored = second.snapshot();
         for (Input input : inputs) {
-            List<Output> said = new ArrayList<>();
-            List<Output> saidAgain = new ArrayList<>();
-            first.apply(input, said);
-            second.apply(input, saidAgain);
+            said.clear();
+            saidAgain.clear();
+            first.apply(input);
+            second.apply(input);
             Wiring.Result afterRestoring = Wiring.REAL.tell(scene.rules(), restored, input);
             restored = SnapshotText.read(scene.rules(), SnapshotText.write(afterRestoring.after()));
 

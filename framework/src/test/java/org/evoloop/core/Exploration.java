@@ -62,7 +62,7 @@ final class Exploration {
     }
 
     private Result run(int depth) {
-        Snapshot first = new Core(scene.rules()).snapshot();
+        Snapshot first = new Core(scene.rules(), output -> {}).snapshot();
         meet(new Situation(new Path(null, ""), first, new World(scene), 0));
         int deepest = 0;
         for (Situation at = frontier.poll(); at != null; at = frontier.poll()) {

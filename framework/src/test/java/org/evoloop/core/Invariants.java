@@ -44,7 +44,7 @@ final class Invariants {
 
     private String recordIsDevice() {
         boolean quiet = world.untold.isEmpty()
-                && new Core(world.scene.rules(), after).doubt().isEmpty();
+                && new Core(world.scene.rules(), after, output -> {}).doubt().isEmpty();
         return quiet && !after.at().original().equals(world.device)
                 ? "record: the device is in " + world.device + ", the record says " + after.at()
                 : "";
@@ -96,9 +96,9 @@ final class Invariants {
                 if (begun.visit() != Occurrence.ANY_VISIT && begun.visit() != visit) {
                     return "visit: " + begun + " of visit " + begun.visit() + " is begun in visit " + visit;
                 }
-            } else if (output instanceof Output.Leave leave) {
-                if (over || leave.visit() != visit) {
-                    return "visit: " + leave + " in visit " + visit + (over ? ", which is over" : "");
+            } else if (output instanceof Output.Leave) {
+                if (over) {
+                    return "visit: " + visit + " is left, which is over";
                 }
                 over = true;
             } else if (output instanceof Output.Enter enter) {
@@ -130,7 +130,7 @@ final class Invariants {
             return "sent: " + sends + " on " + input;
         }
         Work work = after.work();
-        Step step = work == null || !work.sending() ? null : work.nextStep();
+        Step step = work == null || !work.sending() ? null : Snapshots.nextStep(work);
         if (input instanceof Input.Sending
                 && step != null
                 && !step.source().equals(after.at().original())) {

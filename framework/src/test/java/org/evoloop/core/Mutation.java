@@ -58,7 +58,7 @@ enum Mutation {
         Snapshot ahead(Snapshot before, Input input) {
             Work work = before.work();
             return input instanceof Input.Located && work != null
-                    ? Snapshots.work(before, Work.begin(work.pending()).decided(new Decision.Inquiry(before.at())))
+                    ? Snapshots.work(before, asking(work.pending(), before))
                     : before;
         }
     },
@@ -66,7 +66,7 @@ enum Mutation {
         @Override
         Snapshot ahead(Snapshot before, Input input) {
             Work work = before.work();
-            Step step = work == null ? null : work.nextStep();
+            Step step = work == null ? null : Snapshots.nextStep(work);
             return input instanceof Input.Sending && step != null
                     ? Snapshots.at(before, before.at().withOriginal(step.source()))
                     : before;
@@ -189,6 +189,10 @@ enum Mutation {
 
     List<Output> unsay(Snapshot before, Input input, List<Output> said) {
         return said;
+    }
+
+    private static Work asking(Pending pending, Snapshot before) {
+        return new Work(pending, new Decision.Inquiry(before.at()), 0, 0, "", false, List.of());
     }
 
     private static boolean isFact(Input input) {

@@ -11,7 +11,8 @@ final class RandomStory {
     /** @param length how many happenings, with those that the core does not notice */
     static List<Input> of(Scene scene, Random random, int length) {
         List<Input> inputs = new ArrayList<>();
-        Core core = new Core(scene.rules());
+        List<Output> said = new ArrayList<>();
+        Core core = new Core(scene.rules(), said::add);
         World world = new World(scene);
         for (int time = 1; time <= length; time++) {
             List<Move> moves = Moves.of(core.snapshot(), world, time);
@@ -22,8 +23,8 @@ final class RandomStory {
             world = move.world();
             Input input = move.input();
             if (input != null) {
-                List<Output> said = new ArrayList<>();
-                core.apply(input, said);
+                said.clear();
+                core.apply(input);
                 world.heard(input, said, core.snapshot());
                 inputs.add(input);
             }

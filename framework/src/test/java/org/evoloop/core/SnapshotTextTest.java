@@ -6,7 +6,6 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import java.util.Random;
@@ -102,12 +101,12 @@ class SnapshotTextTest {
                 "sent 0 0|went 0 0|line 4: 'sent' was expected, not 'went'",
                 "by none|by \"Off\" \"Clean\" 0 \"Spot\"|line 6: the model 'new' has no transition Off --Clean--> Spot",
                 "waiting 0|waiting 3|line 11: 'pending' was expected, not 'doubt'",
-                "end|end, or not|line 14: 'end' was expected",
+                "end|end, or not|line 15: 'end' was expected",
                 "work none|work 0 0 sending \"\"|line 13: 'pending' was expected, not 'tally'"
             })
     void whatIsWrongIsToldWithItsLine(String right, String wrong, String message) {
-        Core core = new Core(ROBOT);
-        core.apply(new Input.Opened(0), new ArrayList<>());
+        Core core = new Core(ROBOT, output -> {});
+        core.opened(0);
         String text = SnapshotText.write(core.snapshot());
         assertThat(text).contains(right);
 
@@ -131,7 +130,7 @@ class SnapshotTextTest {
                 damaged.delete(place, Math.min(text.length(), place + 1 + random.nextInt(40)));
             }
             try {
-                new Core(ROBOT, SnapshotText.read(ROBOT, damaged.toString()));
+                new Core(ROBOT, SnapshotText.read(ROBOT, damaged.toString()), output -> {});
             } catch (SnapshotException e) {
                 noticed++;
                 assertThat(e).as("seed %d, %s", seed, damaged).hasMessageStartingWith("snapshot, line ");

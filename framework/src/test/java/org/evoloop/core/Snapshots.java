@@ -2,7 +2,9 @@ package org.evoloop.core;
 
 import java.util.List;
 import org.evoloop.evolution.Configuration;
+import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;
+import org.evoloop.evolution.Step;
 import org.jspecify.annotations.Nullable;
 
 /** Snapshots with something else in one place. */
@@ -31,6 +33,14 @@ final class Snapshots {
 
     static Snapshot tally(Snapshot of, Tally tally) {
         return made(of, of.at(), of.doubt(), of.visit(), of.waiting(), of.work(), tally);
+    }
+
+    /** The step to be sent next, or on its way; null if there is none left. */
+    static @Nullable Step nextStep(Work work) {
+        Decision decision = work.decision();
+        return decision != null && work.taken() < decision.steps().size()
+                ? decision.steps().get(work.taken())
+                : null;
     }
 
     /** What waits is all of this visit. */
@@ -68,6 +78,7 @@ final class Snapshots {
                 of.losing(),
                 of.followOwed(),
                 work,
-                tally);
+                tally,
+                of.nowNanos());
     }
 }

@@ -18,12 +18,12 @@ final class Told {
 
     Told(Scene scene) {
         rules = scene.rules();
-        core = new Core(rules);
+        core = new Core(rules, said::add);
         tell(new Input.Opened(now));
     }
 
     Told tell(Input input) {
-        core.apply(input, said);
+        core.apply(input);
         now++;
         return this;
     }
@@ -51,7 +51,7 @@ final class Told {
 
     /** The next occurrence is begun. */
     Told ready() {
-        return tell(new Input.Ready(now));
+        return tell(new Input.Ready());
     }
 
     /** What is in progress is decided by where things are now. */
@@ -62,7 +62,7 @@ final class Told {
     }
 
     Told sending() {
-        return tell(new Input.Sending(number(), now));
+        return tell(new Input.Sending(number()));
     }
 
     /** The next occurrence is begun and planned, and its first step is on its way. */

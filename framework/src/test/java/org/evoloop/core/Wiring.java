@@ -11,9 +11,9 @@ interface Wiring {
 
     /** The core as it is. */
     Wiring REAL = (rules, before, input) -> {
-        Core core = new Core(rules, before);
         List<Output> said = new ArrayList<>();
-        core.apply(input, said);
+        Core core = new Core(rules, before, said::add);
+        core.apply(input);
         return new Result(said, core.snapshot());
     };
 

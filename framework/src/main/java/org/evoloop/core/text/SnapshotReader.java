@@ -46,9 +46,11 @@ final class SnapshotReader {
         Doubt doubt = doubt();
         Work work = work();
         Tally tally = tally();
+        lines.next("now");
+        long nowNanos = ended(lines.number());
         lines.next("end");
         lines.endsAll();
-        return new Snapshot(open, at, doubt, steps, lastStepNanos, visit, waiting, losing, owed, work, tally);
+        return new Snapshot(open, at, doubt, steps, lastStepNanos, visit, waiting, losing, owed, work, tally, nowNanos);
     }
 
     private void version() {

@@ -34,6 +34,7 @@ final class SnapshotWriter {
         doubt(snapshot.doubt());
         work(snapshot.work());
         tally(snapshot.tally());
+        line("now", snapshot.nowNanos());
         line("end");
         return text.toString();
     }

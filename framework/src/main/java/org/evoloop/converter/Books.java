@@ -1,0 +1,32 @@
+package org.evoloop.converter;
+
+import org.evoloop.core.Outcome;
+import org.evoloop.evolution.Configuration;
+import org.evoloop.evolution.Decision;
+import org.evoloop.evolution.Occurrence;
+import org.evoloop.time.Clock;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The books that are kept of what a converter does, and those who are told.
+ *
+ * <p>Threading: thread-safe, as each of them is.
+ */
+record Books(Transcript transcript, FailureLog failures, History history, LatencyWindow latency, Listeners listeners) {
+
+    Books(Clock clock, Listeners listeners) {
+        this(new Transcript(), new FailureLog(), new History(clock), new LatencyWindow(), listeners);
+    }
+
+    /** An occurrence has come to its end. */
+    void record(
+            Occurrence occurrence,
+            Configuration before,
+            Configuration after,
+            Outcome outcome,
+            @Nullable Decision decision,
+            String detail) {
+        history.record(occurrence, before, after, outcome, decision, detail);
+        listeners.ended(history);
+    }
+}

@@ -1,0 +1,145 @@
+package org.evoloop.converter;
+
+import java.util.Locale;
+import org.evoloop.core.Outcome;
+import org.evoloop.core.Output;
+import org.evoloop.core.Outputs;
+import org.evoloop.core.Pending;
+import org.evoloop.evolution.Configuration;
+import org.evoloop.evolution.Decision;
+import org.evoloop.evolution.Occurrence;
+import org.evoloop.evolution.Step;
+import org.evoloop.loop.Intake.Admission;
+import org.evoloop.statemachine.Event;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What the core has said: directives wait on the agenda until somebody carries them out, notices go into the books.
+ *
+ * <p>Threading: guarded by the lock of its {@link CoreDriver}; where the system stands may be read without.
+ */
+final class CoreOutputs implements Outputs {
+    Agenda agenda = new Agenda();
+
+    /** What had its turn last; null if nothing had. */
+    @Nullable
+    Pending begun;
+
+    /** What became of what was offered last. */
+    Admission admission = Admission.TAKEN;
+
+    private final EventNames names;
+    private final Books books;
+    private volatile Configuration at;
+
+    /** What came last, if neither model knows it. */
+    private @Nullable Event unknown;
+
+    CoreOutputs(Configuration at, EventNames names, Books books) {
+        this.at = at;
+        this.names = names;
+        this.books = books;
+    }
+
+    /** Where device and evolved system are. */
+    Configuration at() {
+        return at;
+    }
+
+    @Override
+    public void say(Output output) {
+        if (output instanceof Output.Directive directive) {
+            agenda.add(directive);
+        }
+    }
+
+    @Override
+    public void begin(Pending pending) {
+        begun = pending;
+        books.transcript().observed(pending.occurrence());
+    }
+
+    @Override
+    public void send(Step step) {
+        agenda.add(new Output.Send(step));
+        books.transcript().step(step);
+    }
+
+    @Override
+    public void queued(Occurrence occurrence) {
+        admission = Admission.TAKEN;
+    }
+
+    @Override
+    public void dropped(Occurrence occurrence, boolean first) {
+        admission = first ? Admission.FIRST_DROPPED : Admission.DROPPED;
+        books.record(occurrence, at, at, Outcome.DROPPED, null, "the queue was full");
+    }
+
+    @Override
+    public void refused(Occurrence occurrence) {
+        admission = Admission.REFUSED;
+    }
+
+    @Override
+    public void decided(Pending pending, Decision decision, long waitedNanos) {
+        books.transcript().decided(decision);
+        books.latency().record(waitedNanos);
+    }
+
+    @Override
+    public void overtaken(Occurrence occurrence, String why) {
+        books.transcript().ended(occurrence, at);
+    }
+
+    @Override
+    public void took(Step step) {
+        books.transcript().command(step.trigger());
+    }
+
+    @Override
+    public void moved(Configuration before, Configuration after) {
+        at = after;
+        books.listeners().moved(before, after);
+    }
+
+    @Override
+    public void doubted(String why) {
+        if (!why.isEmpty()) {
+            books.failures().warn("the state of the device is in doubt: " + why);
+        }
+        books.listeners().doubted(why);
+    }
+
+    @Override
+    public void ended(
+            Occurrence occurrence,
+            Configuration before,
+            Configuration after,
+            Outcome outcome,
+            @Nullable Decision decision,
+            String detail) {
+        if (decision instanceof Decision.Impossible impossible) {
+            books.failures().warn(occurrence + " in " + before + ": " + impossible.reason());
+        }
+        if (occurrence instanceof Occurrence.Heard heard) {
+            warnOfUnknown(heard, outcome);
+        } else if (occurrence instanceof Occurrence.Found && outcome == Outcome.FAILED) {
+            books.failures().warn(detail);
+        }
+        books.transcript().ended(occurrence, after);
+        books.record(occurrence, before, after, outcome, decision, detail);
+    }
+
+    /** An event that neither model knows is told once a burst: until another one comes. */
+    private void warnOfUnknown(Occurrence.Heard heard, Outcome outcome) {
+        if (outcome == Outcome.HANDLED || names.knows(heard.event())) {
+            unknown = null;
+        } else if (!heard.event().equals(unknown)) {
+            unknown = heard.event();
+            books.failures()
+                    .warn(names.unknown(heard.event()) + " ("
+                            + heard.source().name().toLowerCase(Locale.ROOT) + ")");
+        }
+    }
+}

@@ -1,0 +1,147 @@
+package org.evoloop.core;
+
+import java.util.List;
+import java.util.Objects;
+import org.evoloop.evolution.Decision;
+import org.evoloop.evolution.Occurrence;
+import org.evoloop.evolution.Step;
+import org.jspecify.annotations.Nullable;
+
+/** How far the occurrence in progress has come. One object serves all of them: a new one would be garbage in every event. */
+final class Progress {
+    private @Nullable Pending pending;
+    private @Nullable Decision decision;
+    private int taken;
+    private int effectsRun;
+    private String failedEffects = "";
+    private boolean sending;
+    private List<Occurrence> meanwhile = List.of();
+
+    Progress(@Nullable Work work) {
+        if (work != null) {
+            pending = work.pending();
+            decision = work.decision();
+            taken = work.taken();
+            effectsRun = work.effectsRun();
+            failedEffects = work.failedEffects();
+            sending = work.sending();
+            meanwhile = work.meanwhile();
+        }
+    }
+
+    /** The same as a value; null if nothing is in progress. */
+    @Nullable
+    Work work() {
+        return pending == null
+                ? null
+                : new Work(pending, decision, taken, effectsRun, failedEffects, sending, meanwhile);
+    }
+
+    /** Whether nothing is in progress. */
+    boolean isIdle() {
+        return pending == null;
+    }
+
+    /** Whether the occurrence of this number is in progress, and was not given up. */
+    boolean isOf(long number) {
+        return pending != null && pending.number() == number;
+    }
+
+    /** The occurrence in progress; there must be one. */
+    Pending pending() {
+        return Objects.requireNonNull(pending);
+    }
+
+    /** What it means; null while it is being analyzed and planned. */
+    @Nullable
+    Decision decision() {
+        return decision;
+    }
+
+    /** What went wrong with its effects; empty if nothing did. */
+    String failedEffects() {
+        return failedEffects;
+    }
+
+    /** What the device did by itself while the step was on its way, or while it was asked where it is. */
+    List<Occurrence> meanwhile() {
+        return meanwhile;
+    }
+
+    boolean isSending() {
+        return sending;
+    }
+
+    /** Whether the order of what is on its way and of what the device does by itself is open. */
+    boolean mayOverlap() {
+        return sending || decision instanceof Decision.Inquiry;
+    }
+
+    /** The step to be sent next, or on its way; null if there is none left. */
+    @Nullable
+    Step step() {
+        return decision != null && taken < decision.steps().size()
+                ? decision.steps().get(taken)
+                : null;
+    }
+
+    /** The effect to be run next; null if there is none left. */
+    @Nullable
+    String effect() {
+        return decision != null && effectsRun < decision.effects().size()
+                ? decision.effects().get(effectsRun)
+                : null;
+    }
+
+    void begin(Pending next) {
+        end();
+        pending = next;
+    }
+
+    /** Nothing is in progress any more. */
+    void end() {
+        pending = null;
+        decision = null;
+        taken = 0;
+        effectsRun = 0;
+        failedEffects = "";
+        sends(false);
+    }
+
+    void decide(Decision what) {
+        begin(pending());
+        decision = what;
+        taken = !what.steps().isEmpty() && what.steps().get(0).byDevice() ? 1 : 0;
+    }
+
+    /** The next step is on its way from now on, or no step is. */
+    private void sends(boolean onItsWay) {
+        sending = onItsWay;
+        meanwhile = List.of();
+    }
+
+    void send() {
+        sends(true);
+    }
+
+    void took() {
+        taken++;
+        sends(false);
+    }
+
+    void ran(String failure) {
+        effectsRun++;
+        failedEffects += failedEffects.isEmpty() || failure.isEmpty() ? failure : "; " + failure;
+    }
+
+    /** The device did this by itself while a step was on its way, or while it was asked. */
+    void acted(Occurrence fact) {
+        meanwhile = Overlap.add(meanwhile, fact);
+    }
+
+    /** The device is asked once more. */
+    void askAgain() {
+        pending = pending().again();
+        meanwhile = List.of();
+    }
+}
