@@ -14,6 +14,7 @@ final class Roster<O, A, P> {
     private final LoopConfig config;
     private final Dispatch<P> dispatch;
     private final Sequencer<O> sequencer;
+    private final Crew crew;
     private final List<MonitorWorker<O>> monitors = new CopyOnWriteArrayList<>();
     private final List<StageWorker<P>> executes = new CopyOnWriteArrayList<>();
     private volatile List<Execute<P>> executeOrder = List.of();
@@ -24,6 +25,7 @@ final class Roster<O, A, P> {
         this.config = config;
         this.dispatch = dispatch;
         this.sequencer = sequencer;
+        this.crew = new Crew(config);
     }
 
     /**
@@ -66,7 +68,7 @@ final class Roster<O, A, P> {
     }
 
     private <I> StageWorker<I> stage(Component component, StageWorker.Work<I> work) {
-        return new StageWorker<>(component, config, sequencer, work);
+        return new StageWorker<>(component, crew, sequencer, work);
     }
 
     private void dispatch(long cycle, @Nullable P planned, @Nullable Execute<P> last) {
@@ -99,7 +101,35 @@ final class Roster<O, A, P> {
         }
     }
 
-    /** Takes a component out; its thread is told to end. Returns its position among those of its role. */
+    /** Starts every thread. */
+    void start() {
+        crew.start();
+        workers().forEach(Worker::start);
+    }
+
+    /** Tells every thread to end. */
+    void retire() {
+        workers().forEach(Worker::retire);
+        crew.retire();
+    }
+
+    /** Those that {@link #retire} has told to end. */
+    List<LoopThread> threads() {
+        List<LoopThread> all = new ArrayList<>();
+        for (Worker worker : workers()) {
+            addIfPresent(all, worker.threadToEnd());
+        }
+        addIfPresent(all, crew.shared());
+        return all;
+    }
+
+    private static <T> void addIfPresent(List<? super T> list, @Nullable T element) {
+        if (element != null) {
+            list.add(element);
+        }
+    }
+
+    /** Takes a component out; a thread of its own is told to end. Returns its position among those of its role. */
     int drop(Worker worker) {
         worker.retire();
         int position = 0;
@@ -152,11 +182,8 @@ final class Roster<O, A, P> {
     /** Every worker, in the order of the loop. */
     List<Worker> workers() {
         List<Worker> all = new ArrayList<>(monitors);
-        for (Worker stage : new Worker[] {analyze, plan}) {
-            if (stage != null) {
-                all.add(stage);
-            }
-        }
+        addIfPresent(all, analyze);
+        addIfPresent(all, plan);
         all.addAll(executes);
         return all;
     }
