@@ -31,11 +31,17 @@ final class CarrierThread extends LoopThread {
 
     /** Wakes the thread if it sleeps. */
     void wake() {
-        // The slot was filled before the flag is read; with the same order in sleep(), one of the two sees the other.
-        VarHandle.fullFence();
-        if (asleep) {
+        if (hasToBeWoken()) {
             unpark();
         }
+    }
+
+    /** Whether the thread might not see by itself what was put into its slot. */
+    boolean hasToBeWoken() {
+        // The slot was filled before the flag is read; with the same order in maySleep(), one of the two sees the
+        // other.
+        VarHandle.fullFence();
+        return asleep;
     }
 
     @Override
@@ -66,9 +72,14 @@ final class CarrierThread extends LoopThread {
         return slot.get() == null && !isRetired();
     }
 
-    private void sleep() throws InterruptedException {
+    /** Says that the thread is about to sleep; whether there is still nothing to do. */
+    boolean maySleep() {
         asleep = true;
-        if (isIdle()) {
+        return isIdle();
+    }
+
+    private void sleep() throws InterruptedException {
+        if (maySleep()) {
             LockSupport.park(this);
         }
         asleep = false;
@@ -77,7 +88,8 @@ final class CarrierThread extends LoopThread {
         }
     }
 
-    private void runGiven() {
+    /** Runs what is in the slot, if anything is. */
+    void runGiven() {
         StageWorker<?> stage = slot.get();
         if (stage != null) {
             slot.setRelease(null);

@@ -20,7 +20,8 @@ import org.evoloop.time.Clock;
  *     to {@link Clock#LONGEST}, in the clock's time
  * @param joinLimit how long to wait for a thread that was told to stop, 1 ms to 1 min, in real time
  * @param waiting how a thread waits for its turn
- * @param threading which threads call the components
+ * @param threading which threads call the components: {@link ThreadingModel#SINGLE_CARRIER} unless told otherwise, which is
+ *     the quickest where processors are few
  */
 public record LoopConfig(
         String name,
