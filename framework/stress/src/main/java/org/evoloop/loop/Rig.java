@@ -2,6 +2,7 @@ package org.evoloop.loop;
 
 import java.util.Objects;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.BooleanSupplier;
 import org.evoloop.time.ManualClock;
 import org.jspecify.annotations.Nullable;
 
@@ -12,8 +13,10 @@ final class Rig implements LoopListener<Object> {
     /** Far longer than anything here takes, so that what never happens is told from what is late. */
     private static final long PATIENCE_NANOS = 5_000_000_000L;
 
-    /** Whether what was waited for has once not come: then the others are not waited for as long. */
-    private static volatile boolean impatient;
+    private static final long LITTLE_PATIENCE_NANOS = 20_000_000;
+
+    /** Little, once something has not come: then the others are not waited for as long. */
+    private static volatile long patienceNanos = PATIENCE_NANOS;
 
     final LoopLock lock = new LoopLock();
     final Crew crew;
@@ -76,13 +79,17 @@ final class Rig implements LoopListener<Object> {
         return Objects.requireNonNull(crew.shared(), "a loop without a carrier");
     }
 
-    /** Waits for so many cycles to come to their end, but not for ever. */
-    void awaitEnds(int wanted) {
+    /** Waits for something, but not for ever; returns whether it has come. */
+    static boolean await(BooleanSupplier event) {
         long begun = System.nanoTime();
-        while (intake.ends.get() < wanted && !impatient) {
-            Thread.onSpinWait();
-            impatient = System.nanoTime() - begun > PATIENCE_NANOS;
+        while (!event.getAsBoolean()) {
+            if (System.nanoTime() - begun > patienceNanos) {
+                patienceNanos = LITTLE_PATIENCE_NANOS;
+                return false;
+            }
+            LoopThread.giveWay();
         }
+        return true;
     }
 
     @Override
