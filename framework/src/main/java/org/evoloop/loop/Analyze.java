@@ -5,7 +5,7 @@ import org.jspecify.annotations.Nullable;
 /**
  * Superclass of the one component that finds out what an occurrence means.
  *
- * <p>Threading: {@link #analyze} is called on the component's own thread, once an occurrence, never while an earlier
+ * <p>Threading: {@link #analyze} is called as {@link Component} says, once an occurrence, never while an earlier
  * occurrence is still being planned or executed.
  *
  * @param <O> an occurrence

@@ -3,9 +3,10 @@ package org.evoloop.loop;
 import java.util.Objects;
 
 /**
- * What a loop is made of. Each component that is part of a loop has a thread of its own, from the moment it becomes part
- * until it leaves or the loop ends; its methods are called on that thread only, so a component needs no locks for what
- * it keeps to itself.
+ * What a loop is made of. The methods of a component are called by one thread at a time, and what it did for one call it
+ * sees in the next, so a component needs no locks for what it keeps to itself. Which thread that is says the loop's {@link
+ * ThreadingModel}; with {@link ThreadingModel#SINGLE_CARRIER} it may be another one after some component was given up, so
+ * nothing should be kept by thread.
  *
  * <p>A component may be part of one loop at a time.
  */

@@ -7,15 +7,16 @@ package org.evoloop.loop;
  *
  * @param name the component's name
  * @param role its place in the loop
- * @param thread the name of its thread, empty in a loop without threads
- * @param activity what the thread does now: waiting, working, stuck or ended
+ * @param thread the name of the thread that calls it, which it may share with others, or in which it is stuck; empty in a
+ *     loop without threads
+ * @param activity what it does now: waiting, working, stuck or ended
  * @param failures how often it has failed
  * @param lastFailure the message of the last failure, empty if there was none
  */
 public record ComponentStatus(
         String name, Component.Role role, String thread, Activity activity, long failures, String lastFailure) {
 
-    /** What a component's thread does. */
+    /** What a component does. */
     public enum Activity {
         /** It waits for work; of a monitor, for something to occur. */
         WAITING,
@@ -23,7 +24,7 @@ public record ComponentStatus(
         WORKING,
         /** It was told to stop and has not; exchange it. */
         STUCK,
-        /** It has no thread, or none any more. */
+        /** No thread calls it, or none any more. */
         ENDED
     }
 }

@@ -4,7 +4,7 @@ package org.evoloop.loop;
  * Superclass of the components that act. A loop may have several; its {@link Dispatch} says which of them takes a plan,
  * and in what order.
  *
- * <p>Threading: {@link #execute} is called on the component's own thread. It may wait, for instance until the device is
+ * <p>Threading: {@link #execute} is called as {@link Component} says. It may wait, for instance until the device is
  * ready: occurrences queue up meanwhile. One that waits longer than the loop's step limit is interrupted.
  *
  * @param <P> a plan

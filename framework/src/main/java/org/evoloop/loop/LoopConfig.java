@@ -19,8 +19,9 @@ import org.evoloop.time.Clock;
  * @param stepLimit how long an analyze, plan or execute component may work on one occurrence before it is interrupted, 1 ms
  *     to {@link Clock#LONGEST}, in the clock's time
  * @param joinLimit how long to wait for a thread that was told to stop, 1 ms to 1 min, in real time
- * @param waiting how a component's thread waits for its turn
- * @param threads false for a loop without threads, which is driven by {@link MapeLoop#observe} and {@link MapeLoop#step}
+ * @param waiting how a thread waits for its turn
+ * @param threading which threads call the components: {@link ThreadingModel#SINGLE_CARRIER} unless told otherwise, which is
+ *     the quickest where processors are few
  */
 public record LoopConfig(
         String name,
@@ -29,7 +30,7 @@ public record LoopConfig(
         Duration stepLimit,
         Duration joinLimit,
         WaitStrategy waiting,
-        boolean threads) {
+        ThreadingModel threading) {
 
     /** @throws NullPointerException if anything is null; the message says what */
     public LoopConfig {
@@ -38,37 +39,54 @@ public record LoopConfig(
         requireNonNull(stepLimit, "stepLimit is null");
         requireNonNull(joinLimit, "joinLimit is null");
         requireNonNull(waiting, "waiting is null");
+        requireNonNull(threading, "threading is null");
     }
 
-    /** 8 waiting occurrences, 30 s a step, 2 s to stop, with threads. */
+    /** 8 waiting occurrences, 30 s a step, 2 s to stop, one carrier for all components. */
     public static LoopConfig defaults(String name, Clock clock) {
         return new LoopConfig(
-                name, clock, 8, Duration.ofSeconds(30), Duration.ofSeconds(2), WaitStrategy.YIELD_THEN_PARK, true);
+                name,
+                clock,
+                8,
+                Duration.ofSeconds(30),
+                Duration.ofSeconds(2),
+                WaitStrategy.YIELD_THEN_PARK,
+                ThreadingModel.SINGLE_CARRIER);
     }
 
     /** The same with room for {@code capacity} waiting occurrences. */
     public LoopConfig withQueueCapacity(int capacity) {
-        return new LoopConfig(name, clock, capacity, stepLimit, joinLimit, waiting, threads);
+        return new LoopConfig(name, clock, capacity, stepLimit, joinLimit, waiting, threading);
     }
 
     /** The same with another limit for one step, in the clock's time. */
     public LoopConfig withStepLimit(Duration limit) {
-        return new LoopConfig(name, clock, queueCapacity, limit, joinLimit, waiting, threads);
+        return new LoopConfig(name, clock, queueCapacity, limit, joinLimit, waiting, threading);
     }
 
     /** The same with another limit for threads that were told to stop, in real time. */
     public LoopConfig withJoinLimit(Duration limit) {
-        return new LoopConfig(name, clock, queueCapacity, stepLimit, limit, waiting, threads);
+        return new LoopConfig(name, clock, queueCapacity, stepLimit, limit, waiting, threading);
     }
 
     /** The same with another way to wait for one's turn. */
     public LoopConfig withWaiting(WaitStrategy strategy) {
-        return new LoopConfig(name, clock, queueCapacity, stepLimit, joinLimit, strategy, threads);
+        return new LoopConfig(name, clock, queueCapacity, stepLimit, joinLimit, strategy, threading);
     }
 
-    /** The same without threads. */
+    /** The same with other threads that call the components. */
+    public LoopConfig withThreading(ThreadingModel model) {
+        return new LoopConfig(name, clock, queueCapacity, stepLimit, joinLimit, waiting, model);
+    }
+
+    /** The same without threads: whoever calls {@link MapeLoop#observe} and {@link MapeLoop#step} drives it. */
     public LoopConfig withoutThreads() {
-        return new LoopConfig(name, clock, queueCapacity, stepLimit, joinLimit, waiting, false);
+        return withThreading(ThreadingModel.CALLER);
+    }
+
+    /** Whether the loop has threads. */
+    public boolean threads() {
+        return threading != ThreadingModel.CALLER;
     }
 
     /** Every option that is out of range, with its value and what is allowed. */

@@ -18,7 +18,7 @@ package org.evoloop.loop;
 public enum LoopState {
     /** Being put together; there are no threads yet. */
     NEW,
-    /** Every component has its thread, but the loop is closed: what occurs is refused. */
+    /** The threads run, but the loop is closed: what occurs is refused. */
     STOPPED,
     /** The loop is open. */
     RUNNING,

@@ -3,15 +3,16 @@ package org.evoloop.loop;
 import static java.util.Objects.requireNonNull;
 
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
  * A MAPE-K loop of one or more monitors, one analyze, one plan and one or more execute components.
  *
- * <p>Lifecycle: see {@link LoopState}. Every component's thread lives from {@link #build} (or from when the component was
- * added later) until the component is removed or the loop {@link #close closed}; {@link #start} and {@link #stop} open and
- * close the loop as often as one likes.
+ * <p>Lifecycle: see {@link LoopState}. The threads ({@link ThreadingModel}) live from {@link #build} until the loop is {@link
+ * #close closed}, that of a component alone from when it is added until it is removed; {@link #start} and {@link #stop} open
+ * and close the loop as often as one likes.
  *
  * <p>An occurrence that a monitor tells waits in a bounded queue. One occurrence at a time goes through analyze, plan and
  * execute; the next one is taken when the last execute component has returned. Components may be added, removed and
@@ -30,6 +31,7 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
 
     private final LoopConfig config;
     private final Sequencer<O> sequencer;
+    private final Gate<O> gate;
     private final Roster<O, A, P> roster;
     private final Object admin = new Object();
 
@@ -52,7 +54,9 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
             throw new IllegalArgumentException(String.join("; ", config.problems()));
         }
         this.config = config;
-        this.sequencer = new Sequencer<>(config, listener, intake);
+        LoopLock lock = new LoopLock();
+        this.sequencer = new Sequencer<>(config, listener, intake, lock);
+        this.gate = new Gate<>(config, sequencer, lock);
         this.roster = new Roster<>(config, dispatch, sequencer);
     }
 
@@ -80,7 +84,7 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
         synchronized (admin) {
             requireUsable();
             requireUnknown(added);
-            sequencer.quietly(() -> enlist(added, Integer.MAX_VALUE));
+            gate.quietly(() -> enlist(added, Integer.MAX_VALUE));
         }
     }
 
@@ -108,7 +112,7 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
         }
     }
 
-    /** Whether the caller is the thread of one of the components. */
+    /** Whether the caller is a thread that calls one of the components. */
     public boolean ownsCurrentThread() {
         for (Worker worker : roster.workers()) {
             if (worker.ownsCurrentThread()) {
@@ -119,7 +123,7 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
     }
 
     /**
-     * Removes a component; its thread ends.
+     * Removes a component; a thread of its own ends.
      *
      * @throws IllegalArgumentException if there is none of that name
      * @throws IllegalStateException if the loop needs it: only monitors may all go
@@ -132,8 +136,8 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
                 throw new IllegalStateException(name + " is the only component of the role "
                         + worker.component().role() + "; exchange it instead");
             }
-            sequencer.quietly(() -> roster.drop(worker));
-            awaitEnd(worker);
+            gate.quietly(() -> roster.drop(worker));
+            awaitEnd(worker.threadToEnd());
         }
     }
 
@@ -153,11 +157,11 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
             requireUsable();
             requireExchangeable(name, next);
             Worker worker = roster.require(name);
-            sequencer.quietly(() -> {
+            gate.quietly(() -> {
                 enlist(next, roster.drop(worker));
                 meanwhile.run();
             });
-            awaitEnd(worker);
+            awaitEnd(worker.threadToEnd());
         }
     }
 
@@ -174,7 +178,7 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
     }
 
     /**
-     * Gives every component its thread.
+     * Starts the threads.
      *
      * @throws IllegalStateException if a component is missing or this was done before; the message names all problems
      */
@@ -196,8 +200,8 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
             if (!problems.isEmpty()) {
                 throw new IllegalStateException("loop " + config.name() + ": " + String.join("; ", problems));
             }
-            sequencer.become(first);
-            roster.workers().forEach(Worker::start);
+            gate.become(first);
+            roster.start();
         }
     }
 
@@ -217,7 +221,7 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
                 throw new IllegalStateException("the loop " + config.name() + " is not built yet");
             }
             if (sequencer.state() != LoopState.RUNNING) {
-                sequencer.open(beginning);
+                gate.open(beginning);
             }
         }
     }
@@ -230,8 +234,8 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
         synchronized (admin) {
             if (sequencer.state() == LoopState.RUNNING) {
                 requireUsable();
-                sequencer.become(LoopState.STOPPED);
-                sequencer.quietly(() -> {});
+                gate.become(LoopState.STOPPED);
+                gate.quietly(() -> {});
             }
         }
     }
@@ -253,18 +257,18 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
     private void end() {
         synchronized (admin) {
             if (sequencer.state() != LoopState.EXITED) {
-                sequencer.become(LoopState.EXITED);
-                sequencer.quietly(() -> roster.workers().forEach(Worker::retire));
-                roster.workers().forEach(this::awaitEnd);
+                gate.become(LoopState.EXITED);
+                gate.quietly(roster::retire);
+                roster.threads().forEach(this::awaitEnd);
             }
         }
     }
 
-    private void awaitEnd(Worker worker) {
-        if (!worker.join(config.joinLimit())) {
+    private void awaitEnd(@Nullable LoopThread thread) {
+        if (thread != null && !thread.join(config.joinLimit())) {
             LOG.warn(
                     "thread {} did not end within {} ms; its component ignores interrupts",
-                    worker.threadName(),
+                    thread.name(),
                     config.joinLimit().toMillis());
         }
     }

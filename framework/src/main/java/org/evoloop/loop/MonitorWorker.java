@@ -3,6 +3,7 @@ package org.evoloop.loop;
 import java.time.Duration;
 import java.util.concurrent.locks.LockSupport;
 import org.evoloop.time.Clock;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The thread of a monitor.
@@ -22,20 +23,32 @@ final class MonitorWorker<O> extends Worker {
     private final Monitor<O> monitor;
     private final Sequencer<O> sequencer;
     private final Clock clock;
+    private final @Nullable LoopThread thread;
     private long pauseMillis = FIRST_PAUSE_MILLIS;
 
     /** How often in a row it has returned null at once. */
     private long idle;
 
     MonitorWorker(Monitor<O> monitor, LoopConfig config, Sequencer<O> sequencer) {
-        super(monitor, config);
+        super(monitor);
         this.monitor = monitor;
         this.sequencer = sequencer;
         this.clock = config.clock();
+        this.thread = config.threads() ? new MonitorThread(Crew.threadName(config, monitor)) : null;
     }
 
-    @Override
-    void work() throws InterruptedException {
+    private final class MonitorThread extends LoopThread {
+        MonitorThread(String name) {
+            super(name);
+        }
+
+        @Override
+        void round() throws InterruptedException {
+            work();
+        }
+    }
+
+    private void work() throws InterruptedException {
         if (!observe()) {
             clock.sleep(Duration.ofMillis(pauseMillis));
             pauseMillis = Math.min(2 * pauseMillis, LONGEST_PAUSE_MILLIS);
@@ -53,7 +66,7 @@ final class MonitorWorker<O> extends Worker {
                 idle = 0;
                 if (!sequencer.offer(occurrence)) {
                     // It tells more than there is room for; at least it shall not starve the others.
-                    giveWay();
+                    LoopThread.giveWay();
                 }
             }
             pauseMillis = FIRST_PAUSE_MILLIS;
@@ -72,8 +85,8 @@ final class MonitorWorker<O> extends Worker {
      */
     private void rest(long waitedNanos) {
         idle = waitedNanos < WAITS_NANOS ? idle + 1 : 0;
-        if (idle <= PATIENCE || !hasThread()) {
-            giveWay();
+        if (idle <= PATIENCE || thread == null) {
+            LoopThread.giveWay();
             return;
         }
         if (idle == PATIENCE + 1) {
@@ -89,7 +102,24 @@ final class MonitorWorker<O> extends Worker {
     }
 
     @Override
+    @Nullable
+    LoopThread thread() {
+        return thread;
+    }
+
+    @Override
+    @Nullable
+    LoopThread threadToEnd() {
+        return thread;
+    }
+
+    @Override
     boolean isWorking() {
+        return false;
+    }
+
+    @Override
+    boolean isStuck() {
         return false;
     }
 }

@@ -5,7 +5,7 @@ import org.jspecify.annotations.Nullable;
 /**
  * Superclass of the one component that decides what to do.
  *
- * <p>Threading: {@link #plan} is called on the component's own thread, once an occurrence.
+ * <p>Threading: {@link #plan} is called as {@link Component} says, once an occurrence.
  *
  * @param <A> an analysis
  * @param <P> a plan, what {@link Execute} takes

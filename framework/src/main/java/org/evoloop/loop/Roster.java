@@ -6,24 +6,25 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Who is part of a loop, and how the result of one component reaches the next.
+ * Who is part of a loop.
  *
  * <p>Threading: read from any thread; changed only between two occurrences, by one thread at a time.
  */
 final class Roster<O, A, P> {
     private final LoopConfig config;
-    private final Dispatch<P> dispatch;
+    private final Passage<O, A, P> passage;
     private final Sequencer<O> sequencer;
+    private final Crew crew;
     private final List<MonitorWorker<O>> monitors = new CopyOnWriteArrayList<>();
     private final List<StageWorker<P>> executes = new CopyOnWriteArrayList<>();
-    private volatile List<Execute<P>> executeOrder = List.of();
     private volatile @Nullable StageWorker<O> analyze;
     private volatile @Nullable StageWorker<A> plan;
 
     Roster(LoopConfig config, Dispatch<P> dispatch, Sequencer<O> sequencer) {
         this.config = config;
-        this.dispatch = dispatch;
+        this.passage = new Passage<>(dispatch, sequencer);
         this.sequencer = sequencer;
+        this.crew = new Crew(config);
     }
 
     /**
@@ -38,56 +39,24 @@ final class Roster<O, A, P> {
             monitors.add(Math.min(position, monitors.size()), worker);
             return worker;
         }
+        Worker worker;
         if (component instanceof Analyze) {
             requireNone(analyze);
-            Analyze<O, A> analyzing = (Analyze<O, A>) component;
-            StageWorker<O> worker = stage(
-                    component, (cycle, occurrence) -> sequencer.passOn(cycle, analyzing.analyze(occurrence), plan));
-            analyze = worker;
-            sequencer.setAnalyze(worker);
-            return worker;
-        }
-        if (component instanceof Plan) {
+            worker = analyze = stage(component, passage.through((Analyze<O, A>) component));
+        } else if (component instanceof Plan) {
             requireNone(plan);
-            Plan<A, P> planning = (Plan<A, P>) component;
-            StageWorker<A> worker =
-                    stage(component, (cycle, analysis) -> dispatch(cycle, planning.plan(analysis), null));
-            plan = worker;
-            return worker;
+            worker = plan = stage(component, passage.through((Plan<A, P>) component));
+        } else {
+            StageWorker<P> execute = stage(component, passage.through((Execute<P>) component));
+            executes.add(Math.min(position, executes.size()), execute);
+            worker = execute;
         }
-        Execute<P> executing = (Execute<P>) component;
-        StageWorker<P> worker = stage(component, (cycle, planned) -> {
-            executing.execute(planned);
-            dispatch(cycle, planned, executing);
-        });
-        executes.add(Math.min(position, executes.size()), worker);
-        orderExecutes();
+        passage.lead(analyze, plan, executes);
         return worker;
     }
 
     private <I> StageWorker<I> stage(Component component, StageWorker.Work<I> work) {
-        return new StageWorker<>(component, config, sequencer, work);
-    }
-
-    private void dispatch(long cycle, @Nullable P planned, @Nullable Execute<P> last) {
-        Execute<P> next = planned == null ? null : dispatch.next(planned, executeOrder, last);
-        StageWorker<P> worker = null;
-        // By index: an iterator would be garbage in every cycle.
-        for (int index = 0; index < executes.size(); index++) {
-            if (executes.get(index).component() == next) {
-                worker = executes.get(index);
-            }
-        }
-        sequencer.passOn(cycle, planned, worker);
-    }
-
-    @SuppressWarnings("unchecked") // nothing else is enlisted there
-    private void orderExecutes() {
-        List<Execute<P>> order = new ArrayList<>();
-        for (StageWorker<P> worker : executes) {
-            order.add((Execute<P>) worker.component());
-        }
-        executeOrder = List.copyOf(order);
+        return new StageWorker<>(component, crew, sequencer, work);
     }
 
     private static void requireNone(@Nullable Worker present) {
@@ -99,23 +68,50 @@ final class Roster<O, A, P> {
         }
     }
 
-    /** Takes a component out; its thread is told to end. Returns its position among those of its role. */
+    /** Starts every thread. */
+    void start() {
+        crew.start();
+        workers().forEach(Worker::start);
+    }
+
+    /** Tells every thread to end. */
+    void retire() {
+        workers().forEach(Worker::retire);
+        crew.retire();
+    }
+
+    /** Those that {@link #retire} has told to end. */
+    List<LoopThread> threads() {
+        List<LoopThread> all = new ArrayList<>();
+        for (Worker worker : workers()) {
+            addIfPresent(all, worker.threadToEnd());
+        }
+        addIfPresent(all, crew.shared());
+        return all;
+    }
+
+    private static <T> void addIfPresent(List<? super T> list, @Nullable T element) {
+        if (element != null) {
+            list.add(element);
+        }
+    }
+
+    /** Takes a component out; a thread of its own is told to end. Returns its position among those of its role. */
     int drop(Worker worker) {
         worker.retire();
         int position = 0;
-        if (worker == analyze) {
-            analyze = null;
-            sequencer.setAnalyze(null);
-        } else if (worker == plan) {
-            plan = null;
-        } else if (worker instanceof MonitorWorker) {
+        if (worker instanceof MonitorWorker) {
             position = monitors.indexOf(worker);
             monitors.remove(position);
+        } else if (worker == analyze) {
+            analyze = null;
+        } else if (worker == plan) {
+            plan = null;
         } else {
             position = executes.indexOf(worker);
             executes.remove(position);
-            orderExecutes();
         }
+        passage.lead(analyze, plan, executes);
         return position;
     }
 
@@ -152,11 +148,8 @@ final class Roster<O, A, P> {
     /** Every worker, in the order of the loop. */
     List<Worker> workers() {
         List<Worker> all = new ArrayList<>(monitors);
-        for (Worker stage : new Worker[] {analyze, plan}) {
-            if (stage != null) {
-                all.add(stage);
-            }
-        }
+        addIfPresent(all, analyze);
+        addIfPresent(all, plan);
         all.addAll(executes);
         return all;
     }

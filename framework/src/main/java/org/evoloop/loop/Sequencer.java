@@ -3,27 +3,25 @@ package org.evoloop.loop;
 import java.time.Duration;
 import java.util.concurrent.TimeoutException;
 import java.util.concurrent.locks.Condition;
-import java.util.concurrent.locks.ReentrantLock;
 import org.jspecify.annotations.Nullable;
 
 /**
  * The order of the loop: the queue before it, the one occurrence that is in it, and whose turn it is.
  *
- * <p>All of it is guarded by one lock, which is never held while a component or a listener runs. A cycle that was given
- * up has another number than the current one, so whatever its component still returns is ignored.
+ * <p>All of it is guarded by the loop's lock. A cycle that was given up has another number than the current one, so whatever
+ * its component still returns is ignored.
  */
 final class Sequencer<O> {
-    private static final int TRIES = 10;
-
     private final LoopConfig config;
     private final LoopListener<O> listener;
-    private final ReentrantLock lock = new ReentrantLock();
-    private final Condition quiet = lock.newCondition();
-    private final Condition room = lock.newCondition();
-
     private final Intake<O> intake;
+    private final LoopLock lock;
+    private final Condition ended;
+    private final Condition room;
+    private final Supervisor<O> supervisor;
+
     private volatile LoopState state = LoopState.NEW;
-    private boolean paused;
+    private boolean held;
     private boolean breakingOff;
     private boolean stepping;
     private @Nullable StageWorker<O> analyze;
@@ -32,43 +30,26 @@ final class Sequencer<O> {
     /** Changed under the lock; whose turn it is may be read without. */
     private volatile @Nullable StageWorker<?> busy;
 
-    private long busySinceNanos;
-    private boolean watched;
+    /** What came to an analyze component that is stuck; told when the lock has been given back. */
+    private @Nullable Failure<O> refused;
 
-    /** Whose slot was filled under the lock; woken when that is given back. */
-    private @Nullable StageWorker<?> given;
-
-    Sequencer(LoopConfig config, LoopListener<O> listener, Intake<O> intake) {
+    Sequencer(LoopConfig config, LoopListener<O> listener, Intake<O> intake, LoopLock lock) {
         this.config = config;
         this.listener = listener;
         this.intake = intake;
+        this.lock = lock;
+        this.ended = lock.newCondition();
+        this.room = lock.newCondition();
+        this.supervisor = new Supervisor<>(config, this, lock);
     }
 
-    private void acquire() {
-        // Whoever holds it gives it back at once: a thread that slept for it would come much later.
-        for (int tries = 0; tries < TRIES; tries++) {
-            if (lock.tryLock()) {
-                return;
-            }
-            Worker.giveWay();
-        }
-        lock.lock();
-    }
-
-    private void release() {
-        StageWorker<?> next = given;
-        given = null;
-        lock.unlock();
-        if (next != null) {
-            next.wake();
-        }
-    }
+    // What occurs
 
     /** Queues an occurrence; false if the loop is closed, or the queue full and the occurrence one that may be lost. */
     boolean offer(O offered) {
         Intake.Admission admission = intake.atOnce(offered);
         if (admission == null) {
-            acquire();
+            lock.acquire();
             try {
                 admission = intake.offer(offered);
                 begin();
@@ -84,7 +65,7 @@ final class Sequencer<O> {
 
     /** Queues an occurrence, waiting for room if it must; false if the loop closes meanwhile. */
     boolean put(O offered) throws InterruptedException {
-        lock.lockInterruptibly();
+        lock.acquireInterruptibly();
         try {
             // Without threads nobody would make room.
             while (config.threads() && state == LoopState.RUNNING && !intake.hasRoom()) {
@@ -98,38 +79,40 @@ final class Sequencer<O> {
         }
     }
 
+    // Turns
+
     /** Starts the next cycle if there is something to do and nothing in the way; the lock is held. */
     private void begin() {
         StageWorker<O> first = analyze;
         boolean mayBegin =
-                busy == null && !breakingOff && !paused && state == LoopState.RUNNING && (config.threads() || stepping);
+                busy == null && !breakingOff && !held && state == LoopState.RUNNING && (config.threads() || stepping);
         O next = mayBegin && first != null ? intake.next() : null;
-        if (next != null && first != null) {
-            room.signal();
-            cycle++;
-            occurrence = next;
+        if (next == null || first == null) {
+            return;
+        }
+        room.signal();
+        cycle++;
+        occurrence = next;
+        if (first.isStuck()) {
+            refused = breakOff(first, stuck(first));
+        } else {
             hand(first, next);
         }
     }
 
-    private <I> void hand(StageWorker<I> worker, I input) {
-        busy = worker;
-        worker.give(cycle, input);
-        if (!config.threads()) {
-            return;
-        }
-        given = worker;
-        busySinceNanos = config.clock().nanoTime();
-        if (!watched) {
-            watched = true;
-            config.clock().schedule(config.stepLimit(), this::watch);
+    private <I> void hand(StageWorker<I> stage, I input) {
+        busy = stage;
+        CarrierThread carrier = stage.give(cycle, input);
+        if (carrier != null) {
+            lock.wakeAfterRelease(carrier);
+            supervisor.begun();
         }
     }
 
     /** Hands the result of a stage on; a null result or nobody to take it ends the cycle. */
     <I> void passOn(long fromCycle, @Nullable I result, @Nullable StageWorker<I> next) {
         Failure<O> failure = null;
-        acquire();
+        lock.acquire();
         try {
             if (fromCycle != cycle || busy == null) {
                 return;
@@ -137,57 +120,53 @@ final class Sequencer<O> {
             if (result == null || next == null) {
                 endCycle();
             } else if (next.isStuck()) {
-                failure = breakOff(next, "is stuck in its thread " + next.threadName() + "; exchange it");
+                failure = breakOff(next, stuck(next));
             } else {
                 hand(next, result);
             }
         } finally {
             release();
         }
-        goOn(next, failure);
+        if (next != null) {
+            goOnAfter(next, failure);
+        }
     }
 
     private void endCycle() {
         busy = null;
         occurrence = null;
         intake.ended();
-        quiet.signalAll();
+        ended.signalAll();
         begin();
         if (busy == null) {
             room.signal();
         }
     }
 
-    /**
-     * Takes the occurrence out of the loop, from whatever component has it. The next one does not begin before the
-     * failure was reported, see {@link #goOn}: the listener may have to put things in order first.
-     */
-    private Failure<O> breakOff(Worker worker, String what) {
-        Failure<O> failure = new Failure<>(
-                worker.component().name(), worker.roleName(), cycle, occurrence, new TimeoutException(what));
-        breakingOff = true;
-        busy = null;
-        return failure;
+    /** Runs one cycle on the caller's thread; false if nothing waited. */
+    boolean step() {
+        lock.acquire();
+        try {
+            stepping = true;
+            begin();
+        } finally {
+            stepping = false;
+            release();
+        }
+        boolean worked = false;
+        for (StageWorker<?> turn = busy; turn != null; turn = busy) {
+            turn.runGiven();
+            worked = true;
+        }
+        return worked;
     }
 
-    private void goOn(@Nullable Worker worker, @Nullable Failure<O> failure) {
-        if (failure != null && worker != null) {
-            worker.countFailure(failure.toString());
-            listener.givenUp(failure);
-            acquire();
-            try {
-                breakingOff = false;
-                endCycle();
-            } finally {
-                release();
-            }
-        }
-    }
+    // What goes wrong
 
     /** A stage threw; the cycle ends unless it was given up before. */
     void failed(Worker worker, long inCycle, Throwable cause) {
         O about;
-        acquire();
+        lock.acquire();
         try {
             if (inCycle != cycle || busy == null) {
                 return;
@@ -206,79 +185,78 @@ final class Sequencer<O> {
         listener.failed(failure);
     }
 
-    /** Gives a component up that has worked on its occurrence for too long; called by the clock while there is work. */
-    private void watch() {
-        StageWorker<?> late = null;
-        Failure<O> failure = null;
-        acquire();
-        try {
-            if (busy == null) {
-                watched = false;
-                return;
-            }
-            long left = config.stepLimit().toNanos() - (config.clock().nanoTime() - busySinceNanos);
-            if (left <= 0) {
-                late = busy;
-                failure = giveUp(
-                        late, "has not returned for " + config.stepLimit().toMillis() + " ms");
-                left = config.stepLimit().toNanos();
-            }
-            config.clock().schedule(Duration.ofNanos(left), this::watch);
-        } finally {
-            release();
-        }
-        goOn(late, failure);
+    private static String stuck(Worker worker) {
+        return "is stuck in its thread " + worker.threadName() + "; exchange it";
     }
 
-    private Failure<O> giveUp(StageWorker<?> worker, String why) {
-        worker.setStuck(true);
-        worker.interrupt();
+    /** Takes the turn from a component that does not return; the lock is held, and {@link #goOnAfter} has to follow. */
+    Failure<O> giveUp(StageWorker<?> worker, String why) {
+        worker.giveUp();
         return breakOff(worker, why);
     }
 
     /**
-     * Changes the loop between two occurrences. The one that is in the loop may finish within the join limit; then it is
-     * given up.
+     * Takes the occurrence out of the loop, from whatever component has it. The next one does not begin before the
+     * failure was reported, see {@link #goOnAfter}: the listener may have to put things in order first.
      */
-    void quietly(Runnable change) {
-        StageWorker<?> late = null;
-        Failure<O> failure = null;
-        boolean interrupted = false;
-        acquire();
-        try {
-            paused = true;
-            interrupted = awaitQuiet();
-            late = busy;
-            if (late != null) {
-                failure = giveUp(
-                        late,
-                        config.threads()
-                                ? "was interrupted: it did not return within "
-                                        + config.joinLimit().toMillis() + " ms"
-                                : "was given up: the loop was changed by what it called");
-            }
-            change.run();
-        } finally {
-            paused = false;
-            begin();
-            release();
-            // Also after a change that was refused: what was given up for it must be reported, or nothing else begins.
-            if (late != null) {
-                late.letReturn();
-            }
-            goOn(late, failure);
-            if (interrupted) {
-                Thread.currentThread().interrupt();
+    private Failure<O> breakOff(Worker worker, String what) {
+        Failure<O> failure = new Failure<>(
+                worker.component().name(), worker.roleName(), cycle, occurrence, new TimeoutException(what));
+        breakingOff = true;
+        busy = null;
+        return failure;
+    }
+
+    /** Reports what was broken off and begins with the next; the lock is not held. */
+    void goOnAfter(Worker worker, @Nullable Failure<O> failure) {
+        Worker about = worker;
+        Failure<O> next = failure;
+        while (next != null && about != null) {
+            about.countFailure(next.toString());
+            listener.givenUp(next);
+            lock.acquire();
+            try {
+                breakingOff = false;
+                endCycle();
+            } finally {
+                about = analyze;
+                next = takeRefused();
+                lock.release();
             }
         }
     }
 
-    private boolean awaitQuiet() {
+    private @Nullable Failure<O> takeRefused() {
+        Failure<O> taken = refused;
+        refused = null;
+        return taken;
+    }
+
+    /** Gives the lock back, and tells what came to a component that is stuck. */
+    void release() {
+        Worker first = analyze;
+        Failure<O> failure = takeRefused();
+        lock.release();
+        if (failure != null && first != null) {
+            goOnAfter(first, failure);
+        }
+    }
+
+    // For changes; the lock is held
+
+    /** Whose turn it is; null if it is nobody's. May be read without the lock. */
+    @Nullable
+    StageWorker<?> busy() {
+        return busy;
+    }
+
+    /** Waits until no occurrence is in the loop. Returns whether the caller was interrupted meanwhile. */
+    boolean awaitQuiet(Duration limit) {
         boolean interrupted = false;
-        long left = config.joinLimit().toNanos();
-        while ((busy != null || breakingOff) && left > 0 && config.threads()) {
+        long left = limit.toNanos();
+        while ((busy != null || breakingOff) && left > 0) {
             try {
-                left = quiet.awaitNanos(left);
+                left = ended.awaitNanos(left);
             } catch (InterruptedException e) {
                 interrupted = true;
             }
@@ -286,65 +264,26 @@ final class Sequencer<O> {
         return interrupted;
     }
 
-    /** Moves to another state; waiting putters look again. The change itself is up to the caller. */
+    /** While it is held, nothing begins. */
+    void hold(boolean nowHeld) {
+        held = nowHeld;
+        begin();
+    }
+
+    /** Moves to another state; those who wait for room look again. */
     void become(LoopState next) {
-        acquire();
-        try {
-            state = next;
-            room.signalAll();
-            if (next == LoopState.RUNNING) {
-                intake.opened();
-            } else {
-                intake.closed();
-            }
-            begin();
-        } finally {
-            release();
+        state = next;
+        room.signalAll();
+        if (next == LoopState.RUNNING) {
+            intake.opened();
+        } else {
+            intake.closed();
         }
+        begin();
     }
 
-    /** Opens the loop; the first occurrence waits until {@code beginning} has run. */
-    void open(Runnable beginning) {
-        pause(true);
-        try {
-            become(LoopState.RUNNING);
-            beginning.run();
-        } finally {
-            pause(false);
-        }
-    }
-
-    private void pause(boolean nowPaused) {
-        acquire();
-        try {
-            paused = nowPaused;
-            begin();
-        } finally {
-            release();
-        }
-    }
-
-    /** Called by a change that goes on {@link #quietly}. */
     void setAnalyze(@Nullable StageWorker<O> worker) {
         analyze = worker;
-    }
-
-    /** Runs one cycle on the caller's thread; false if nothing waited. */
-    boolean step() {
-        acquire();
-        try {
-            stepping = true;
-            begin();
-        } finally {
-            stepping = false;
-            release();
-        }
-        boolean worked = false;
-        for (StageWorker<?> turn = busy; turn != null; turn = busy) {
-            turn.runGiven();
-            worked = true;
-        }
-        return worked;
     }
 
     LoopState state() {
@@ -352,11 +291,11 @@ final class Sequencer<O> {
     }
 
     QueueStatus queueStatus() {
-        acquire();
+        lock.acquire();
         try {
             return intake.status();
         } finally {
-            release();
+            lock.release();
         }
     }
 }

@@ -1,99 +1,61 @@
 package org.evoloop.loop;
 
-import java.lang.invoke.VarHandle;
 import java.util.concurrent.atomic.AtomicBoolean;
-import java.util.concurrent.locks.LockSupport;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The thread of an analyze, plan or execute component: it takes one piece of work at a time from its slot.
+ * An analyze, plan or execute component in the loop, with the piece of work that it was given.
  *
- * <p>Flags that others only read are set without the fence of a volatile write, which would cost more than most of the
- * work between two of them.
+ * <p>Threading: given work, and given up, under the loop's lock; run by the thread that it was given to.
  *
  * @param <I> what its component works on
  */
 final class StageWorker<I> extends Worker {
+    private static final long RETURN_NANOS = 50_000_000;
 
-    /** What the worker does with its input. */
+    /** What the component does with its input. */
     interface Work<I> {
         void run(long cycle, I input) throws Exception;
     }
 
     private final Work<I> work;
     private final Sequencer<?> sequencer;
-    private final WaitStrategy waiting;
+    private final Crew crew;
+    private final @Nullable CarrierThread own;
     private @Nullable I input;
     private long cycle;
-    private final AtomicBoolean full = new AtomicBoolean();
-    private volatile boolean asleep;
+
+    /** Who has the work. Guarded by the loop's lock. */
+    private @Nullable CarrierThread carrier;
+
     private final AtomicBoolean working = new AtomicBoolean();
+    private volatile boolean stuck;
 
-    /** Whether its turn came soon the last time, so that it is worth staying awake. The thread's own. */
-    private boolean patient = true;
+    /** Where it hangs; null if it does not, or in a loop without threads. */
+    private volatile @Nullable CarrierThread stuckIn;
 
-    StageWorker(Component component, LoopConfig config, Sequencer<?> sequencer, Work<I> work) {
-        super(component, config);
+    StageWorker(Component component, Crew crew, Sequencer<?> sequencer, Work<I> work) {
+        super(component);
+        this.crew = crew;
         this.sequencer = sequencer;
         this.work = work;
-        this.waiting = config.waiting();
+        this.own = crew.own(component);
     }
 
-    /** Puts a piece of work into the slot, which must be empty; {@link #wake} has to follow. */
-    void give(long givenCycle, I givenInput) {
+    /** Gives it a piece of work. Returns the thread that has to be woken for it, null in a loop without threads. */
+    @Nullable
+    CarrierThread give(long givenCycle, I givenInput) {
         cycle = givenCycle;
         input = givenInput;
-        full.setRelease(true);
+        CarrierThread by = own == null ? crew.shared() : own;
+        if (by != null) {
+            carrier = by;
+            by.give(this);
+        }
+        return by;
     }
 
-    /** Wakes the thread if it sleeps. */
-    void wake() {
-        // The slot was filled before the flag is read; with the same order in sleep(), one of the two sees the other.
-        VarHandle.fullFence();
-        if (asleep) {
-            unpark();
-        }
-    }
-
-    @Override
-    void work() throws InterruptedException {
-        int rounds = patient ? waiting.looks() + waiting.yields() : 0;
-        for (int round = 0; round < rounds && !full.get() && !isRetired(); round++) {
-            if (round < waiting.looks()) {
-                Thread.onSpinWait();
-            } else {
-                giveWay();
-            }
-        }
-        if (!full.get()) {
-            long begun = System.nanoTime();
-            while (!full.get()) {
-                if (isRetired()) {
-                    return;
-                }
-                sleep();
-            }
-            patient = System.nanoTime() - begun < WaitStrategy.SOON_NANOS;
-        }
-        // An interrupt that is still pending was meant for work that was given up, unless the thread itself shall end.
-        if (Thread.interrupted() && isRetired()) {
-            return;
-        }
-        runGiven();
-    }
-
-    private void sleep() throws InterruptedException {
-        asleep = true;
-        if (!full.get() && !isRetired()) {
-            LockSupport.park(this);
-        }
-        asleep = false;
-        if (Thread.interrupted()) {
-            throw new InterruptedException();
-        }
-    }
-
-    /** Does the work in the slot, on the caller's thread. */
+    /** Does the work that it was given, on the caller's thread, unless that was given up before it was begun. */
     void runGiven() {
         I given = input;
         if (given == null) {
@@ -101,22 +63,60 @@ final class StageWorker<I> extends Worker {
         }
         long givenCycle = cycle;
         input = null;
-        full.setRelease(false);
         working.setRelease(true);
         try {
-            work.run(givenCycle, given);
+            if (!stuck) {
+                work.run(givenCycle, given);
+            }
         } catch (Throwable cause) {
             sequencer.failed(this, givenCycle, cause);
         } finally {
             working.setRelease(false);
-            if (isStuck()) {
-                setStuck(false);
+            if (stuck) {
+                stuckIn = null;
+                stuck = false;
             }
+        }
+    }
+
+    /** Its work was given up: it counts as stuck until it returns, and its thread is interrupted. */
+    void giveUp() {
+        CarrierThread late = carrier;
+        stuckIn = late;
+        stuck = true;
+        if (late != null) {
+            crew.giveUp(late);
+        }
+    }
+
+    /** Gives a component that was interrupted a moment to return, so that what comes next does not find it stuck. */
+    void letReturn() {
+        long deadline = System.nanoTime() + RETURN_NANOS;
+        while (stuckIn != null && System.nanoTime() < deadline) {
+            LoopThread.giveWay();
         }
     }
 
     @Override
     boolean isWorking() {
         return working.get();
+    }
+
+    @Override
+    boolean isStuck() {
+        return stuck;
+    }
+
+    @Override
+    @Nullable
+    LoopThread thread() {
+        CarrierThread hangs = stuckIn;
+        return hangs != null ? hangs : own != null ? own : crew.shared();
+    }
+
+    @Override
+    @Nullable
+    LoopThread threadToEnd() {
+        return own != null ? own : stuckIn;
     }
 }

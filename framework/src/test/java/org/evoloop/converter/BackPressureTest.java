@@ -8,17 +8,26 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
 import org.evoloop.evolution.Step;
 import org.evoloop.function.NewFunction;
+import org.evoloop.loop.InEachThreading;
+import org.evoloop.loop.ThreadingModel;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /** The queue waits, not the device: while a step is made ready for or sent nothing else begins, and all keeps its order. */
+@InEachThreading
 @Timeout(60)
 class BackPressureTest {
+    private final ThreadingModel threading;
+
+    BackPressureTest(ThreadingModel threading) {
+        this.threading = threading;
+    }
 
     @Test
     void nothingBeginsWhileAStepIsMadeReadyForAndSent() {
         LinkedBlockingQueue<Integer> depths = new LinkedBlockingQueue<>();
         try (LiveRobot robot = new LiveRobot(
+                threading,
                 NewFunction.none(),
                 8,
                 made -> made.converter.addExecute(new EventExecute("Device") {
@@ -54,6 +63,7 @@ class BackPressureTest {
         CountDownLatch sending = new CountDownLatch(1);
         CountDownLatch goOn = new CountDownLatch(1);
         try (LiveRobot robot = new LiveRobot(
+                threading,
                 NewFunction.none(),
                 8,
                 made -> made.converter.addExecute(made.device("Device", step -> {

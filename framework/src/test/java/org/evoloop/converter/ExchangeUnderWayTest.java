@@ -17,20 +17,29 @@ import org.evoloop.evolution.Occurrence;
 import org.evoloop.function.NewFunction;
 import org.evoloop.loop.ComponentStatus;
 import org.evoloop.loop.ComponentStatus.Activity;
+import org.evoloop.loop.InEachThreading;
+import org.evoloop.loop.ThreadingModel;
 import org.evoloop.statemachine.ModelException;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /** Components that are exchanged and removed while a converter runs. */
+@InEachThreading
 @Timeout(60)
 class ExchangeUnderWayTest {
+    private final ThreadingModel threading;
+
+    ExchangeUnderWayTest(ThreadingModel threading) {
+        this.threading = threading;
+    }
+
     private final CountDownLatch hanging = new CountDownLatch(1);
     private final CountDownLatch atLast = new CountDownLatch(1);
 
     /** A robot on the way from cleaning to spot cleaning, paused already, whose device hangs when it shall spot. */
     private LiveRobot inTheMiddleOfTheDetour(LiveRobot.Taking hangs) throws InterruptedException {
-        LiveRobot robot = new LiveRobot(NewFunction.none(), 8, made -> {
+        LiveRobot robot = new LiveRobot(threading, NewFunction.none(), 8, made -> {
             made.converter.addExecute(made.device("Device", step -> {
                 if (step.event().name().equals("Spot")) {
                     hangs.take(step);
@@ -117,7 +126,7 @@ class ExchangeUnderWayTest {
                 }
             }
         };
-        try (LiveRobot robot = new LiveRobot(NewFunction.none(), 8, made -> {
+        try (LiveRobot robot = new LiveRobot(threading, NewFunction.none(), 8, made -> {
             made.converter.addAnalyze(deaf);
             made.converter.addExecute(made.device("Device"));
         })) {
@@ -165,7 +174,7 @@ class ExchangeUnderWayTest {
     @Test
     void aMonitorThatHangsIsReplacedAndItsSuccessorIsHeard() throws InterruptedException {
         CountDownLatch monitoring = new CountDownLatch(1);
-        try (LiveRobot robot = new LiveRobot(NewFunction.none(), 8, made -> {
+        try (LiveRobot robot = new LiveRobot(threading, NewFunction.none(), 8, made -> {
             made.converter.addMonitor(new EventMonitor("Hanging") {
                 @Override
                 protected @Nullable Occurrence getEvent() throws InterruptedException {
@@ -191,7 +200,7 @@ class ExchangeUnderWayTest {
 
     @Test
     void sparesAreExchangedByName() throws InterruptedException {
-        try (LiveRobot robot = new LiveRobot(NewFunction.none())) {
+        try (LiveRobot robot = new LiveRobot(threading, NewFunction.none())) {
             robot.converter.addSpare("spareDevice", () -> robot.device("Second"));
             robot.converter.addSpare("sparePanel", () -> new PushMonitor("SecondPanel"));
             assertThat(robot.converter.spares()).containsExactly("spareDevice", "sparePanel");
@@ -216,7 +225,7 @@ class ExchangeUnderWayTest {
 
     @Test
     void whatWouldLeaveDecisionsThatNobodyCanCarryOutIsRefused() throws InterruptedException {
-        try (LiveRobot robot = new LiveRobot(NewFunction.none(), 8, made -> {
+        try (LiveRobot robot = new LiveRobot(threading, NewFunction.none(), 8, made -> {
             made.converter.addExecute(made.new Device("Cleaner", Set.of("Clean"), step -> {}));
             made.converter.addExecute(made.new Device("Spotter", Set.of("Spot"), step -> {}));
         })) {
@@ -246,7 +255,7 @@ class ExchangeUnderWayTest {
 
     @Test
     void theOnlyComponentOfARoleIsExchangedNotRemoved() {
-        try (LiveRobot robot = new LiveRobot(NewFunction.none())) {
+        try (LiveRobot robot = new LiveRobot(threading, NewFunction.none())) {
             for (String needed : new String[] {"EventAnalyze", "EventPlan", "Device"}) {
                 assertThatThrownBy(() -> robot.converter.remove(needed))
                         .isInstanceOf(IllegalStateException.class)
@@ -261,7 +270,7 @@ class ExchangeUnderWayTest {
     @Test
     void anExecuteThatFailsCanBeExchangedBetweenTwoEvents() throws InterruptedException {
         AtomicBoolean broken = new AtomicBoolean(true);
-        try (LiveRobot robot = new LiveRobot(NewFunction.none(), 8, made -> {
+        try (LiveRobot robot = new LiveRobot(threading, NewFunction.none(), 8, made -> {
             made.converter.addExecute(made.device("Device", step -> {
                 if (broken.get()) {
                     throw new IOException("the cable is out");

@@ -17,13 +17,22 @@ import org.evoloop.core.Outcome;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.function.NewFunction;
 import org.evoloop.loop.ComponentStatus.Activity;
+import org.evoloop.loop.InEachThreading;
+import org.evoloop.loop.ThreadingModel;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /** What components of a running converter throw, and where they hang, concerns nobody but the event at hand. */
+@InEachThreading
 @Timeout(60)
 class FailingComponentsTest {
+    private final ThreadingModel threading;
+
+    FailingComponentsTest(ThreadingModel threading) {
+        this.threading = threading;
+    }
+
     @Test
     void aMonitorThatThrowsIsReportedAndTheOtherOneGoesOn() {
         CountDownLatch broken = new CountDownLatch(1);
@@ -34,7 +43,7 @@ class FailingComponentsTest {
                 throw new IOException("no such device");
             }
         };
-        try (LiveRobot robot = new LiveRobot(NewFunction.none(), 8, made -> {
+        try (LiveRobot robot = new LiveRobot(threading, NewFunction.none(), 8, made -> {
             made.converter.addMonitor(brokenMonitor);
             made.converter.addExecute(made.device("Device"));
         })) {
@@ -52,7 +61,7 @@ class FailingComponentsTest {
     @Test
     void anExecuteThatThrowsFailsItsEventOnly() {
         AtomicReference<Exception> fault = new AtomicReference<>(new IOException("the cable is out"));
-        try (LiveRobot robot = new LiveRobot(NewFunction.none(), 8, made -> {
+        try (LiveRobot robot = new LiveRobot(threading, NewFunction.none(), 8, made -> {
             made.converter.addExecute(made.device("Device", step -> {
                 if (fault.get() != null) {
                     throw fault.get();
@@ -76,7 +85,7 @@ class FailingComponentsTest {
     void anExecuteThatHangsIsGivenUpAndTheStateItWasToLeaveIsEnteredAnew() throws InterruptedException {
         CountDownLatch hanging = new CountDownLatch(1);
         CountDownLatch never = new CountDownLatch(1);
-        try (LiveRobot robot = new LiveRobot(NewFunction.none(), 8, made -> {
+        try (LiveRobot robot = new LiveRobot(threading, NewFunction.none(), 8, made -> {
             made.converter.addExecute(made.device("Device", step -> {
                 if (step.event().name().equals("Spot")) {
                     hanging.countDown();
@@ -109,7 +118,7 @@ class FailingComponentsTest {
     void anExecuteThatReturnsLateTellsWhereTheDeviceIs() throws InterruptedException {
         CountDownLatch hanging = new CountDownLatch(1);
         CountDownLatch atLast = new CountDownLatch(1);
-        try (LiveRobot robot = new LiveRobot(NewFunction.none(), 8, made -> {
+        try (LiveRobot robot = new LiveRobot(threading, NewFunction.none(), 8, made -> {
             made.converter.addExecute(made.device("Deaf", step -> {
                 if (step.event().name().equals("Spot")) {
                     hanging.countDown();
@@ -137,7 +146,7 @@ class FailingComponentsTest {
 
     @Test
     void aFunctionThatThrowsIsReportedAndItsStateCanBeLeft() throws InterruptedException {
-        try (LiveRobot robot = new LiveRobot(visit -> {
+        try (LiveRobot robot = new LiveRobot(threading, visit -> {
             throw new IllegalStateException("no camera");
         })) {
             robot.press("Clean", "Spot").awaitStates("On", "Move");
@@ -152,7 +161,7 @@ class FailingComponentsTest {
     void aFunctionThatIgnoresInterruptsIsLeftBehindAndItsLateEventMeansNothing() throws InterruptedException {
         CountDownLatch atLast = new CountDownLatch(1);
         BlockingQueue<Thread> threads = new LinkedBlockingQueue<>();
-        try (LiveRobot robot = new LiveRobot(visit -> {
+        try (LiveRobot robot = new LiveRobot(threading, visit -> {
             threads.add(Thread.currentThread());
             awaitDeaf(atLast);
             visit.finish("arriveSpot");
@@ -196,7 +205,7 @@ class FailingComponentsTest {
                 return super.analyze(occurrence);
             }
         };
-        try (LiveRobot robot = new LiveRobot(NewFunction.none(), 8, made -> {
+        try (LiveRobot robot = new LiveRobot(threading, NewFunction.none(), 8, made -> {
             made.converter.addAnalyze(slow);
             made.converter.addExecute(made.device("Device"));
         })) {
@@ -204,13 +213,15 @@ class FailingComponentsTest {
             await(hanging);
             robot.clock.advance(LiveRobot.STEP_LIMIT);
             assertThat(robot.awaitHistory(1).outcome()).isEqualTo(Outcome.FAILED);
-            robot.panel.press("Clean");
-            until(() -> robot.converter.status().queue().taken() == 2
-                    && robot.converter.status().queue().depth() == 0);
+            robot.press("Clean");
+            assertThat(robot.awaitHistory(2).detail()).contains("is stuck").contains("exchange it");
+
             atLast.countDown();
+            until(() -> robot.component(slow.name()).activity() == Activity.WAITING);
+            robot.panel.press("Clean");
             await(secondRuns);
             secondMayEnd.countDown();
-            assertThat(robot.awaitHistory(2).outcome()).isEqualTo(Outcome.HANDLED);
+            assertThat(robot.awaitHistory(3).outcome()).isEqualTo(Outcome.HANDLED);
             assertThat(robot.states()).isEqualTo(at("On", "On"));
         }
     }

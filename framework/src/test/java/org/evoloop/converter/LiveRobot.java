@@ -14,6 +14,7 @@ import org.evoloop.evolution.Step;
 import org.evoloop.function.NewFunction;
 import org.evoloop.loop.ComponentStatus;
 import org.evoloop.loop.LoopConfig;
+import org.evoloop.loop.ThreadingModel;
 import org.evoloop.time.ManualClock;
 
 /** The paper's cleaning robot as a converter with threads under a manual clock; its parts do what a test makes them do. */
@@ -31,12 +32,21 @@ final class LiveRobot implements AutoCloseable {
 
     /** A robot whose device takes whatever is sent, and whose Move does {@code move}. */
     LiveRobot(NewFunction move) {
-        this(move, 8, robot -> robot.converter.addExecute(robot.device("Device")));
+        this(ThreadingModel.SINGLE_CARRIER, move);
+    }
+
+    LiveRobot(ThreadingModel threading, NewFunction move) {
+        this(threading, move, 8, robot -> robot.converter.addExecute(robot.device("Device")));
+    }
+
+    LiveRobot(NewFunction move, int queueCapacity, Consumer<LiveRobot> parts) {
+        this(ThreadingModel.SINGLE_CARRIER, move, queueCapacity, parts);
     }
 
     /** @param parts adds the execute components, and whatever else is not usual */
-    LiveRobot(NewFunction move, int queueCapacity, Consumer<LiveRobot> parts) {
+    LiveRobot(ThreadingModel threading, NewFunction move, int queueCapacity, Consumer<LiveRobot> parts) {
         converter = new SystemEventConverter(LoopConfig.defaults("robot", clock)
+                .withThreading(threading)
                 .withQueueCapacity(queueCapacity)
                 .withStepLimit(STEP_LIMIT)
                 .withJoinLimit(SHORT_JOIN));

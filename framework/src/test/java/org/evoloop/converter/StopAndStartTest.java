@@ -17,18 +17,27 @@ import org.evoloop.core.Outcome;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Step;
 import org.evoloop.function.NewFunction;
+import org.evoloop.loop.InEachThreading;
 import org.evoloop.loop.LoopState;
+import org.evoloop.loop.ThreadingModel;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
+@InEachThreading
 @Timeout(60)
 class StopAndStartTest {
+    private final ThreadingModel threading;
+
+    StopAndStartTest(ThreadingModel threading) {
+        this.threading = threading;
+    }
+
     private final CountDownLatch sending = new CountDownLatch(1);
     private final CountDownLatch mayGo = new CountDownLatch(1);
 
     @Test
     void stopLetsTheEventInTheLoopComeToItsEndAndRefusesThoseThatWait() throws InterruptedException {
-        try (LiveRobot robot = new LiveRobot(NewFunction.none(), 8, made -> {
+        try (LiveRobot robot = new LiveRobot(threading, NewFunction.none(), 8, made -> {
             made.converter.addExecute(made.device("Device", step -> {
                 if (step.source().name().equals("On")) {
                     sending.countDown();
@@ -55,7 +64,7 @@ class StopAndStartTest {
 
     @Test
     void stopGivesUpAnEventThatDoesNotComeToItsEnd() throws InterruptedException {
-        try (LiveRobot robot = new LiveRobot(NewFunction.none(), 8, made -> {
+        try (LiveRobot robot = new LiveRobot(threading, NewFunction.none(), 8, made -> {
             made.converter.addExecute(made.device("Device", step -> {
                 sending.countDown();
                 awaitDeaf(mayGo);
@@ -79,7 +88,7 @@ class StopAndStartTest {
 
     @Test
     void whileTheLoopIsClosedControllersAreRefusedAndTheRecordFollowsTheDevice() {
-        try (LiveRobot robot = new LiveRobot(NewFunction.none())) {
+        try (LiveRobot robot = new LiveRobot(threading, NewFunction.none())) {
             robot.press("Clean");
             robot.converter.stop();
             robot.panel.pressed("Clean", true);
@@ -99,7 +108,7 @@ class StopAndStartTest {
     @Test
     void theFunctionEndsWithStopAndBeginsAnewWithStart() throws InterruptedException {
         BlockingQueue<String> life = new LinkedBlockingQueue<>();
-        try (LiveRobot robot = new LiveRobot(visit -> {
+        try (LiveRobot robot = new LiveRobot(threading, visit -> {
             life.add("begins");
             try {
                 visit.awaitEnd();
@@ -123,7 +132,7 @@ class StopAndStartTest {
 
     @Test
     void aTimerOfTheStateInWhichItWasStoppedStartsAnew() throws InterruptedException {
-        try (LiveRobot robot = new LiveRobot(NewFunction.none())) {
+        try (LiveRobot robot = new LiveRobot(threading, NewFunction.none())) {
             robot.press("Clean", "Clean", "Clean").awaitSpotWait();
             robot.clock.advance(Duration.ofSeconds(4));
             robot.converter.stop();
@@ -140,7 +149,7 @@ class StopAndStartTest {
 
     @Test
     void executesAreToldBeforeTheLoopOpensAndAfterItHasClosed() {
-        try (LiveRobot robot = new LiveRobot(NewFunction.none())) {
+        try (LiveRobot robot = new LiveRobot(threading, NewFunction.none())) {
             robot.press("Clean");
             robot.converter.stop();
             robot.converter.stop();
@@ -180,7 +189,8 @@ class StopAndStartTest {
             }
         };
         CountDownLatch moving = new CountDownLatch(1);
-        try (LiveRobot robot = new LiveRobot(visit -> moving.countDown(), 8, made -> made.converter.addExecute(rude))) {
+        try (LiveRobot robot =
+                new LiveRobot(threading, visit -> moving.countDown(), 8, made -> made.converter.addExecute(rude))) {
             robot.press("Clean", "Spot");
             awaitDeaf(moving);
             assertThat(robot.states()).isEqualTo(at("On", "Move"));
@@ -193,7 +203,7 @@ class StopAndStartTest {
 
     @Test
     void everyThreadEndsWithTheConverter() {
-        LiveRobot robot = new LiveRobot(visit -> visit.awaitEnd());
+        LiveRobot robot = new LiveRobot(threading, visit -> visit.awaitEnd());
         robot.press("Clean", "Spot");
         robot.close();
         assertThat(Thread.getAllStackTraces().keySet())

@@ -13,13 +13,19 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /** Components that are exchanged, hang, or do not end. */
+@InEachThreading
 @Timeout(60)
 class ExchangeTest {
     private static final Duration SHORT = Duration.ofMillis(50);
+    private final ThreadingModel threading;
+
+    ExchangeTest(ThreadingModel threading) {
+        this.threading = threading;
+    }
 
     @Test
     void exchangesEachRoleWhileRunning() throws InterruptedException {
-        try (Relay relay = Relay.running()) {
+        try (Relay relay = Relay.running(threading)) {
             relay.loop.exchange("ears", relay.new Ears("new ears"));
             relay.loop.exchange("Brain", new Analyze<String, String>("poet") {
                 @Override
@@ -46,7 +52,7 @@ class ExchangeTest {
 
     @Test
     void letsTheOccurrenceInTheLoopComeToItsEndFirst() throws InterruptedException {
-        try (Relay relay = Relay.running()) {
+        try (Relay relay = Relay.running(threading)) {
             CountDownLatch working = new CountDownLatch(1);
             CountDownLatch goOn = new CountDownLatch(1);
             relay.loop.addExecute(new Execute<>("slow") {
@@ -78,7 +84,7 @@ class ExchangeTest {
 
     @Test
     void interruptsAComponentThatHangsWhenItIsExchanged() throws InterruptedException {
-        Relay relay = Relay.running(SHORT);
+        Relay relay = Relay.running(threading, SHORT);
         Relay.Hand hanging = relay.new Hand("hanging");
         try (relay) {
             relay.loop.exchange("hand", hanging);
@@ -94,7 +100,7 @@ class ExchangeTest {
 
     @Test
     void leavesBehindAComponentThatIgnoresInterrupts() throws InterruptedException {
-        Relay relay = Relay.running(SHORT);
+        Relay relay = Relay.running(threading, SHORT);
         Relay.Hand deaf = relay.new Hand("deaf");
         try (relay) {
             relay.loop.exchange("hand", deaf);
@@ -116,7 +122,8 @@ class ExchangeTest {
     @Test
     void givesUpAStepThatTakesTooLong() throws InterruptedException {
         ManualClock clock = new ManualClock();
-        Relay relay = new Relay(LoopConfig.defaults("relay", clock).withStepLimit(Duration.ofSeconds(3)));
+        Relay relay = new Relay(
+                LoopConfig.defaults("relay", clock).withThreading(threading).withStepLimit(Duration.ofSeconds(3)));
         Relay.Hand deaf = relay.new Hand("deaf");
         try (relay) {
             relay.loop.build();
@@ -148,7 +155,7 @@ class ExchangeTest {
 
     @Test
     void replacesAMonitorThatWaitsAndLosesNothingItHasTold() throws InterruptedException {
-        try (Relay relay = Relay.running()) {
+        try (Relay relay = Relay.running(threading)) {
             CountDownLatch asked = new CountDownLatch(1);
             relay.loop.addMonitor(new Monitor<>("dreamer") {
                 @Override
@@ -173,7 +180,7 @@ class ExchangeTest {
 
     @Test
     void closesInTimeAlthoughAComponentIgnoresInterrupts() throws InterruptedException {
-        Relay relay = Relay.running(SHORT);
+        Relay relay = Relay.running(threading, SHORT);
         Relay.Hand deaf = relay.new Hand("deaf");
         relay.loop.exchange("hand", deaf);
         relay.input.add("deadlock");
@@ -187,7 +194,7 @@ class ExchangeTest {
 
     @Test
     void refusesWhatDoesNotFit() {
-        try (Relay relay = Relay.running()) {
+        try (Relay relay = Relay.running(threading)) {
             assertThatThrownBy(() -> relay.loop.exchange("nose", relay.new Hand("foot")))
                     .isInstanceOf(IllegalArgumentException.class)
                     .hasMessage("no component is named nose; there are ears, Brain, Will, hand");

@@ -11,11 +11,18 @@ import org.evoloop.time.ManualClock;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
+@InEachThreading
 @Timeout(60)
 class MapeLoopTest {
+    private final ThreadingModel threading;
+
+    MapeLoopTest(ThreadingModel threading) {
+        this.threading = threading;
+    }
+
     @Test
     void handsOccurrencesThroughInOrder() throws InterruptedException {
-        try (Relay relay = Relay.running()) {
+        try (Relay relay = Relay.running(threading)) {
             for (int i = 0; i < 100; i++) {
                 relay.input.add("event " + i);
                 // The queue holds 8; what is read here has left the loop.
@@ -27,21 +34,22 @@ class MapeLoopTest {
     }
 
     @Test
-    void givesEachComponentANamedThread() {
-        try (Relay relay = Relay.running()) {
+    void eachComponentIsKnownByAThread() {
+        try (Relay relay = Relay.running(threading)) {
+            boolean shared = threading == ThreadingModel.SINGLE_CARRIER;
             assertThat(relay.loop.components())
                     .extracting(ComponentStatus::thread)
                     .containsExactly(
                             "mapek-relay-monitor-ears",
-                            "mapek-relay-analyze-Brain",
-                            "mapek-relay-plan-Will",
-                            "mapek-relay-execute-hand");
+                            shared ? "mapek-relay-carrier" : "mapek-relay-analyze-Brain",
+                            shared ? "mapek-relay-carrier" : "mapek-relay-plan-Will",
+                            shared ? "mapek-relay-carrier" : "mapek-relay-execute-hand");
         }
     }
 
     @Test
     void endsTheCycleWhereThereIsNothingToDo() throws InterruptedException {
-        try (Relay relay = Relay.running()) {
+        try (Relay relay = Relay.running(threading)) {
             relay.input.add("nothing");
             relay.input.add("meaningless");
             relay.input.add("unwanted");
@@ -53,7 +61,7 @@ class MapeLoopTest {
 
     @Test
     void outlivesWhateverItsComponentsThrow() throws InterruptedException {
-        Relay relay = new Relay(LoopConfig.defaults("relay", new ManualClock()));
+        Relay relay = new Relay(LoopConfig.defaults("relay", new ManualClock()).withThreading(threading));
         try (relay) {
             relay.loop.build();
             relay.loop.start();
@@ -74,7 +82,7 @@ class MapeLoopTest {
     @Test
     void letsAFailingMonitorRestLongerAndLonger() throws InterruptedException {
         ManualClock clock = new ManualClock();
-        Relay relay = new Relay(LoopConfig.defaults("relay", clock));
+        Relay relay = new Relay(LoopConfig.defaults("relay", clock).withThreading(threading));
         try (relay) {
             relay.loop.build();
             relay.loop.start();
@@ -105,7 +113,7 @@ class MapeLoopTest {
 
     @Test
     void startsAgainAfterStop() throws InterruptedException {
-        try (Relay relay = Relay.running()) {
+        try (Relay relay = Relay.running(threading)) {
             relay.loop.stop();
             relay.loop.stop();
             assertThat(relay.loop.state()).isEqualTo(LoopState.STOPPED);
@@ -121,7 +129,7 @@ class MapeLoopTest {
 
     @Test
     void takesNothingFromTheQueueBeforeItsBeginningIsOver() throws InterruptedException {
-        Relay relay = new Relay(LoopConfig.defaults("relay", new ManualClock()));
+        Relay relay = new Relay(LoopConfig.defaults("relay", new ManualClock()).withThreading(threading));
         try (relay) {
             relay.loop.build();
             relay.loop.start(() -> {
@@ -139,7 +147,9 @@ class MapeLoopTest {
 
     @Test
     void lossesOfAFullQueueAreToldOnceABurst() throws InterruptedException {
-        Relay relay = new Relay(LoopConfig.defaults("relay", new ManualClock()).withQueueCapacity(2));
+        Relay relay = new Relay(LoopConfig.defaults("relay", new ManualClock())
+                .withThreading(threading)
+                .withQueueCapacity(2));
         Relay.Hand hand = relay.new Hand("hanging");
         try (relay) {
             relay.loop.build();
@@ -160,7 +170,9 @@ class MapeLoopTest {
 
     @Test
     void hasWhoeverMustNotLoseAnythingWaitForRoom() throws InterruptedException {
-        Relay relay = new Relay(LoopConfig.defaults("relay", new ManualClock()).withQueueCapacity(1));
+        Relay relay = new Relay(LoopConfig.defaults("relay", new ManualClock())
+                .withThreading(threading)
+                .withQueueCapacity(1));
         Relay.Hand hand = relay.new Hand("hanging");
         try (relay) {
             relay.loop.build();
@@ -188,7 +200,9 @@ class MapeLoopTest {
 
     @Test
     void withoutAQueueABusyLoopLosesWhatComesAndAnIdleOneTakesIt() throws InterruptedException {
-        Relay relay = new Relay(LoopConfig.defaults("relay", new ManualClock()).withQueueCapacity(0));
+        Relay relay = new Relay(LoopConfig.defaults("relay", new ManualClock())
+                .withThreading(threading)
+                .withQueueCapacity(0));
         Relay.Hand hand = relay.new Hand("hanging");
         try (relay) {
             relay.loop.build();
@@ -236,7 +250,7 @@ class MapeLoopTest {
 
     @Test
     void endsEveryThreadAndCanBeClosedTwice() {
-        Relay relay = Relay.running();
+        Relay relay = Relay.running(threading);
         relay.close();
         relay.close();
 
@@ -251,7 +265,7 @@ class MapeLoopTest {
 
     @Test
     void restoresTheInterruptOfWhoeverClosesIt() {
-        Relay relay = Relay.running();
+        Relay relay = Relay.running(threading);
         Thread.currentThread().interrupt();
 
         relay.close();
@@ -262,7 +276,7 @@ class MapeLoopTest {
 
     @Test
     void canBeClosedBeforeItIsBuilt() {
-        Relay relay = new Relay(LoopConfig.defaults("relay", new ManualClock()));
+        Relay relay = new Relay(LoopConfig.defaults("relay", new ManualClock()).withThreading(threading));
         relay.close();
         assertThat(relay.loop.state()).isEqualTo(LoopState.EXITED);
     }
@@ -313,7 +327,7 @@ class MapeLoopTest {
 
     @Test
     void handsAPlanToEveryExecuteComponent() throws InterruptedException {
-        try (Relay relay = Relay.running()) {
+        try (Relay relay = Relay.running(threading)) {
             relay.loop.addExecute(relay.new Hand("left"));
             relay.input.add("clap");
             assertThat(take(relay.output)).isEqualTo("hand:clap");
@@ -327,7 +341,7 @@ class MapeLoopTest {
 
     @Test
     void cannotBeChangedFromItsOwnThread() throws InterruptedException {
-        try (Relay relay = Relay.running()) {
+        try (Relay relay = Relay.running(threading)) {
             AtomicReference<Throwable> refusal = new AtomicReference<>();
             CountDownLatch tried = new CountDownLatch(1);
             relay.loop.addExecute(new Execute<>("saboteur") {
@@ -343,7 +357,9 @@ class MapeLoopTest {
             });
             relay.input.add("go");
             Relay.await(tried);
-            assertThat(refusal.get()).hasMessageContaining("from its own thread mapek-relay-execute-saboteur");
+            assertThat(refusal.get())
+                    .hasMessageContaining(
+                            "from its own thread " + relay.status("saboteur").thread());
         }
     }
 }

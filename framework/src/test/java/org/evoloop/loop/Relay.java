@@ -40,12 +40,14 @@ final class Relay implements AutoCloseable {
         };
     }
 
-    static Relay running() {
-        return running(Duration.ofSeconds(2));
+    static Relay running(ThreadingModel threading) {
+        return running(threading, Duration.ofSeconds(2));
     }
 
-    static Relay running(Duration joinLimit) {
-        Relay relay = new Relay(LoopConfig.defaults("relay", new ManualClock()).withJoinLimit(joinLimit));
+    static Relay running(ThreadingModel threading, Duration joinLimit) {
+        Relay relay = new Relay(LoopConfig.defaults("relay", new ManualClock())
+                .withThreading(threading)
+                .withJoinLimit(joinLimit));
         relay.loop.build();
         relay.loop.start();
         return relay;
@@ -110,7 +112,7 @@ final class Relay implements AutoCloseable {
         }
     }
 
-    private static void awaitUninterruptibly(CountDownLatch latch) {
+    static void awaitUninterruptibly(CountDownLatch latch) {
         boolean released = false;
         while (!released) {
             try {

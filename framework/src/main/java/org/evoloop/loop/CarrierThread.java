@@ -1,0 +1,105 @@
+package org.evoloop.loop;
+
+import java.lang.invoke.VarHandle;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.concurrent.locks.LockSupport;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A thread that runs analyze, plan and execute components: the one whose turn it is stands in its slot.
+ *
+ * <p>Flags that others only read are set without the fence of a volatile write, which would cost more than most of the
+ * work between two of them.
+ */
+final class CarrierThread extends LoopThread {
+    private final WaitStrategy waiting;
+    private final AtomicReference<@Nullable StageWorker<?>> slot = new AtomicReference<>();
+    private volatile boolean asleep;
+
+    /** Whether its turn came soon the last time, so that it is worth staying awake. The thread's own. */
+    private boolean patient = true;
+
+    CarrierThread(String name, WaitStrategy waiting) {
+        super(name);
+        this.waiting = waiting;
+    }
+
+    /** Puts a component that was given work into the slot, which must be empty; {@link #wake} has to follow. */
+    void give(StageWorker<?> stage) {
+        slot.setRelease(stage);
+    }
+
+    /** Wakes the thread if it sleeps. */
+    void wake() {
+        if (hasToBeWoken()) {
+            unpark();
+        }
+    }
+
+    /** Whether the thread might not see by itself what was put into its slot. */
+    boolean hasToBeWoken() {
+        // The slot was filled before the flag is read; with the same order in maySleep(), one of the two sees the
+        // other.
+        VarHandle.fullFence();
+        return asleep;
+    }
+
+    @Override
+    void round() throws InterruptedException {
+        int rounds = patient ? waiting.looks() + waiting.yields() : 0;
+        for (int round = 0; round < rounds && isIdle(); round++) {
+            if (round < waiting.looks()) {
+                Thread.onSpinWait();
+            } else {
+                giveWay();
+            }
+        }
+        if (isIdle()) {
+            long begun = System.nanoTime();
+            while (isIdle()) {
+                sleep();
+            }
+            patient = System.nanoTime() - begun < WaitStrategy.SOON_NANOS;
+        }
+        // An interrupt that is still pending was meant for work that was given up, unless the thread itself shall end.
+        boolean interrupted = Thread.interrupted();
+        if (!(interrupted && isRetired())) {
+            runGiven();
+        }
+    }
+
+    private boolean isIdle() {
+        return slot.get() == null && !isRetired();
+    }
+
+    /** Says that the thread is about to sleep; whether there is still nothing to do. */
+    boolean maySleep() {
+        asleep = true;
+        return isIdle();
+    }
+
+    private void sleep() throws InterruptedException {
+        if (maySleep()) {
+            LockSupport.park(this);
+        }
+        asleep = false;
+        if (Thread.interrupted()) {
+            throw new InterruptedException();
+        }
+    }
+
+    /** Runs what is in the slot, if anything is. */
+    void runGiven() {
+        StageWorker<?> stage = slot.get();
+        if (stage != null) {
+            slot.setRelease(null);
+            stage.runGiven();
+        }
+    }
+
+    /** What is left in the slot was given up, for the thread would not have been retired before; so it is not run. */
+    @Override
+    void ended() {
+        runGiven();
+    }
+}

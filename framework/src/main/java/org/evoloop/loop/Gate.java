@@ -1,0 +1,84 @@
+package org.evoloop.loop;
+
+/**
+ * Opens and closes the loop, and holds the next occurrence back while the loop is changed.
+ *
+ * <p>Threading: called by one thread at a time, which is none of the loop's own.
+ */
+final class Gate<O> {
+    private final LoopConfig config;
+    private final Sequencer<O> sequencer;
+    private final LoopLock lock;
+
+    Gate(LoopConfig config, Sequencer<O> sequencer, LoopLock lock) {
+        this.config = config;
+        this.sequencer = sequencer;
+        this.lock = lock;
+    }
+
+    /** Moves to another state. The change itself is up to the caller. */
+    void become(LoopState next) {
+        lock.acquire();
+        try {
+            sequencer.become(next);
+        } finally {
+            sequencer.release();
+        }
+    }
+
+    /** Opens the loop; the first occurrence waits until {@code beginning} has run. */
+    void open(Runnable beginning) {
+        hold(true);
+        try {
+            become(LoopState.RUNNING);
+            beginning.run();
+        } finally {
+            hold(false);
+        }
+    }
+
+    private void hold(boolean held) {
+        lock.acquire();
+        try {
+            sequencer.hold(held);
+        } finally {
+            sequencer.release();
+        }
+    }
+
+    /**
+     * Changes the loop between two occurrences. The one that is in the loop may finish within the join limit; then it is
+     * given up.
+     */
+    void quietly(Runnable change) {
+        StageWorker<?> late = null;
+        Failure<O> failure = null;
+        boolean interrupted = false;
+        lock.acquire();
+        try {
+            sequencer.hold(true);
+            interrupted = config.threads() && sequencer.awaitQuiet(config.joinLimit());
+            late = sequencer.busy();
+            if (late != null) {
+                failure = sequencer.giveUp(
+                        late,
+                        config.threads()
+                                ? "was interrupted: it did not return within "
+                                        + config.joinLimit().toMillis() + " ms"
+                                : "was given up: the loop was changed by what it called");
+            }
+            change.run();
+        } finally {
+            sequencer.hold(false);
+            sequencer.release();
+            // Also after a change that was refused: what was given up for it must be reported, or nothing else begins.
+            if (late != null) {
+                late.letReturn();
+                sequencer.goOnAfter(late, failure);
+            }
+            if (interrupted) {
+                Thread.currentThread().interrupt();
+            }
+        }
+    }
+}

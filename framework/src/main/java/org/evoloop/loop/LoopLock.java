@@ -1,0 +1,49 @@
+package org.evoloop.loop;
+
+import java.util.concurrent.locks.Condition;
+import java.util.concurrent.locks.ReentrantLock;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The one lock of a loop. It is never held while a component or a listener runs, and whoever was given work under it is woken
+ * when it has been given back: a thread that woke up to find it taken would have to wait once more.
+ */
+final class LoopLock {
+    private static final int TRIES = 10;
+
+    private final ReentrantLock lock = new ReentrantLock();
+    private @Nullable CarrierThread given;
+
+    void acquire() {
+        // Whoever holds it gives it back at once: a thread that slept for it would come much later.
+        for (int tries = 0; tries < TRIES; tries++) {
+            if (lock.tryLock()) {
+                return;
+            }
+            LoopThread.giveWay();
+        }
+        lock.lock();
+    }
+
+    void acquireInterruptibly() throws InterruptedException {
+        lock.lockInterruptibly();
+    }
+
+    void release() {
+        CarrierThread next = given;
+        given = null;
+        lock.unlock();
+        if (next != null && !next.isCurrent()) {
+            next.wake();
+        }
+    }
+
+    /** This one was given work. */
+    void wakeAfterRelease(CarrierThread carrier) {
+        given = carrier;
+    }
+
+    Condition newCondition() {
+        return lock.newCondition();
+    }
+}

@@ -1,0 +1,161 @@
+package org.evoloop.loop;
+
+import java.util.Objects;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.BooleanSupplier;
+import org.evoloop.time.ManualClock;
+import org.jspecify.annotations.Nullable;
+
+/** A sequencer with one component, which ends each cycle, and with nobody who starts its threads: the actors play them. */
+final class Rig implements LoopListener<Object> {
+    private static final int SPINS = 20;
+
+    /** Far longer than anything here takes, so that what never happens is told from what is late. */
+    private static final long PATIENCE_NANOS = 5_000_000_000L;
+
+    private static final long LITTLE_PATIENCE_NANOS = 20_000_000;
+
+    /** Little, once something has not come: then the others are not waited for as long. */
+    private static volatile long patienceNanos = PATIENCE_NANOS;
+
+    final LoopLock lock = new LoopLock();
+    final Crew crew;
+    final Sequencer<Object> sequencer;
+    final Gate<Object> gate;
+    final Counting intake;
+    final StageWorker<Object> stage;
+    final AtomicInteger runs = new AtomicInteger();
+    final AtomicInteger givenUp = new AtomicInteger();
+
+    Rig(ThreadingModel threading, int queueCapacity) {
+        LoopConfig config = config(threading, queueCapacity);
+        crew = new Crew(config);
+        intake = new Counting(queueCapacity);
+        sequencer = new Sequencer<>(config, this, intake, lock);
+        gate = new Gate<>(config, sequencer, lock);
+        stage = new StageWorker<>(new Nothing(), crew, sequencer, (cycle, input) -> {
+            runs.incrementAndGet();
+            takeAWhile();
+            sequencer.passOn(cycle, null, null);
+        });
+        gate.become(LoopState.RUNNING);
+    }
+
+    /** About as long as the others need to come in between. */
+    private static void takeAWhile() {
+        for (int i = 0; i < SPINS; i++) {
+            Thread.onSpinWait();
+        }
+    }
+
+    static LoopConfig config(ThreadingModel threading, int queueCapacity) {
+        return LoopConfig.defaults("rig", new ManualClock())
+                .withThreading(threading)
+                .withQueueCapacity(queueCapacity);
+    }
+
+    /** From here on what is offered begins. */
+    Rig ready() {
+        sequencer.setAnalyze(stage);
+        return this;
+    }
+
+    /** As the watch over late components does it; does nothing if nobody has the turn. */
+    void giveUp() {
+        Failure<Object> failure = null;
+        lock.acquire();
+        try {
+            if (sequencer.busy() == stage) {
+                failure = sequencer.giveUp(stage, "was late");
+            }
+        } finally {
+            lock.release();
+        }
+        sequencer.goOnAfter(stage, failure);
+    }
+
+    /** The thread that carries now. */
+    CarrierThread carrier() {
+        return Objects.requireNonNull(crew.shared(), "a loop without a carrier");
+    }
+
+    /** Waits for something, but not for ever; returns whether it has come. */
+    static boolean await(BooleanSupplier event) {
+        long begun = System.nanoTime();
+        while (!event.getAsBoolean()) {
+            if (System.nanoTime() - begun > patienceNanos) {
+                patienceNanos = LITTLE_PATIENCE_NANOS;
+                return false;
+            }
+            LoopThread.giveWay();
+        }
+        return true;
+    }
+
+    @Override
+    public void failed(Failure<Object> failure) {
+        throw new AssertionError(failure.toString(), failure.cause());
+    }
+
+    @Override
+    public void givenUp(Failure<Object> failure) {
+        givenUp.incrementAndGet();
+    }
+
+    @Override
+    public void dropped(Object occurrence, boolean first) {}
+
+    /** A component; what it does is said where its worker is made. */
+    static final class Nothing extends Analyze<Object, Object> {
+        @Override
+        protected Object analyze(Object occurrence) {
+            return occurrence;
+        }
+    }
+
+    /** A queue that counts the cycles that have ended. */
+    static final class Counting implements Intake<Object> {
+        private final Backlog<Object> backlog;
+        final AtomicInteger ends = new AtomicInteger();
+
+        Counting(int capacity) {
+            backlog = new Backlog<>(capacity);
+        }
+
+        @Override
+        public Admission offer(Object occurrence) {
+            return backlog.offer(occurrence);
+        }
+
+        @Override
+        public boolean hasRoom() {
+            return backlog.hasRoom();
+        }
+
+        @Override
+        public @Nullable Object next() {
+            return backlog.next();
+        }
+
+        @Override
+        public void ended() {
+            ends.incrementAndGet();
+            backlog.ended();
+        }
+
+        @Override
+        public void opened() {
+            backlog.opened();
+        }
+
+        @Override
+        public void closed() {
+            backlog.closed();
+        }
+
+        @Override
+        public QueueStatus status() {
+            return backlog.status();
+        }
+    }
+}
