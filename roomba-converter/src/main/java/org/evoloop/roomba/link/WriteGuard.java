@@ -4,6 +4,7 @@ import static java.util.concurrent.TimeUnit.MILLISECONDS;
 
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.locks.LockSupport;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Sees to it that a write comes to its end, which a write to a port whose peer does not read never does by itself on Linux:
@@ -27,6 +28,9 @@ final class WriteGuard {
 
     /** When the write under way has to end, by {@link System#nanoTime()}, or one of the two words above. */
     private final AtomicLong due = new AtomicLong(IDLE);
+
+    /** Who watches; null before that has begun, when there is nobody to wake. */
+    private volatile @Nullable Thread watcher;
 
     private volatile boolean ended;
     private volatile boolean asleep;
@@ -55,7 +59,7 @@ final class WriteGuard {
         usedLately = true;
         due.set(deadlineNanoTime | 1);
         if (asleep) {
-            LockSupport.unpark(thread);
+            LockSupport.unpark(watcher);
         }
     }
 
@@ -73,17 +77,19 @@ final class WriteGuard {
     void hurry() {
         long soon = (System.nanoTime() + CUT_INTERVAL_NANOS) | 1;
         due.updateAndGet(current -> current == IDLE || current == LATE ? current : soon);
-        LockSupport.unpark(thread);
+        LockSupport.unpark(watcher);
     }
 
     /** Ends the thread; it touches the port no more when this returns true. */
     boolean end(long limitNanos) {
         ended = true;
-        LockSupport.unpark(thread);
+        LockSupport.unpark(watcher);
         return BoundedWait.forEnd(thread, limitNanos);
     }
 
-    private void watch() {
+    /** What the thread does until the {@link #end}. */
+    void watch() {
+        watcher = Thread.currentThread();
         while (!ended) {
             long deadline = due.get();
             if (deadline != IDLE) {

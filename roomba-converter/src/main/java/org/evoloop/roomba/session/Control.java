@@ -84,6 +84,11 @@ final class Control {
         regaining = false;
     }
 
+    /** The last command is not sent again, whatever became of it. */
+    void forgetCommand() {
+        unconfirmed = null;
+    }
+
     /** Whether control is wanted now. */
     boolean isWanted() {
         return wanted;

@@ -15,6 +15,7 @@ import org.evoloop.roomba.session.connection.Connection;
 import org.evoloop.roomba.session.connection.FirstBytes;
 import org.evoloop.roomba.session.inference.ActivityEstimate;
 import org.evoloop.roomba.session.inference.ButtonPresses;
+import org.evoloop.roomba.session.inference.CommandEffect;
 import org.evoloop.roomba.session.inference.FrameFilter;
 import org.evoloop.roomba.session.inference.ModeOffset;
 import org.evoloop.roomba.session.inference.SpotWatch;
@@ -47,6 +48,7 @@ final class RobotReader implements Connection.Owner {
     private final ButtonPresses buttons = new ButtonPresses();
     private final SpotWatch spotWatch = new SpotWatch();
     private final ActivityEstimate estimate = new ActivityEstimate();
+    private final CommandEffect effect = new CommandEffect();
     private final Control control;
     private volatile @Nullable Telemetry latest;
 
@@ -108,6 +110,10 @@ final class RobotReader implements Connection.Owner {
         latest = now;
         connection.answered();
         listeners.forEach(listener -> listener.received(now));
+        Command obeyed = effect.update(values, now.isUnderControl());
+        if (obeyed != null) {
+            listeners.forEach(listener -> listener.obeyed(obeyed));
+        }
         switch (control.update(now)) {
             case ON -> tellSeen(Activity.ON);
             case AS_ESTIMATED -> tellActivity();
@@ -164,6 +170,34 @@ final class RobotReader implements Connection.Owner {
                     connection.description(),
                     modeOffset.value() == 1 ? "one too high, as some 600 models do" : "as specified");
         }
+    }
+
+    /** A command is about to be sent. */
+    synchronized void sending(Command command) {
+        effect.sending(command);
+    }
+
+    /** Whether the effect of the last command is still to be seen. */
+    synchronized boolean isEffectAwaited() {
+        return effect.isAwaited();
+    }
+
+    /**
+     * What the robot does, if its frames show it for sure; a command that did not make it do so is not sent again. Null if
+     * they do not, or not yet.
+     *
+     * @param since the number of a frame; what is told has to be newer
+     */
+    synchronized ActivityEstimate.@Nullable Activity known(long since) {
+        Telemetry now = latest;
+        if (now == null || now.frame() <= since || !effect.isOver() || control.isRegaining()) {
+            return null;
+        }
+        if (now.isUnderControl()) {
+            control.forgetCommand();
+            return ActivityEstimate.Activity.ON;
+        }
+        return effect.isMissing() || !estimate.isSure() ? null : estimate.activity();
     }
 
     /** A command has been sent. */

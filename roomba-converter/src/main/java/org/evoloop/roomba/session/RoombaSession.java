@@ -5,6 +5,7 @@ import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.ExecutionException;
+import java.util.function.BooleanSupplier;
 import java.util.function.IntFunction;
 import org.evoloop.converter.DeviceLink;
 import org.evoloop.roomba.link.Link;
@@ -15,6 +16,7 @@ import org.evoloop.roomba.oi.Packet;
 import org.evoloop.roomba.oi.PacketId;
 import org.evoloop.roomba.session.connection.Connection;
 import org.evoloop.roomba.session.connection.RobotException;
+import org.evoloop.roomba.session.inference.ActivityEstimate;
 import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -53,6 +55,14 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
             Packet.SIDE_BRUSH_CURRENT);
 
     private static final Logger LOG = LoggerFactory.getLogger(RoombaSession.class);
+
+    private static final Duration EFFECT_LIMIT = Duration.ofMillis(500);
+
+    /** A robot that was told to work must show it within 3 s, and rest when it has rested for 1 s. */
+    private static final Duration ACTIVITY_LIMIT = Duration.ofMillis(4_500);
+
+    /** How often is looked whether the robot shows what is waited for: three times a frame. */
+    private static final Duration LOOK = Duration.ofMillis(5);
 
     private final Clock clock;
     private final SessionOptions options;
@@ -128,6 +138,7 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
             throw new RobotException(connection.description()
                     + ": the robot has just come back into sight; try again when it is under control");
         }
+        reader.sending(command);
         synchronized (sending) {
             if (options.mayWait()) {
                 pauseAfterModeChange();
@@ -139,6 +150,38 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
             }
         }
         reader.commanded(command);
+    }
+
+    /**
+     * Waits until the robot's mode shows that the last command has had its effect; listeners have been told so by then.
+     * Returns at once if its mode does not show that, and after a quarter of a second of frames, or half a second without
+     * any, if it has not shown.
+     *
+     * @throws InterruptedException if the thread is told to stop while it waits
+     */
+    public void awaitEffect() throws InterruptedException {
+        awaitUntil(() -> !reader.isEffectAwaited(), EFFECT_LIMIT);
+    }
+
+    /**
+     * Waits until the robot's frames show for sure what it does: whether it is under control, or else its motors.
+     *
+     * @return empty if that cannot be told, as while it is out of sight; after four and a half seconds at the latest
+     * @throws InterruptedException if the thread is told to stop while it waits
+     */
+    public Optional<ActivityEstimate.Activity> awaitActivity() throws InterruptedException {
+        Telemetry last = reader.latest();
+        // A frame may have been on its way when it was asked; without waiting there is none on its way.
+        long since = last == null || !options.mayWait() ? 0 : last.frame() + 1;
+        awaitUntil(() -> reader.known(since) != null, ACTIVITY_LIMIT);
+        return isUp() ? Optional.ofNullable(reader.known(since)) : Optional.empty();
+    }
+
+    private void awaitUntil(BooleanSupplier holds, Duration limit) throws InterruptedException {
+        long deadline = clock.nanoTime() + limit.toNanos();
+        while (options.mayWait() && isUp() && !holds.getAsBoolean() && clock.nanoTime() - deadline < 0) {
+            clock.sleep(LOOK);
+        }
     }
 
     private void pauseAfterModeChange() {

@@ -127,6 +127,11 @@ public final class ActivityEstimate {
         return begun;
     }
 
+    /** Whether its motors bear out what it is taken to do. */
+    public boolean isSure() {
+        return activity.isWork() ? isAtWork() : isAtRest();
+    }
+
     /** Whether its motors show that the robot is at work, whatever its mode. */
     public boolean isAtWork() {
         return motion.poweredFrames() >= WORK_FRAMES;
