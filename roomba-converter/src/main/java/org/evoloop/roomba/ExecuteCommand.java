@@ -1,25 +1,32 @@
 package org.evoloop.roomba;
 
 import java.time.Duration;
+import java.util.Optional;
 import java.util.Set;
 import org.evoloop.converter.EventExecute;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Step;
 import org.evoloop.roomba.oi.Command;
 import org.evoloop.roomba.session.RoombaSession;
+import org.evoloop.roomba.session.SessionListener;
 import org.evoloop.time.Clock;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Sends events to the robot as commands, and keeps it in the mode that each state needs: while it stands by or cleans it
  * is left to itself (Passive), while it is on and idle its buttons must not act on their own (Safe).
+ *
+ * <p>Where the mode shows that a command has had its effect, that is told when it is seen, on the thread that tells what the
+ * robot does by itself; elsewhere the command counts as obeyed when it has been sent.
  */
-final class ExecuteCommand extends EventExecute {
+final class ExecuteCommand extends EventExecute implements SessionListener {
     /** The robot tells nobody when it has digested a command; so long after one it is taken to be ready again. */
     static final Duration HOLD_OFF = Duration.ofMillis(200);
 
     private final RoombaSession session;
     private final Clock clock;
     private final Resumption resumption;
+    private volatile @Nullable Command sent;
     private boolean commanded;
     private long commandedNanos;
 
@@ -27,6 +34,7 @@ final class ExecuteCommand extends EventExecute {
         this.session = session;
         this.clock = clock;
         this.resumption = resumption;
+        session.addListener(this);
     }
 
     @Override
@@ -43,12 +51,30 @@ final class ExecuteCommand extends EventExecute {
     }
 
     @Override
-    protected void send(Step step) {
-        session.send(command(step));
+    protected void send(Step step) throws InterruptedException {
+        Command command = command(step);
+        sent = command;
+        session.send(command);
         // Not before: while control is wanted, no frame tells that the robot does nothing.
         session.leaveAlone();
         commanded = true;
         commandedNanos = clock.nanoTime();
+        session.awaitEffect();
+    }
+
+    @Override
+    public void obeyed(Command command) {
+        // Others than the last step's are sent to keep the robot in its mode.
+        if (command == sent) {
+            tookEffect();
+        }
+    }
+
+    @Override
+    protected Optional<String> locate() throws InterruptedException {
+        Optional<String> state = session.awaitActivity().flatMap(RobotEvents::stateName);
+        state.ifPresent(this::keepMode);
+        return state;
     }
 
     private static Command command(Step step) {
@@ -64,7 +90,11 @@ final class ExecuteCommand extends EventExecute {
     @Override
     protected void settled(Configuration now) {
         resumption.settled();
-        if (now.original().name().equals(RobotEvents.STATE_ON)) {
+        keepMode(now.original().name());
+    }
+
+    private void keepMode(String state) {
+        if (state.equals(RobotEvents.STATE_ON)) {
             session.takeControl();
         } else {
             session.leaveAlone();

@@ -48,8 +48,8 @@ public final class Main {
         XmiFile.prepare();
         try {
             SerialLink.prepare();
-        } catch (LinkException toldWhenALinkIsOpened) {
-            // Whoever opens one has an error to tell, and a user who waits for it.
+        } catch (LinkException | ExceptionInInitializerError toldWhenALinkIsOpened) {
+            // Whoever opens one has an error to tell, and a user who waits for it; a program that ends opens none.
         }
     }
 

@@ -1,6 +1,8 @@
 package org.evoloop.roomba;
 
+import java.util.Optional;
 import org.evoloop.roomba.session.SessionListener.Activity;
+import org.evoloop.roomba.session.inference.ActivityEstimate;
 import org.evoloop.statemachine.State;
 
 /** The names that the models of the cleaning robot and this program have in common (paper, section VI.A). */
@@ -20,6 +22,17 @@ final class RobotEvents {
     static final String STATE_SPOT = "Spot";
 
     private RobotEvents() {}
+
+    /** The state of the robot's model in which it does this; empty if that knows none. */
+    static Optional<String> stateName(ActivityEstimate.Activity activity) {
+        return switch (activity) {
+            case STANDBY -> Optional.of(STATE_OFF);
+            case ON -> Optional.of(STATE_ON);
+            case CLEAN -> Optional.of(STATE_CLEAN);
+            case SPOT -> Optional.of(STATE_SPOT);
+            case DOCK -> Optional.empty();
+        };
+    }
 
     /** The state of the robot's model in which it does this. */
     static State state(Activity activity) {

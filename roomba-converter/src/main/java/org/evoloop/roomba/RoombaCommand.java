@@ -116,7 +116,7 @@ final class RoombaCommand implements Callable<Integer> {
 
     /** Each call is the cable plugged in again. */
     static IntFunction<Link> cable(String robotPort) {
-        return baud -> new SerialLink(new SerialSettings(robotPort).withBaud(baud));
+        return baud -> SerialLink.open(new SerialSettings(robotPort).withBaud(baud));
     }
 
     /** What a fast simulation sends may come late by as much as its computer is busy, in real time. */

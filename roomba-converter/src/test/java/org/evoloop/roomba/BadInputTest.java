@@ -6,7 +6,6 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.evoloop.roomba.link.Link;
-import org.evoloop.roomba.link.LinkException;
 import org.evoloop.roomba.link.SerialLink;
 import org.evoloop.roomba.link.SerialSettings;
 import org.evoloop.roomba.simulator.Pty;
@@ -179,14 +178,8 @@ class BadInputTest {
     @Test
     void aPortThatAnotherProgramHas() throws Exception {
         try (Pty pty = Pty.open();
-                Link other = new SerialLink(new SerialSettings(pty.path().toString()))) {
-            other.open(new Link.Receiver() {
-                @Override
-                public void received(byte[] buffer, int length) {}
-
-                @Override
-                public void lost(LinkException cause) {}
-            });
+                Link other = SerialLink.open(new SerialSettings(pty.path().toString()))) {
+            assertThat(other.loss()).isNull();
             assertRefused(
                     "error: " + new SerialSettings(pty.path().toString()) + " is in use by java (process "
                             + ProcessHandle.current().pid() + "); end it first",

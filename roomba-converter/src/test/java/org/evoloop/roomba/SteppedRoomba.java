@@ -34,6 +34,7 @@ final class SteppedRoomba implements AutoCloseable {
     final ManualClock clock = new ManualClock();
     final SimulatedRoomba robot;
     final RoombaConverter roomba;
+    private final RoombaSession session;
     private final ByteArrayOutputStream robotSays = new ByteArrayOutputStream();
     private MemoryLink.@Nullable Pair cable;
     private MemoryLink.@Nullable Noise noise;
@@ -84,7 +85,7 @@ final class SteppedRoomba implements AutoCloseable {
             BiFunction<SimulatedRoomba, ManualClock, StartPointSensor> sensor) {
         robot = new SimulatedRoomba(options, robotSays::writeBytes);
         StartPointSensor startPoint = sensor.apply(robot, clock);
-        RoombaSession session = new RoombaSession(this::plugIn, clock, sessionOptions.withoutWaiting());
+        session = new RoombaSession(this::plugIn, clock, sessionOptions.withoutWaiting());
         roomba = RoombaConverter.build(
                 LoopConfig.defaults("roomba", clock).withoutThreads(),
                 session,
@@ -98,18 +99,8 @@ final class SteppedRoomba implements AutoCloseable {
         if (!plugged) {
             throw new LinkException(LinkException.Fault.NO_SUCH_PORT, "the cable is out; plug it in");
         }
+        obey();
         MemoryLink.Pair fresh = MemoryLink.pair();
-        fresh.robot().open(new Link.Receiver() {
-            @Override
-            public void received(byte[] buffer, int length) {
-                robot.receive(buffer, length);
-            }
-
-            @Override
-            public void lost(LinkException cause) {
-                // A robot does not notice that its cable is pulled.
-            }
-        });
         cable = fresh;
         disturb(noise);
         return fresh.converter();
@@ -117,11 +108,13 @@ final class SteppedRoomba implements AutoCloseable {
 
     /** Pulls the cable. */
     void unplug() {
+        obey();
         plugged = false;
         MemoryLink.Pair current = cable;
         if (current != null) {
             current.converter().hangUp();
         }
+        session.poll();
     }
 
     void replug() {
@@ -178,7 +171,20 @@ final class SteppedRoomba implements AutoCloseable {
         return this;
     }
 
+    /** The robot takes what it was sent. It does not notice that its cable is pulled. */
+    private void obey() {
+        MemoryLink.Pair current = cable;
+        if (current != null) {
+            byte[] buffer = new byte[1_024];
+            MemoryLink end = current.robot();
+            for (int length = end.receive(buffer); length > 0; length = end.receive(buffer)) {
+                robot.receive(buffer, length);
+            }
+        }
+    }
+
     private void deliver() {
+        obey();
         byte[] bytes = robotSays.toByteArray();
         robotSays.reset();
         MemoryLink.Pair current = cable;
@@ -190,6 +196,8 @@ final class SteppedRoomba implements AutoCloseable {
                 robotSays.reset();
             }
         }
+        session.poll();
+        obey();
     }
 
     private void settle() {
@@ -199,6 +207,7 @@ final class SteppedRoomba implements AutoCloseable {
                 deliver();
                 roomba.observe();
             }
+            deliver();
         } catch (InterruptedException unexpected) {
             throw new AssertionError(unexpected);
         }
@@ -248,6 +257,7 @@ final class SteppedRoomba implements AutoCloseable {
     @Override
     public void close() {
         roomba.close();
+        obey();
         clock.close();
     }
 }

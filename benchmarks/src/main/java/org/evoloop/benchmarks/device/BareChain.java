@@ -7,7 +7,6 @@ import org.HdrHistogram.Histogram;
 import org.evoloop.benchmarks.report.Latencies;
 import org.evoloop.benchmarks.ring.HandOff;
 import org.evoloop.roomba.link.Link;
-import org.evoloop.roomba.link.LinkException;
 import org.evoloop.roomba.link.SerialLink;
 import org.evoloop.roomba.link.SerialSettings;
 import org.evoloop.roomba.simulator.Pty;
@@ -35,9 +34,9 @@ public final class BareChain {
         int wanted = Integer.parseInt(arguments[0]);
         try (Pty pty = Pty.open()) {
             try (SerialLink link =
-                    new SerialLink(new SerialSettings(pty.slavePath().toString()))) {
+                    SerialLink.open(new SerialSettings(pty.slavePath().toString()))) {
                 List<Way> ways = List.of(new Way(link, 0, wanted), new Way(link, THREADS, wanted));
-                link.open(new Marks(ways));
+                daemon("reader", () -> read(link, ways));
                 Thread robot = daemon("robot", () -> play(pty));
                 for (Way way : ways) {
                     way.done.await();
@@ -74,27 +73,16 @@ public final class BareChain {
     }
 
     /** Sends each mark on its way. */
-    private static final class Marks implements Link.Receiver {
-        private final List<Way> ways;
-        private int turn;
-
-        Marks(List<Way> ways) {
-            this.ways = ways;
-        }
-
-        @Override
-        public void received(byte[] buffer, int length) {
+    private static void read(Link link, List<Way> ways) {
+        byte[] buffer = new byte[1_024];
+        int turn = 0;
+        for (int length = link.receive(buffer); length > 0; length = link.receive(buffer)) {
             long now = System.nanoTime();
             for (int index = 0; index < length; index++) {
                 if (buffer[index] == MARK) {
                     ways.get(turn++ % ways.size()).go(now);
                 }
             }
-        }
-
-        @Override
-        public void lost(LinkException cause) {
-            throw cause;
         }
     }
 

@@ -57,7 +57,7 @@ public final class PressToCommand {
                 SimulatorServer robot = SimulatorServer.start(port, RobotOptions.defaults(), robotClock, SPEED);
                 RoombaConverter roomba = RoombaConverter.connect(
                         baud -> new TimedLink(
-                                new SerialLink(new SerialSettings(port.toString()).withBaud(baud)), nanos),
+                                SerialLink.open(new SerialSettings(port.toString()).withBaud(baud)), nanos),
                         LoopConfig.defaults("roomba", clock).withThreading(threading),
                         SessionOptions.defaults().withSilenceLimit(Duration.ofSeconds(8)),
                         new RoombaConverter.Options(

@@ -4,6 +4,7 @@ import org.HdrHistogram.Histogram;
 import org.evoloop.roomba.link.Link;
 import org.evoloop.roomba.link.LinkException;
 import org.evoloop.roomba.link.WakeLine;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A link that measures from when the byte that completes a frame was read to when the operating system has taken a
@@ -25,19 +26,15 @@ final class TimedLink implements Link {
     }
 
     @Override
-    public void open(Receiver receiver) {
-        link.open(new Receiver() {
-            @Override
-            public void received(byte[] buffer, int length) {
-                receivedNanos = System.nanoTime();
-                receiver.received(buffer, length);
-            }
+    public int receive(byte[] buffer) {
+        int length = link.receive(buffer);
+        receivedNanos = System.nanoTime();
+        return length;
+    }
 
-            @Override
-            public void lost(LinkException cause) {
-                receiver.lost(cause);
-            }
-        });
+    @Override
+    public @Nullable LinkException loss() {
+        return link.loss();
     }
 
     @Override

@@ -5,8 +5,10 @@ import static java.util.concurrent.TimeUnit.NANOSECONDS;
 /**
  * Waits that an interrupt does not cut short, because what waits here leaves the robot safe; each has a limit instead.
  * The interrupt flag is restored for the caller.
+ *
+ * <p>Threading: pure functions, but for the time they take.
  */
-final class BoundedWait {
+public final class BoundedWait {
     private BoundedWait() {}
 
     /** One wait, as the concurrency library offers it. */
@@ -17,7 +19,7 @@ final class BoundedWait {
     }
 
     /** Waits for a thread's end; false if it did not come in time. */
-    static boolean forEnd(Thread thread, long limitNanos) {
+    public static boolean forEnd(Thread thread, long limitNanos) {
         return uninterruptibly(limitNanos, nanos -> {
             NANOSECONDS.timedJoin(thread, nanos);
             return !thread.isAlive();

@@ -1,47 +1,43 @@
 package org.evoloop.roomba.link;
 
+import org.jspecify.annotations.Nullable;
+
 /**
  * The cable between the converter and the robot.
  *
  * <pre>
- *  new --open--&gt; open --close--&gt; closed
- *                  \---loss----&gt; closed
+ *  open --close--&gt; closed
+ *    \-----loss--&gt; lost
  * </pre>
  *
- * <p>A link lives once: after a loss the owner makes another one. When the receiver hears of the loss everything the
- * link held has been given back, so that the next link to the same robot can be opened at once.
+ * <p>A link lives once, and is open from the start: after a loss the owner makes another one. When {@link #receive} tells
+ * of the loss everything the link held has been given back, so that the next link to the same robot can be opened at
+ * once.
  *
- * <p>Threading: every method may be called from any thread, also from within the receiver.
+ * <p>Threading: one thread receives; all else may be called from any thread, also from that one.
  */
 public interface Link extends AutoCloseable {
-
-    /** What the owner of a link is told, one call at a time. It must not throw. */
-    interface Receiver {
-        /**
-         * Bytes have come, in order and cut anywhere.
-         *
-         * @param buffer valid during the call only
-         * @param length how many of them, from the buffer's start
-         */
-        void received(byte[] buffer, int length);
-
-        /** The link is lost, not by {@link Link#close()}. This is the last call. */
-        void lost(LinkException cause);
-    }
+    /** What {@link #receive} returns when there is nothing more to come. */
+    int ENDED = -1;
 
     /**
-     * Starts to receive.
+     * Waits for bytes; they come in order and cut anywhere.
      *
-     * @throws LinkException if the cable cannot be used; the link remains new
-     * @throws IllegalStateException if the link has been opened or closed before
+     * @param buffer takes the bytes from its start on
+     * @return how many have come; 0 only from a link that does not wait, when there are none; {@link #ENDED} once the link
+     *     is closed or lost, see {@link #loss}
      */
-    void open(Receiver receiver);
+    int receive(byte[] buffer);
+
+    /** Why the link is lost; null while it is open, and if {@link #close} has ended it. */
+    @Nullable
+    LinkException loss();
 
     /**
      * Sends bytes; those of one call stay together. Returns when the operating system has taken all of them. An
      * interrupt does not cut it short: what makes a robot safe is sent by threads that are being stopped.
      *
-     * @throws LinkException if not all bytes could be sent; the link is lost or was not open
+     * @throws LinkException if not all bytes could be sent; the link is lost or was closed
      */
     void send(byte[] bytes);
 

@@ -2,27 +2,28 @@ package org.evoloop.roomba.link;
 
 import java.util.ArrayDeque;
 import java.util.Arrays;
-import java.util.Queue;
+import java.util.Deque;
 import java.util.Random;
 import org.evoloop.roomba.link.LinkException.Fault;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One end of a cable in memory, for tests that run on one thread and always run the same way. What one end sends the
- * other's receiver has before the send returns; only what a receiver sends while it is being told something waits until
- * that is done, so that no receiver is entered twice. To an end that is not open bytes are lost, as on a real line.
+ * One end of a cable in memory, for tests that run on one thread and always run the same way. What one end sends the other
+ * may receive at once; {@link #receive} does not wait. To an end that has ended bytes are lost, as on a real line.
  *
  * <p>The cable can be faulty: {@link #hangUp()}, {@link #setReading} and {@link #setNoise}.
  *
- * <p>Threading: thread-safe; one thread at a time is let into the cable, and the receivers run on it. An exception of
- * a receiver reaches whoever sent.
+ * <p>Threading: thread-safe.
  */
 public final class MemoryLink implements Link {
     private final String description;
-    private final Cable cable;
+    private final Object cable;
     private final WakeLine wakeLine;
     private final MemoryLink peer;
-    private @Nullable Receiver receiver;
+
+    /** What has arrived here and was not received yet. */
+    private final Deque<byte[]> arrived = new ArrayDeque<>();
+
     private @Nullable LinkException end;
     private boolean reading = true;
     private @Nullable Noise noise;
@@ -40,30 +41,9 @@ public final class MemoryLink implements Link {
      */
     public record Noise(long seed, double dropRate, double corruptRate) {}
 
-    /** What is under way, in the order in which it was sent. */
-    private static final class Cable {
-        private final Queue<Runnable> deliveries = new ArrayDeque<>();
-        private boolean delivering;
-
-        void deliver(Runnable delivery) {
-            deliveries.add(delivery);
-            if (delivering) {
-                return;
-            }
-            delivering = true;
-            try {
-                for (Runnable next = deliveries.poll(); next != null; next = deliveries.poll()) {
-                    next.run();
-                }
-            } finally {
-                delivering = false;
-            }
-        }
-    }
-
     private MemoryLink(WakeLine brc) {
         this.description = "memory link of the converter";
-        this.cable = new Cable();
+        this.cable = new Object();
         this.wakeLine = brc;
         this.peer = new MemoryLink(this);
     }
@@ -91,39 +71,42 @@ public final class MemoryLink implements Link {
     }
 
     @Override
-    public void open(Receiver newReceiver) {
+    public int receive(byte[] buffer) {
         synchronized (cable) {
-            if (receiver != null || end != null) {
-                throw new IllegalStateException(description + " has been opened or closed before; make a new one");
+            byte[] bytes = arrived.poll();
+            if (bytes == null) {
+                return end == null ? 0 : ENDED;
             }
-            receiver = newReceiver;
+            int length = Math.min(bytes.length, buffer.length);
+            System.arraycopy(bytes, 0, buffer, 0, length);
+            if (length < bytes.length) {
+                arrived.addFirst(Arrays.copyOfRange(bytes, length, bytes.length));
+            }
+            return length;
+        }
+    }
+
+    @Override
+    public @Nullable LinkException loss() {
+        synchronized (cable) {
+            return end == null || end.fault() == Fault.CLOSED ? null : end;
         }
     }
 
     @Override
     public void send(byte[] bytes) {
         synchronized (cable) {
-            requireOpen();
+            if (end != null) {
+                throw end;
+            }
             if (!peer.reading) {
-                throw lose(new LinkException(Fault.NOT_READING, description + ": the other end takes no bytes"));
+                end = new LinkException(Fault.NOT_READING, description + ": the other end takes no bytes");
+                throw end;
             }
             byte[] arriving = disturbed(bytes);
-            cable.deliver(() -> peer.arrive(arriving));
-        }
-    }
-
-    private void requireOpen() {
-        if (end != null) {
-            throw end;
-        }
-        if (receiver == null) {
-            throw new LinkException(Fault.CLOSED, description + " is not open");
-        }
-    }
-
-    private void arrive(byte[] bytes) {
-        if (receiver != null && end == null && bytes.length > 0) {
-            receiver.received(bytes, bytes.length);
+            if (peer.end == null && arriving.length > 0) {
+                peer.arrived.add(arriving);
+            }
         }
     }
 
@@ -142,15 +125,6 @@ public final class MemoryLink implements Link {
         return Arrays.copyOf(arriving, length);
     }
 
-    private LinkException lose(LinkException cause) {
-        end = cause;
-        Receiver told = receiver;
-        if (told != null) {
-            cable.deliver(() -> told.lost(cause));
-        }
-        return cause;
-    }
-
     /** Pulls the cable: each end that is open is lost. */
     public void hangUp() {
         synchronized (cable) {
@@ -161,7 +135,7 @@ public final class MemoryLink implements Link {
 
     private void loseByHangUp() {
         if (end == null) {
-            lose(new LinkException(Fault.HUNG_UP, description + " hung up"));
+            end = new LinkException(Fault.HUNG_UP, description + " hung up");
         }
     }
 
@@ -184,7 +158,7 @@ public final class MemoryLink implements Link {
     public WakeLine wakeLine() {
         return low -> {
             synchronized (cable) {
-                return receiver != null && end == null && wakeLine.setLow(low);
+                return end == null && wakeLine.setLow(low);
             }
         };
     }
@@ -199,6 +173,7 @@ public final class MemoryLink implements Link {
         synchronized (cable) {
             if (end == null) {
                 end = new LinkException(Fault.CLOSED, description + " is closed");
+                arrived.clear();
             }
         }
     }

@@ -3,9 +3,9 @@ package org.evoloop.roomba.link;
 import static java.util.concurrent.TimeUnit.MILLISECONDS;
 import static java.util.concurrent.TimeUnit.NANOSECONDS;
 
-import com.fazecast.jSerialComm.SerialPort;
 import java.util.Arrays;
 import java.util.concurrent.locks.ReentrantLock;
+import java.util.function.ToIntFunction;
 
 /**
  * Writes on the caller's thread, since waking another one takes longer than all that a command needs before. A
@@ -26,7 +26,7 @@ final class SerialWriter {
      */
     private static final long SILENCE_NANOS = 100_000_000;
 
-    private final SerialPort port;
+    private final ToIntFunction<byte[]> port;
     private final SerialSettings settings;
     private final WriteGuard guard;
     private final ReentrantLock turn = new ReentrantLock(true);
@@ -43,10 +43,16 @@ final class SerialWriter {
         LATE
     }
 
-    SerialWriter(SerialPort port, SerialSettings settings, Runnable endSession, String guardName) {
+    /**
+     * Writes from {@link #start} on.
+     *
+     * @param port writes bytes and returns how many it has taken
+     * @param cutShort has the port return from a write that is late, see {@link WriteGuard}
+     */
+    SerialWriter(ToIntFunction<byte[]> port, SerialSettings settings, Runnable cutShort, String guardName) {
         this.port = port;
         this.settings = settings;
-        this.guard = new WriteGuard(port, limitNanos(0), endSession, guardName);
+        this.guard = new WriteGuard(limitNanos(0), cutShort, guardName);
     }
 
     void start() {
@@ -94,7 +100,7 @@ final class SerialWriter {
         for (int start = 0; start < bytes.length; start += CHUNK_BYTES) {
             int end = Math.min(start + CHUNK_BYTES, bytes.length);
             byte[] chunk = end == bytes.length && start == 0 ? bytes : Arrays.copyOfRange(bytes, start, end);
-            if (ending || guard.isLate() || port.writeBytes(chunk, chunk.length) != chunk.length) {
+            if (ending || guard.isLate() || port.applyAsInt(chunk) != chunk.length) {
                 return Outcome.REFUSED;
             }
             long now = System.nanoTime();

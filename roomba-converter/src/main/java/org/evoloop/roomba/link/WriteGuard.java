@@ -2,19 +2,19 @@ package org.evoloop.roomba.link;
 
 import static java.util.concurrent.TimeUnit.MILLISECONDS;
 
-import com.fazecast.jSerialComm.SerialPort;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.locks.LockSupport;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Sees to it that a write comes to its end, which a write to a port whose peer does not read never does by itself on Linux:
- * when its time is over the session is ended, and what stands in the port's buffers is dropped.
+ * when its time is over it is cut short, again and again until it returns.
  *
  * <p>Threading: watches on a daemon thread of its own, which sleeps while nothing is written. It is not woken for a write
  * that soon follows another one, and takes no lock that a write could wait for. One write at a time.
  */
 final class WriteGuard {
-    private static final long FLUSH_INTERVAL_NANOS = MILLISECONDS.toNanos(10);
+    private static final long CUT_INTERVAL_NANOS = MILLISECONDS.toNanos(10);
 
     /** Nobody writes. Deadlines are odd, so that they are neither this nor {@link #LATE}. */
     private static final long IDLE = 0;
@@ -22,13 +22,15 @@ final class WriteGuard {
     /** The write under way has had its time. */
     private static final long LATE = 2;
 
-    private final SerialPort port;
     private final long shortestLimitNanos;
-    private final Runnable endSession;
+    private final Runnable cutShort;
     private final Thread thread;
 
     /** When the write under way has to end, by {@link System#nanoTime()}, or one of the two words above. */
     private final AtomicLong due = new AtomicLong(IDLE);
+
+    /** Who watches; null before that has begun, when there is nobody to wake. */
+    private volatile @Nullable Thread watcher;
 
     private volatile boolean ended;
     private volatile boolean asleep;
@@ -38,14 +40,14 @@ final class WriteGuard {
      * Watches from {@link #start} on.
      *
      * @param shortestLimitNanos no write has less time than this
-     * @param endSession sets the port to return from reads and writes at once; called when a write is late, by the guard's
-     *     thread
+     * @param cutShort has the port return from reads and writes at once, and drop what stands in its buffers; called every
+     *     10 ms while a write is late, by the guard's thread
      */
-    WriteGuard(SerialPort port, long shortestLimitNanos, Runnable endSession, String threadName) {
-        this.port = port;
+    WriteGuard(long shortestLimitNanos, Runnable cutShort, String threadName) {
         this.shortestLimitNanos = shortestLimitNanos;
-        this.endSession = endSession;
-        this.thread = SerialSession.daemon(threadName, this::watch);
+        this.cutShort = cutShort;
+        this.thread = new Thread(this::watch, threadName);
+        thread.setDaemon(true);
     }
 
     void start() {
@@ -57,7 +59,7 @@ final class WriteGuard {
         usedLately = true;
         due.set(deadlineNanoTime | 1);
         if (asleep) {
-            LockSupport.unpark(thread);
+            LockSupport.unpark(watcher);
         }
     }
 
@@ -73,19 +75,21 @@ final class WriteGuard {
 
     /** The write under way, if there is one, has only a moment left. */
     void hurry() {
-        long soon = (System.nanoTime() + FLUSH_INTERVAL_NANOS) | 1;
+        long soon = (System.nanoTime() + CUT_INTERVAL_NANOS) | 1;
         due.updateAndGet(current -> current == IDLE || current == LATE ? current : soon);
-        LockSupport.unpark(thread);
+        LockSupport.unpark(watcher);
     }
 
     /** Ends the thread; it touches the port no more when this returns true. */
     boolean end(long limitNanos) {
         ended = true;
-        LockSupport.unpark(thread);
+        LockSupport.unpark(watcher);
         return BoundedWait.forEnd(thread, limitNanos);
     }
 
-    private void watch() {
+    /** What the thread does until the {@link #end}. */
+    void watch() {
+        watcher = Thread.currentThread();
         while (!ended) {
             long deadline = due.get();
             if (deadline != IDLE) {
@@ -114,9 +118,8 @@ final class WriteGuard {
         if (deadline != LATE && leftNanos > 0) {
             LockSupport.parkNanos(this, leftNanos);
         } else if (deadline == LATE || due.compareAndSet(deadline, LATE)) {
-            endSession.run();
-            port.flushIOBuffers();
-            LockSupport.parkNanos(this, FLUSH_INTERVAL_NANOS);
+            cutShort.run();
+            LockSupport.parkNanos(this, CUT_INTERVAL_NANOS);
         }
     }
 }

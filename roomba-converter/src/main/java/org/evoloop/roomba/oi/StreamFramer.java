@@ -1,8 +1,8 @@
 package org.evoloop.roomba.oi;
 
+import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
-import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -12,14 +12,14 @@ import org.jspecify.annotations.Nullable;
  * no byte is passed over that could begin a frame.
  *
  * <p>Guarantee: an intact frame is delivered if no other bytes that make up a whole valid frame overlap it from before.
- * A framer made for {@link #StreamFramer(Collection, Consumer) given packets} delivers it with its last byte. One
+ * A framer made for {@link #StreamFramer(Collection) given packets} delivers it with its last byte. One
  * {@link #forAnyPackets for any packets} may take a wrong length byte before it for that of a longer frame, and then
  * delivers it at most 252 bytes later.
  *
  * <p>One wrong byte in a frame of given packets is always noticed. Of frames spoilt in other ways about one in 256 is
  * delivered with wrong values, since the checksum has eight bits.
  *
- * <p>Threading: not thread-safe; the consumer is called from {@code feed} and must not call back.
+ * <p>Threading: not thread-safe.
  */
 public final class StreamFramer {
     private static final int LENGTH_AT = 1;
@@ -27,7 +27,6 @@ public final class StreamFramer {
 
     private final @Nullable List<PacketId> expected;
     private final int expectedPayload;
-    private final Consumer<SensorValues> consumer;
 
     /** The candidate from its header on, and behind it what is still to be looked at. */
     private final byte[] buffer = new byte[StreamFrame.LONGEST_PAYLOAD + StreamFrame.OVERHEAD];
@@ -47,10 +46,9 @@ public final class StreamFramer {
     private long headerlessChecksums;
     private long skippedBytes;
 
-    private StreamFramer(@Nullable List<PacketId> expected, int expectedPayload, Consumer<SensorValues> consumer) {
+    private StreamFramer(@Nullable List<PacketId> expected, int expectedPayload) {
         this.expected = expected;
         this.expectedPayload = expectedPayload;
-        this.consumer = consumer;
     }
 
     /**
@@ -58,31 +56,34 @@ public final class StreamFramer {
      *
      * @throws IllegalArgumentException if the packets do not fit into a frame
      */
-    public StreamFramer(Collection<? extends PacketId> packets, Consumer<SensorValues> consumer) {
-        this(List.copyOf(packets), StreamFrame.payloadLength(packets), consumer);
+    public StreamFramer(Collection<? extends PacketId> packets) {
+        this(List.copyOf(packets), StreamFrame.payloadLength(packets));
     }
 
     /** A framer for a stream that somebody else asked for: frames of any known packets, but at least one. */
-    public static StreamFramer forAnyPackets(Consumer<SensorValues> consumer) {
-        return new StreamFramer(null, 0, consumer);
+    public static StreamFramer forAnyPackets() {
+        return new StreamFramer(null, 0);
     }
 
-    /** Takes {@code count} bytes from {@code offset} on. */
-    public void feed(byte[] bytes, int offset, int count) {
+    /** Takes {@code count} bytes from {@code offset} on; returns the frames that are complete with them, in order. */
+    public List<SensorValues> feed(byte[] bytes, int offset, int count) {
+        List<SensorValues> complete = new ArrayList<>(1);
         for (int i = offset; i < offset + count; i++) {
-            feed(bytes[i]);
+            feed(bytes[i], complete);
         }
+        return complete;
     }
 
-    /** Takes one byte. */
-    public void feed(byte octet) {
+    private void feed(byte octet, List<SensorValues> complete) {
         buffer[buffered++] = octet;
         while (fitting < buffered) {
             if (!fits(Bytes.unsigned8(buffer, fitting))) {
                 skippedBytes++;
                 drop(1);
             } else if (fitting++ == checksumAt) {
-                deliver();
+                complete.add(SensorValues.decodePayload(buffer, PAYLOAD_AT, checksumAt));
+                frames++;
+                drop(fitting);
             }
         }
     }
@@ -117,13 +118,6 @@ public final class StreamFramer {
         }
         nextIdAt = fitting + 1 + packet.size();
         return nextIdAt <= checksumAt;
-    }
-
-    private void deliver() {
-        SensorValues values = SensorValues.decodePayload(buffer, PAYLOAD_AT, checksumAt);
-        frames++;
-        drop(fitting);
-        consumer.accept(values);
     }
 
     private void drop(int count) {

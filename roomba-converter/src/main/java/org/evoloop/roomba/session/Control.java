@@ -5,7 +5,7 @@ import org.evoloop.roomba.oi.Command;
 import org.evoloop.roomba.oi.Packet;
 import org.evoloop.roomba.oi.SensorValues;
 import org.evoloop.roomba.session.connection.Connection;
-import org.evoloop.roomba.session.inference.ActivityWatch;
+import org.evoloop.roomba.session.inference.ActivityEstimate;
 import org.evoloop.roomba.session.inference.SpotWatch;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -27,13 +27,22 @@ final class Control {
      * A command that ends control shows within a few frames, in the mode; if not there, its motors must have begun by now.
      * It must not be sent twice if it has arrived: the second Clean ends what the first began.
      */
-    static final int CONFIRM_FRAMES = ActivityWatch.START_FRAMES;
+    static final int CONFIRM_FRAMES = ActivityEstimate.START_FRAMES;
 
     /** Three Safe commands, with whatever was pending completed between. */
     private static final int TRIES_ON_DOCK = 5;
 
+    /** What a frame has shown of the robot. */
+    enum Known {
+        NOTHING,
+        /** It is on and does nothing, whatever it was taken to do. */
+        ON,
+        /** It does what it is taken to do. */
+        AS_ESTIMATED
+    }
+
     private final Connection connection;
-    private final RobotWatch watch;
+    private final ActivityEstimate estimate;
     private boolean engaged;
     private volatile boolean wanted;
     private volatile boolean regaining;
@@ -46,9 +55,9 @@ final class Control {
     private int framesWith;
     private int framesWithout;
 
-    Control(Connection connection, RobotWatch watch) {
+    Control(Connection connection, ActivityEstimate estimate) {
         this.connection = connection;
-        this.watch = watch;
+        this.estimate = estimate;
     }
 
     /** Control is wanted now, and again whenever the robot has left Safe mode by itself. */
@@ -73,6 +82,11 @@ final class Control {
         engagedFrames = 0;
         wanted = false;
         regaining = false;
+    }
+
+    /** The last command is not sent again, whatever became of it. */
+    void forgetCommand() {
+        unconfirmed = null;
     }
 
     /** Whether control is wanted now. */
@@ -106,12 +120,13 @@ final class Control {
         settlingFrames = SETTLING_FRAMES;
     }
 
-    /** Takes the next frame. */
-    void update(Telemetry now) {
+    /** Takes the next frame; returns what has become known of the robot. */
+    Known update(Telemetry now) {
         comeBackIntoSight();
-        seeControl(now.isUnderControl());
-        tellWhatWasMissed();
-        takeBack(now);
+        boolean on = seeControl(now.isUnderControl());
+        boolean owed = isTellingOwed();
+        on |= takeBack(now);
+        return on ? Known.ON : owed ? Known.AS_ESTIMATED : Known.NOTHING;
     }
 
     /**
@@ -127,26 +142,26 @@ final class Control {
         }
     }
 
-    private void seeControl(boolean now) {
+    /** Returns whether it is known that the robot does nothing. */
+    private boolean seeControl(boolean now) {
         if (now && !underControl) {
             // Only when it begins: a command that ends control takes some frames to show.
-            watch.controlled();
+            estimate.controlled();
         }
         underControl = now;
-        if (underControl && regaining) {
-            regaining = false;
-            watch.tellOn();
-        }
+        boolean on = underControl && regaining;
+        regaining &= !on;
         Command command = unconfirmed;
         framesWith = underControl ? framesWith + 1 : 0;
         if (!underControl) {
             unconfirmed = null;
         } else if (command != null) {
             confirm(command);
-        } else if (engaged && !wanted && framesWith % SpotWatch.QUIET_FRAMES == 0 && watch.isAtRest()) {
+        } else {
             // Whatever it was left alone for, it does not do it.
-            watch.tellOn();
+            on |= engaged && !wanted && framesWith % SpotWatch.QUIET_FRAMES == 0 && estimate.isAtRest();
         }
+        return on;
     }
 
     /**
@@ -154,54 +169,50 @@ final class Control {
      * robot is at work, or it has not received it.
      */
     private void confirm(Command command) {
-        if (watch.isAtWork()) {
+        if (estimate.isAtWork()) {
             unconfirmed = null;
             LOG.warn(
                     "{}: the robot works by itself, but its mode says that it is under control. It may report its mode one "
                             + "too high: try --mode-offset 1, or leave the option out",
                     connection.description());
-        } else if (framesWith >= CONFIRM_FRAMES && watch.isAtRest()) {
+        } else if (framesWith >= CONFIRM_FRAMES && estimate.isAtRest()) {
             framesWith = 0;
             connection.trySend(command);
         }
     }
 
     /** Who engages with the robot has not heard what it did before, though it was in sight. */
-    private void tellWhatWasMissed() {
+    private boolean isTellingOwed() {
         if (mayHaveMissed && engaged && ++engagedFrames == SpotWatch.QUIET_FRAMES) {
             mayHaveMissed = false;
-            if (!wanted && !regaining && !outOfSight) {
-                watch.tellActivity();
-            }
+            return !wanted && !regaining && !outOfSight;
         }
+        return false;
     }
 
     /**
      * The robot leaves Safe mode by itself, for instance when it is lifted, and a command may be lost on a noisy line: it
-     * is taken back, tried again until it obeys. On its dock it never does; but so many tries have switched it on.
+     * is taken back, tried again until it obeys. On its dock it never does; but so many tries have switched it on, which is
+     * told by true.
      */
-    private void takeBack(Telemetry now) {
+    private boolean takeBack(Telemetry now) {
         SensorValues values = now.values();
         boolean docked = values.value(Packet.CHARGING_SOURCES) != 0;
         boolean mayTake = (regaining || wanted) && !outOfSight && !now.isUnderControl() && !values.anyWheelDrop();
         framesWithout = mayTake ? framesWithout + 1 : 0;
         int tries = framesWithout / SpotWatch.QUIET_FRAMES;
         if (tries == 0 || framesWithout % SpotWatch.QUIET_FRAMES != 0) {
-            return;
+            return false;
         }
-        if (docked && tries > TRIES_ON_DOCK) {
-            if (regaining) {
-                regained();
-            }
+        boolean over = docked && tries > TRIES_ON_DOCK;
+        boolean switchedOn = over && regaining;
+        if (over) {
+            regaining = false;
         } else if (tries % 2 == 0) {
             connection.completeWhateverIsPending();
         } else {
             connection.trySend(new Command.Safe());
         }
-    }
-
-    private void regained() {
-        regaining = false;
-        watch.tellOn();
+        return switchedOn;
     }
 }

@@ -3,9 +3,9 @@ package org.evoloop.roomba.session;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.ExecutionException;
+import java.util.function.BooleanSupplier;
 import java.util.function.IntFunction;
 import org.evoloop.converter.DeviceLink;
 import org.evoloop.roomba.link.Link;
@@ -14,12 +14,9 @@ import org.evoloop.roomba.oi.ActuatorCommand;
 import org.evoloop.roomba.oi.Command;
 import org.evoloop.roomba.oi.Packet;
 import org.evoloop.roomba.oi.PacketId;
-import org.evoloop.roomba.oi.SensorValues;
-import org.evoloop.roomba.oi.StreamFramer;
 import org.evoloop.roomba.session.connection.Connection;
 import org.evoloop.roomba.session.connection.RobotException;
-import org.evoloop.roomba.session.inference.FrameFilter;
-import org.evoloop.roomba.session.inference.ModeOffset;
+import org.evoloop.roomba.session.inference.ActivityEstimate;
 import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -32,7 +29,8 @@ import org.slf4j.LoggerFactory;
  * <p>Lifecycle: {@link #open}, then {@link #awaitRobot}; {@link #close} stops a robot under control and leaves it in
  * Passive mode; one that works by itself goes on.
  *
- * <p>Threading: all methods may be called from any thread. Listeners are called on the link's thread.
+ * <p>Threading: all methods may be called from any thread. Listeners are called on the thread that reads
+ * the link, or on that of whoever {@link #poll polls}.
  */
 public final class RoombaSession implements DeviceLink, AutoCloseable {
     /**
@@ -58,75 +56,42 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
 
     private static final Logger LOG = LoggerFactory.getLogger(RoombaSession.class);
 
-    /** So many frames whose checksum is wrong, and none whose is right, are no chance. */
-    private static final int TELLING_FRAMES = 20;
+    private static final Duration EFFECT_LIMIT = Duration.ofMillis(500);
+
+    /** A robot that was told to work must show it within 3 s, and rest when it has rested for 1 s. */
+    private static final Duration ACTIVITY_LIMIT = Duration.ofMillis(4_500);
+
+    /** How often is looked whether the robot shows what is waited for: three times a frame. */
+    private static final Duration LOOK = Duration.ofMillis(5);
 
     private final Clock clock;
     private final SessionOptions options;
+    private final RobotReader reader;
     private final Connection connection;
-    private final Listeners listeners = new Listeners();
-    private final Object receiving = new Object();
-    private final Object sending = new Object();
-    private final StreamFramer framer = new StreamFramer(STREAM, this::framed);
-    private final ModeOffset modeOffset;
-    private final FrameFilter filter;
-    private final Odometry odometry = new Odometry();
-    private final RobotWatch watch = new RobotWatch(listeners);
     private final Control control;
+    private final Object sending = new Object();
     private boolean modeChanged;
     private long modeChangedNanos;
-    private volatile @Nullable Telemetry latest;
 
     /**
-     * @param cable makes a new link to the robot at a baud rate; called again whenever the link was lost
+     * @param cable opens a new link to the robot at a baud rate; called again whenever the link was lost
      */
     public RoombaSession(IntFunction<Link> cable, Clock clock, SessionOptions options) {
         this.clock = clock;
         this.options = options;
-        this.modeOffset = new ModeOffset(options.modeOffset());
-        this.filter = new FrameFilter(modeOffset);
-        Connection.Options wanted = new Connection.Options(STREAM, options.silenceLimit(), options.mayWait());
-        this.connection = new Connection(cable, clock, wanted, new Connection.Owner() {
-            @Override
-            public void received(byte[] buffer, int length) {
-                synchronized (receiving) {
-                    framer.feed(buffer, 0, length);
-                }
-            }
-
-            @Override
-            public void outOfSight() {
-                synchronized (receiving) {
-                    control.loseSight();
-                    watch.forget();
-                }
-            }
-
-            @Override
-            public String frameTrouble() {
-                synchronized (receiving) {
-                    return RoombaSession.frameTrouble(framer);
-                }
-            }
-
-            @Override
-            public boolean isDozing() {
-                synchronized (receiving) {
-                    return !isUnderControl() && watch.isAtRest();
-                }
-            }
-        });
-        this.control = new Control(connection, watch);
+        this.reader = new RobotReader(cable, clock, options);
+        this.connection = reader.connection();
+        this.control = reader.control();
     }
 
     /** Adds a listener; it hears all that comes from now on. */
     public void addListener(SessionListener listener) {
-        listeners.add(listener);
+        reader.addListener(listener);
     }
 
     /** Removes a listener. */
     public void removeListener(SessionListener listener) {
-        listeners.remove(listener);
+        reader.removeListener(listener);
     }
 
     /**
@@ -156,45 +121,9 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
         }
     }
 
-    /** Frames that fit in everything but their checksum are no matter of the baud rate. */
-    private static String frameTrouble(StreamFramer framer) {
-        if (framer.frames() > 0 || framer.badChecksums() < TELLING_FRAMES) {
-            return "";
-        }
-        return 2 * framer.headerlessChecksums() > framer.badChecksums()
-                ? "frames come, but their checksum leaves out the header byte, as the Roomba 500's specification has it and "
-                        + "no robot is known to do. A simulated robot does with --checksum spec500: start it without"
-                : "frames come, but their checksum never fits: the cable or its adapter changes bytes. Try another one";
-    }
-
-    /** One frame has come; called on the link's thread. */
-    private void framed(SensorValues raw) {
-        learnModeOffset(raw.value(Packet.OI_MODE));
-        if (!modeOffset.isKnown()) {
-            return;
-        }
-        SensorValues values = filter.filter(raw);
-        Telemetry earlier = latest;
-        Telemetry now = new Telemetry(earlier == null ? 1 : earlier.frame() + 1, values, odometry.update(values));
-        latest = now;
-        // Who waits for the robot finds its values.
-        connection.answered();
-        listeners.received(now);
-        control.update(now);
-        watch.update(now, !control.isWanted());
-    }
-
-    private void learnModeOffset(int reported) {
-        int before = modeOffset.value();
-        if (modeOffset.update(reported)) {
-            connection.trySend(new Command.Start());
-        }
-        if (modeOffset.value() != before) {
-            LOG.warn(
-                    "{}: the robot reports its mode {}; modes are read accordingly",
-                    connection.description(),
-                    modeOffset.value() == 1 ? "one too high, as some 600 models do" : "as specified");
-        }
+    /** Reads what has come, for whoever lets time pass by hand; else a thread does. */
+    public void poll() {
+        connection.poll();
     }
 
     /**
@@ -209,6 +138,7 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
             throw new RobotException(connection.description()
                     + ": the robot has just come back into sight; try again when it is under control");
         }
+        reader.sending(command);
         synchronized (sending) {
             if (options.mayWait()) {
                 pauseAfterModeChange();
@@ -219,9 +149,38 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
                 modeChangedNanos = clock.nanoTime();
             }
         }
-        synchronized (receiving) {
-            control.commanded(command);
-            watch.commanded(command);
+        reader.commanded(command);
+    }
+
+    /**
+     * Waits until the robot's mode shows that the last command has had its effect; listeners have been told so by then.
+     * Returns at once if its mode does not show that, and after a quarter of a second of frames, or half a second without
+     * any, if it has not shown.
+     *
+     * @throws InterruptedException if the thread is told to stop while it waits
+     */
+    public void awaitEffect() throws InterruptedException {
+        awaitUntil(() -> !reader.isEffectAwaited(), EFFECT_LIMIT);
+    }
+
+    /**
+     * Waits until the robot's frames show for sure what it does: whether it is under control, or else its motors.
+     *
+     * @return empty if that cannot be told, as while it is out of sight; after four and a half seconds at the latest
+     * @throws InterruptedException if the thread is told to stop while it waits
+     */
+    public Optional<ActivityEstimate.Activity> awaitActivity() throws InterruptedException {
+        Telemetry last = reader.latest();
+        // A frame may have been on its way when it was asked; without waiting there is none on its way.
+        long since = last == null || !options.mayWait() ? 0 : last.frame() + 1;
+        awaitUntil(() -> reader.known(since) != null, ACTIVITY_LIMIT);
+        return isUp() ? Optional.ofNullable(reader.known(since)) : Optional.empty();
+    }
+
+    private void awaitUntil(BooleanSupplier holds, Duration limit) throws InterruptedException {
+        long deadline = clock.nanoTime() + limit.toNanos();
+        while (options.mayWait() && isUp() && !holds.getAsBoolean() && clock.nanoTime() - deadline < 0) {
+            clock.sleep(LOOK);
         }
     }
 
@@ -243,7 +202,7 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
      * @throws LinkException if the command could not be sent
      */
     public void takeControl() {
-        synchronized (receiving) {
+        synchronized (reader) {
             control.want();
         }
         if (!isUnderControl()) {
@@ -253,7 +212,7 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
 
     /** Leaves the robot to itself for now; if it comes back from out of sight, control is taken. */
     public void leaveAlone() {
-        synchronized (receiving) {
+        synchronized (reader) {
             control.leaveAlone();
         }
     }
@@ -261,7 +220,7 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
     /** Stops the wheels if the robot is under control or about to be, and gives it back to itself for good. */
     public void letGo() {
         boolean mayHaveControl;
-        synchronized (receiving) {
+        synchronized (reader) {
             // Control that was just asked for may show only in the next frame.
             mayHaveControl = control.isWanted() || control.isRegaining() || isUnderControl();
             control.letGo();
@@ -274,12 +233,12 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
 
     /** What the last frame told; null before the first. */
     public @Nullable Telemetry latest() {
-        return latest;
+        return reader.latest();
     }
 
     /** Whether the robot obeys drive commands, as of the last frame. */
     public boolean isUnderControl() {
-        Telemetry now = latest;
+        Telemetry now = reader.latest();
         return now != null && now.isUnderControl();
     }
 
@@ -301,20 +260,12 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
     /** Port, trouble or mode, and how many frames were good and bad. */
     @Override
     public String describe() {
-        Telemetry now = latest;
+        Telemetry now = reader.latest();
         String trouble = connection.trouble();
         if (!trouble.isEmpty() || now == null) {
             return connection.description() + ": " + trouble;
         }
-        String mode = now.values()
-                .mode()
-                .map(known -> known.name().toLowerCase(Locale.ROOT))
-                .orElse("unknown");
-        synchronized (receiving) {
-            return connection.description() + ", mode " + mode
-                    + (modeOffset.value() == 0 ? "" : " (reported one too high)") + ", " + framer.frames() + " frames, "
-                    + framer.badChecksums() + " bad, " + framer.skippedBytes() + " bytes skipped";
-        }
+        return connection.description() + ", " + reader.describe(now);
     }
 
     /** Lets go of the robot as {@link #letGo()} does, and closes the link. Idempotent. */

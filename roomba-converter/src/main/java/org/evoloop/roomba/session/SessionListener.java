@@ -1,6 +1,7 @@
 package org.evoloop.roomba.session;
 
 import org.evoloop.roomba.oi.Button;
+import org.evoloop.roomba.oi.Command;
 import org.evoloop.roomba.session.inference.SpotWatch;
 
 /**
@@ -27,6 +28,9 @@ public interface SessionListener {
      * @param robotActs whether the robot acts on it by itself, as it does unless it is under control
      */
     default void pressed(Button button, boolean robotActs) {}
+
+    /** The robot's mode shows that this command, the very one that was sent, has had its effect. */
+    default void obeyed(Command command) {}
 
     /** A spot cleaning has ended. */
     default void spotEnded(SpotWatch.Ending how) {}

@@ -9,23 +9,41 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 
-/** Remembers what a link tells it. */
-class Listener implements Link.Receiver {
+/** Reads a link and remembers what has come. */
+class Listener {
     static final long PATIENCE_SECONDS = 10;
 
     private final ByteArrayOutputStream received = new ByteArrayOutputStream();
     private final CompletableFuture<LinkException> lost = new CompletableFuture<>();
     private volatile long threadCpuNanos;
 
-    @Override
-    public synchronized void received(byte[] buffer, int length) {
+    /** Reads on a thread of its own until the link ends. */
+    Link listenTo(Link link) {
+        Thread reader = new Thread(() -> read(link), "listener");
+        reader.setDaemon(true);
+        reader.start();
+        return link;
+    }
+
+    /** Reads until nothing more comes. */
+    void read(Link link) {
+        byte[] buffer = new byte[1_024];
+        for (int length = link.receive(buffer); length > 0; length = link.receive(buffer)) {
+            received(buffer, length);
+        }
+        LinkException cause = link.loss();
+        if (cause != null) {
+            lost(cause);
+        }
+    }
+
+    synchronized void received(byte[] buffer, int length) {
         assertThat(lost).as("nothing is received after a loss").isNotDone();
         received.write(buffer, 0, length);
         notifyAll();
     }
 
-    @Override
-    public void lost(LinkException cause) {
+    void lost(LinkException cause) {
         threadCpuNanos = ManagementFactory.getThreadMXBean().getCurrentThreadCpuTime();
         assertThat(lost.complete(cause)).as("a loss is told once").isTrue();
     }

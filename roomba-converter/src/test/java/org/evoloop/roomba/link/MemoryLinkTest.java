@@ -23,91 +23,76 @@ class MemoryLinkTest {
     private final MemoryLink converter = pair.converter();
     private final MemoryLink robot = pair.robot();
 
-    private void openBoth() {
-        converter.open(converterHears);
-        robot.open(robotHears);
+    private void readBoth() {
+        converterHears.read(converter);
+        robotHears.read(robot);
     }
 
     @Test
-    void bytesArriveBeforeTheSendReturns() {
-        openBoth();
+    void bytesHaveArrivedWhenTheSendReturns() {
         converter.send(new byte[] {1, 2});
+        robotHears.read(robot);
         assertThat(robotHears.received()).containsExactly(1, 2);
         robot.send(new byte[] {3});
+        converterHears.read(converter);
         assertThat(converterHears.received()).containsExactly(3);
     }
 
     @Test
-    void aReplyFromWithinTheReceiverNeverEntersAReceiverTwice() {
-        List<String> order = new ArrayList<>();
-        converter.open(new Listener() {
-            @Override
-            public synchronized void received(byte[] buffer, int length) {
-                order.add("converter hears " + buffer[0]);
-                if (buffer[0] < 4) {
-                    converter.send(new byte[] {(byte) (buffer[0] + 1)});
-                }
-                order.add("converter is done with " + buffer[0]);
-            }
-        });
-        robot.open(new Listener() {
-            @Override
-            public synchronized void received(byte[] buffer, int length) {
-                order.add("robot hears " + buffer[0]);
-                robot.send(new byte[] {(byte) (buffer[0] + 1)});
-                order.add("robot is done with " + buffer[0]);
-            }
-        });
-        converter.send(new byte[] {1});
-        assertThat(order)
-                .containsExactly(
-                        "robot hears 1",
-                        "robot is done with 1",
-                        "converter hears 2",
-                        "converter is done with 2",
-                        "robot hears 3",
-                        "robot is done with 3",
-                        "converter hears 4",
-                        "converter is done with 4");
+    void aSmallBufferTakesThemPieceByPieceAndNobodyWaits() {
+        converter.send(new byte[] {1, 2, 3});
+        converter.send(new byte[] {4});
+        byte[] buffer = new byte[2];
+        assertThat(robot.receive(buffer)).isEqualTo(2);
+        assertThat(buffer).containsExactly(1, 2);
+        assertThat(robot.receive(buffer)).isEqualTo(1);
+        assertThat(buffer[0]).isEqualTo((byte) 3);
+        assertThat(robot.receive(buffer)).isEqualTo(1);
+        assertThat(buffer[0]).isEqualTo((byte) 4);
+        assertThat(robot.receive(buffer)).isZero();
     }
 
     @Test
-    void bytesForAnEndThatIsNotOpenAreLost() {
-        converter.open(converterHears);
+    void bytesForAnEndThatIsClosedAreLost() {
         converter.send(new byte[] {1});
-        robot.open(robotHears);
-        converter.send(new byte[] {2});
         robot.close();
-        converter.send(new byte[] {3});
-        assertThat(robotHears.received()).containsExactly(2);
-        assertThat(robotHears.isLost()).isFalse();
+        converter.send(new byte[] {2});
+        assertThat(robot.receive(new byte[1])).isEqualTo(Link.ENDED);
+        assertThat(robot.loss()).isNull();
     }
 
     @Test
-    void hangingUpIsToldOnceAtBothEnds() throws Exception {
-        openBoth();
+    void hangingUpIsToldAtBothEndsAfterWhatHadCome() {
+        robot.send(new byte[] {1});
         converter.hangUp();
         robot.hangUp();
-        assertThat(converterHears.awaitLost().fault()).isEqualTo(Fault.HUNG_UP);
-        assertThat(robotHears.awaitLost().fault()).isEqualTo(Fault.HUNG_UP);
+        readBoth();
+        assertThat(converterHears.received()).containsExactly(1);
+        assertThat(converterHears.isLost()).isTrue();
+        assertThat(robotHears.isLost()).isTrue();
+        assertLost(Fault.HUNG_UP, converter);
+        assertLost(Fault.HUNG_UP, robot);
         assertFault(Fault.HUNG_UP, () -> converter.send(new byte[1]));
     }
 
     @Test
-    void sendingToAnEndThatDoesNotReadLosesTheLink() throws Exception {
-        openBoth();
+    void sendingToAnEndThatDoesNotReadLosesTheLink() {
         robot.setReading(false);
         assertFault(Fault.NOT_READING, () -> converter.send(new byte[1]));
-        assertThat(converterHears.awaitLost().fault()).isEqualTo(Fault.NOT_READING);
+        readBoth();
+        assertLost(Fault.NOT_READING, converter);
         assertThat(robotHears.isLost()).isFalse();
         assertThat(robotHears.received()).isEmpty();
     }
 
+    private static void assertLost(Fault fault, Link link) {
+        assertThat(link.loss())
+                .isInstanceOfSatisfying(
+                        LinkException.class, loss -> assertThat(loss.fault()).isEqualTo(fault));
+    }
+
     @Test
     void onlyAnOpenLinkSendsAndMovesTheWakeLine() {
-        assertFault(Fault.CLOSED, () -> converter.send(new byte[1]));
-        assertThat(converter.wakeLine().setLow(true)).isFalse();
-        openBoth();
         assertThat(converter.wakeLine().setLow(true)).isTrue();
         assertThat(converter.wakeLine().setLow(false)).isTrue();
         assertThat(robot.wakeLine().setLow(true)).isFalse();
@@ -115,7 +100,6 @@ class MemoryLinkTest {
         converter.close();
         assertFault(Fault.CLOSED, () -> converter.send(new byte[1]));
         assertThat(converter.wakeLine().setLow(true)).isFalse();
-        assertThatThrownBy(() -> converter.open(converterHears)).isInstanceOf(IllegalStateException.class);
         assertThat(brc).containsExactly(true, false);
     }
 
@@ -144,10 +128,9 @@ class MemoryLinkTest {
     private static byte[] throughNoise(Noise noise) {
         Pair noisyPair = MemoryLink.pair();
         Listener listener = new Listener();
-        noisyPair.converter().open(new Listener());
-        noisyPair.robot().open(listener);
         noisyPair.converter().setNoise(noise);
         noisyPair.converter().send(noisy());
+        listener.read(noisyPair.robot());
         return listener.received();
     }
 

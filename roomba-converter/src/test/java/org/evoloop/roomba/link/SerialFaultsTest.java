@@ -1,7 +1,6 @@
 package org.evoloop.roomba.link;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.catchThrowableOfType;
 import static org.junit.jupiter.api.Assumptions.assumeFalse;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
@@ -63,13 +62,12 @@ class SerialFaultsTest {
     void aPortOfThisProgramIsBusyUntilItsLinkIsClosed() throws IOException {
         try (Pty pty = Pty.open()) {
             String port = pty.path().toString();
-            Link first = new SerialLink(new SerialSettings(port));
-            first.open(new Listener());
+            Link first = SerialLink.open(new SerialSettings(port));
             assertThat(refusal(port, Fault.BUSY))
                     .isEqualTo("serial port " + port + " at 115200 baud is in use by this program; end it first");
             first.close();
-            try (Link second = new SerialLink(new SerialSettings(port))) {
-                second.open(new Listener());
+            try (Link second = SerialLink.open(new SerialSettings(port))) {
+                assertThat(second.loss()).isNull();
             }
         }
     }
@@ -121,12 +119,11 @@ class SerialFaultsTest {
     }
 
     @Test
-    void aLinkThatWasRefusedCanBeOpenedLater() throws IOException {
+    void aPortThatWasRefusedCanBeOpenedLater() throws IOException {
         Path path = folder.resolve("roomba");
-        Link link = new SerialLink(new SerialSettings(path.toString()));
-        assertThatThrownBy(() -> link.open(new Listener())).isInstanceOf(LinkException.class);
+        refusal(path.toString(), Fault.NO_SUCH_PORT);
         try (Pty pty = Pty.open(path)) {
-            link.open(new Listener());
+            Link link = SerialLink.open(new SerialSettings(path.toString()));
             assertThat(pty.clientPresent()).isTrue();
             link.close();
             assertThat(pty.clientPresent()).isFalse();
@@ -140,8 +137,8 @@ class SerialFaultsTest {
     }
 
     private static String refusal(String port, Fault fault) {
-        Link link = new SerialLink(new SerialSettings(port));
-        LinkException refusal = catchThrowableOfType(LinkException.class, () -> link.open(new Listener()));
+        LinkException refusal =
+                catchThrowableOfType(LinkException.class, () -> SerialLink.open(new SerialSettings(port)));
         assertThat(refusal).isNotNull();
         assertThat(refusal.fault()).isEqualTo(fault);
         return String.valueOf(refusal.getMessage());

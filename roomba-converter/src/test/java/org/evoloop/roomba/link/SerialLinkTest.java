@@ -132,8 +132,8 @@ class SerialLinkTest {
         };
         try (Pty pty = Pty.open()) {
             for (int baud : everyRateOfTheOpenInterface) {
-                try (Link link = new SerialLink(settings(pty).withBaud(baud))) {
-                    link.open(new Listener());
+                try (Link link = SerialLink.open(settings(pty).withBaud(baud))) {
+                    assertThat(link.loss()).isNull();
                     assertThat(pty.clientBaud()).isEqualTo(baud);
                 }
             }
@@ -144,10 +144,8 @@ class SerialLinkTest {
     void aTerminalHasNoWakeLine() throws Exception {
         try (Pty pty = Pty.open()) {
             for (WakeSignal signal : WakeSignal.values()) {
-                Link link = new SerialLink(settings(pty).withWakeSignal(signal));
+                Link link = SerialLink.open(settings(pty).withWakeSignal(signal));
                 WakeLine wakeLine = link.wakeLine();
-                assertThat(wakeLine.setLow(true)).as("before open").isFalse();
-                link.open(new Listener());
                 assertThat(wakeLine.setLow(true)).isFalse();
                 assertThat(wakeLine.setLow(false)).isFalse();
                 link.close();
@@ -157,74 +155,58 @@ class SerialLinkTest {
     }
 
     @Test
-    void theReceiverMayCloseTheLink() throws Exception {
+    void whoReceivesMayCloseTheLink() throws Exception {
         CompletableFuture<Boolean> closed = new CompletableFuture<>();
         try (Pty pty = Pty.open()) {
-            Link link = new SerialLink(settings(pty));
-            link.open(new Listener() {
+            Link link = SerialLink.open(settings(pty));
+            Listener closing = new Listener() {
                 @Override
-                public synchronized void received(byte[] buffer, int length) {
+                synchronized void received(byte[] buffer, int length) {
                     link.close();
                     closed.complete(true);
                 }
-            });
+            };
+            closing.listenTo(link);
             pty.write(COMMAND, COMMAND.length);
             assertThat(closed.get(Listener.PATIENCE_SECONDS, TimeUnit.SECONDS)).isTrue();
             link.close();
+            assertThat(closing.isLost()).as("closing is no loss").isFalse();
             SerialLeaks.awaitNoThreads();
         }
     }
 
     @Test
-    void theLinkOutlivesAReceiverThatFails() throws Exception {
-        Listener listener = new Listener() {
-            @Override
-            public synchronized void received(byte[] buffer, int length) {
-                super.received(buffer, length);
-                if (received().length == 1) {
-                    throw new IllegalStateException("a receiver's bug, thrown on purpose");
-                }
-            }
-        };
-        try (Pty pty = Pty.open();
-                Link link = open(pty, listener)) {
-            pty.write(COMMAND, 1);
-            listener.awaitReceived(1);
-            pty.write(COMMAND, 2);
-            assertThat(listener.awaitReceived(3)).hasSize(3);
-            assertThat(link.wakeLine()).isNotNull();
+    void aLinkThatNobodyReadsIsGivenBackByWhoeverClosesIt() throws Exception {
+        try (Pty pty = Pty.open()) {
+            Link link = SerialLink.open(settings(pty));
+            link.send(COMMAND);
+            link.close();
+            assertThat(link.receive(new byte[1])).isEqualTo(Link.ENDED);
+            assertThat(link.loss()).isNull();
+            assertThat(pty.clientPresent()).isFalse();
+            SerialLeaks.awaitNoThreads();
         }
     }
 
     @Test
-    void aLinkLivesOnce() throws Exception {
+    void aClosedLinkSendsNothing() throws Exception {
         try (Pty pty = Pty.open()) {
             Link link = open(pty, new Listener());
-            assertThatThrownBy(() -> link.open(new Listener())).isInstanceOf(IllegalStateException.class);
             link.close();
             link.close();
-            assertThatThrownBy(() -> link.open(new Listener())).isInstanceOf(IllegalStateException.class);
             assertThatThrownBy(() -> link.send(COMMAND))
+                    .hasMessage(link.description() + " is not open")
                     .isInstanceOfSatisfying(
                             LinkException.class,
                             failure -> assertThat(failure.fault()).isEqualTo(Fault.CLOSED));
         }
     }
 
-    @Test
-    void aNewLinkIsNotOpen() {
-        Link link = new SerialLink(new SerialSettings("/dev/nothing"));
-        assertThatThrownBy(() -> link.send(COMMAND)).hasMessage("serial port /dev/nothing at 115200 baud is not open");
-        link.close();
-    }
-
     private static SerialSettings settings(Pty pty) {
         return new SerialSettings(pty.path().toString());
     }
 
-    private static Link open(Pty pty, Link.Receiver receiver) {
-        Link link = new SerialLink(settings(pty));
-        link.open(receiver);
-        return link;
+    private static Link open(Pty pty, Listener listener) {
+        return listener.listenTo(SerialLink.open(settings(pty)));
     }
 }

@@ -112,7 +112,7 @@ class SerialLossTest {
         Pty first = Pty.open(Path.of(path));
         try (Link old = open(new Listener() {
                     @Override
-                    public void lost(LinkException cause) {
+                    void lost(LinkException cause) {
                         next.complete(open(nextListener));
                     }
                 });
@@ -157,11 +157,11 @@ class SerialLossTest {
     void theThreadThatReceivesIsNotHeldLongerByAPeerThatNeverReads() throws Exception {
         CompletableFuture<Fault> sending = new CompletableFuture<>();
         try (Pty pty = Pty.open(Path.of(path))) {
-            SerialLink link =
-                    new SerialLink(new SerialSettings(path).withBaud(4_000_000).withSendLimitMillis(200));
+            Link link =
+                    SerialLink.open(new SerialSettings(path).withBaud(4_000_000).withSendLimitMillis(200));
             Listener listener = new Listener() {
                 @Override
-                public synchronized void received(byte[] buffer, int length) {
+                synchronized void received(byte[] buffer, int length) {
                     try {
                         link.send(TOO_MUCH);
                     } catch (LinkException failure) {
@@ -169,7 +169,7 @@ class SerialLossTest {
                     }
                 }
             };
-            link.open(listener);
+            listener.listenTo(link);
             pty.write(new byte[1], 1);
             assertThat(sending.get(Listener.PATIENCE_SECONDS, TimeUnit.SECONDS)).isEqualTo(Fault.NOT_READING);
             assertThat(listener.awaitLost().fault()).isEqualTo(Fault.NOT_READING);
@@ -228,15 +228,14 @@ class SerialLossTest {
                         failure -> assertThat(failure.fault()).isIn((Object[]) possible));
     }
 
-    private Link open(Link.Receiver receiver) {
-        return open(receiver, SerialSettings.DEFAULT_SEND_LIMIT_MILLIS);
+    private Link open(Listener listener) {
+        return open(listener, SerialSettings.DEFAULT_SEND_LIMIT_MILLIS);
     }
 
     /** Opens so fast a line that a send's limit is all there is to wait for. */
-    private Link open(Link.Receiver receiver, int sendLimitMillis) {
-        Link link = new SerialLink(new SerialSettings(path).withBaud(4_000_000).withSendLimitMillis(sendLimitMillis));
-        link.open(receiver);
-        return link;
+    private Link open(Listener listener, int sendLimitMillis) {
+        return listener.listenTo(
+                SerialLink.open(new SerialSettings(path).withBaud(4_000_000).withSendLimitMillis(sendLimitMillis)));
     }
 
     private static void assertFault(Fault fault, Runnable call) {

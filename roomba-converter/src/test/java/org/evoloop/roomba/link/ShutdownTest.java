@@ -78,8 +78,7 @@ class ShutdownTest {
         private Program() {}
 
         public static void main(String[] arguments) throws InterruptedException {
-            Link link = new SerialLink(new SerialSettings(arguments[0]));
-            link.open(new Listener());
+            Link link = new Listener().listenTo(SerialLink.open(new SerialSettings(arguments[0])));
             SerialLink.addShutdownHook(new Thread(() -> {
                 link.send(STOP);
                 link.close();

@@ -26,10 +26,10 @@ class ParsersFuzzTest {
     @FuzzTest(maxDuration = "60s")
     void anIntactFrameIsDeliveredAfterAnyBytesAndEachByteIsAccountedFor(byte[] bytes) {
         List<SensorValues> found = new ArrayList<>();
-        StreamFramer framer = new StreamFramer(PACKETS, found::add);
+        StreamFramer framer = new StreamFramer(PACKETS);
         byte[] all = Feeding.join(bytes, GAP, INTACT);
 
-        feedInPieces(bytes, all, framer::feed);
+        feedInPieces(bytes, all, (piece, offset, count) -> found.addAll(framer.feed(piece, offset, count)));
 
         assertThat(found).isNotEmpty();
         assertThat(found.get(found.size() - 1)).isEqualTo(INTACT_VALUES);
@@ -41,10 +41,10 @@ class ParsersFuzzTest {
     @FuzzTest(maxDuration = "60s")
     void aFrameOfAnyPacketsIsDeliveredAfterAnyBytes(byte[] bytes) {
         List<SensorValues> found = new ArrayList<>();
-        StreamFramer framer = StreamFramer.forAnyPackets(found::add);
+        StreamFramer framer = StreamFramer.forAnyPackets();
         byte[] all = Feeding.join(bytes, GAP, INTACT);
 
-        feedInPieces(bytes, all, framer::feed);
+        feedInPieces(bytes, all, (piece, offset, count) -> found.addAll(framer.feed(piece, offset, count)));
 
         assertThat(found).isNotEmpty();
         assertThat(found.get(found.size() - 1)).isEqualTo(INTACT_VALUES);

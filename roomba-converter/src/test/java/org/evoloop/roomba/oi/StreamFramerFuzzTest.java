@@ -7,8 +7,6 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
-import java.util.function.Consumer;
-import java.util.function.Function;
 import java.util.function.ToIntFunction;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -30,7 +28,7 @@ class StreamFramerFuzzTest {
     void givenPacketsAreFoundExactlyWhereThePlainScanFindsThemAndWithTheirLastByte(long seed) {
         byte[] bytes = misleading(new Random(seed), 200_000);
         List<Found> expected = plainScan(bytes, true);
-        List<Found> found = feedOneByOne(bytes, consumer -> new StreamFramer(PACKETS, consumer));
+        List<Found> found = feedOneByOne(bytes, new StreamFramer(PACKETS));
         assertThat(expected).as("seed %d", seed).hasSizeGreaterThan(1000);
         assertThat(found).as("seed %d", seed).isEqualTo(expected);
     }
@@ -40,7 +38,7 @@ class StreamFramerFuzzTest {
     void anyPacketsAreFoundWhereThePlainScanFindsThemAndAtMost252BytesLater(long seed) {
         byte[] bytes = misleading(new Random(seed), 200_000);
         List<Found> expected = plainScan(bytes, false);
-        List<Found> found = feedOneByOne(bytes, StreamFramer::forAnyPackets);
+        List<Found> found = feedOneByOne(bytes, StreamFramer.forAnyPackets());
         assertThat(expected).as("seed %d", seed).hasSizeGreaterThan(1000);
         assertThat(found)
                 .as("seed %d", seed)
@@ -57,11 +55,10 @@ class StreamFramerFuzzTest {
     @ValueSource(longs = {7, 77})
     void aMillionRandomBytesNeitherThrowNorStallAndAreAllAccountedFor(long seed) {
         byte[] noise = Feeding.noise(new Random(seed), 1_000_000);
-        List<SensorValues> found = new ArrayList<>();
-        StreamFramer framer = new StreamFramer(PACKETS, found::add);
-        framer.feed(noise, 0, noise.length);
+        StreamFramer framer = new StreamFramer(PACKETS);
+        List<SensorValues> found = new ArrayList<>(framer.feed(noise, 0, noise.length));
         byte[] good = StreamFrame.encode(PACKETS, packet -> 0);
-        framer.feed(good, 0, good.length);
+        found.addAll(framer.feed(good, 0, good.length));
         assertThat(found).as("seed %d", seed).isNotEmpty();
         assertThat(framer.frames()).as("seed %d", seed).isEqualTo(found.size());
         assertThat(framer.skippedBytes() + framer.frames() * good.length)
@@ -69,13 +66,12 @@ class StreamFramerFuzzTest {
                 .isEqualTo(noise.length + good.length);
     }
 
-    private static List<Found> feedOneByOne(byte[] bytes, Function<Consumer<SensorValues>, StreamFramer> maker) {
+    private static List<Found> feedOneByOne(byte[] bytes, StreamFramer framer) {
         List<Found> found = new ArrayList<>();
-        int[] fed = {0};
-        StreamFramer framer = maker.apply(values -> found.add(new Found(fed[0], values)));
-        for (byte octet : bytes) {
-            fed[0]++;
-            framer.feed(octet);
+        for (int at = 0; at < bytes.length; at++) {
+            for (SensorValues values : framer.feed(bytes, at, 1)) {
+                found.add(new Found(at + 1, values));
+            }
         }
         return found;
     }

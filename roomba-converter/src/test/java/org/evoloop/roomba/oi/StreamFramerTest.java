@@ -24,7 +24,7 @@ class StreamFramerTest {
     private static final SensorValues THIRD = values(3);
 
     private final List<SensorValues> frames = new ArrayList<>();
-    private final StreamFramer framer = new StreamFramer(PACKETS, frames::add);
+    private final StreamFramer framer = new StreamFramer(PACKETS);
 
     /** Data full of headers: 19 in every byte that can hold it. */
     private static SensorValues values(int mode) {
@@ -37,7 +37,7 @@ class StreamFramerTest {
 
     private void feed(byte[]... parts) {
         byte[] bytes = join(parts);
-        framer.feed(bytes, 0, bytes.length);
+        frames.addAll(framer.feed(bytes, 0, bytes.length));
     }
 
     @Test
@@ -52,8 +52,8 @@ class StreamFramerTest {
                     byte[] frame = StreamFrame.encode(packets, values::value);
                     assertThat(frame).hasSize(StreamFrame.length(packets));
                     List<SensorValues> read = new ArrayList<>();
-                    new StreamFramer(packets, read::add).feed(frame, 0, frame.length);
-                    StreamFramer.forAnyPackets(read::add).feed(frame, 0, frame.length);
+                    read.addAll(new StreamFramer(packets).feed(frame, 0, frame.length));
+                    read.addAll(StreamFramer.forAnyPackets().feed(frame, 0, frame.length));
                     assertThat(read).containsExactly(values, values);
                 });
     }
@@ -149,21 +149,21 @@ class StreamFramerTest {
         byte[] good = frame(FIRST);
         feed(Arrays.copyOf(good, 3), Arrays.copyOf(good, good.length - 1));
         assertThat(frames).isEmpty();
-        framer.feed(good[good.length - 1]);
+        feed(octets(good[good.length - 1]));
         assertThat(frames).containsExactly(FIRST);
     }
 
     @Test
     void lengthThatLiesHoldsBackAnyPacketsNoLongerThanPromised() {
         // A header that announces 255 bytes of which each two that follow are id and data: all fits until its end.
-        StreamFramer any = StreamFramer.forAnyPackets(frames::add);
+        StreamFramer any = StreamFramer.forAnyPackets();
         byte[] good = StreamFrame.encode(List.of(Packet.WALL), packet -> 0);
         byte[] before = octets(19, 255);
-        any.feed(before, 0, before.length);
-        any.feed(good, 0, good.length);
+        frames.addAll(any.feed(before, 0, before.length));
+        frames.addAll(any.feed(good, 0, good.length));
         int waited = 0;
         while (frames.isEmpty()) {
-            any.feed((byte) Packet.WALL.id());
+            frames.addAll(any.feed(octets(Packet.WALL.id()), 0, 1));
             waited++;
         }
         assertThat(waited).isBetween(1, 252);
@@ -173,14 +173,14 @@ class StreamFramerTest {
     @Test
     void framesOfNoPacketsAreNotWorthDelivering() {
         byte[] empty = octets(19, 0, 237);
-        StreamFramer.forAnyPackets(frames::add).feed(empty, 0, empty.length);
+        frames.addAll(StreamFramer.forAnyPackets().feed(empty, 0, empty.length));
         assertThat(frames).isEmpty();
     }
 
     @Test
     void shouldRefusePacketsThatDoNotFitIntoAFrame() {
         assertThatIllegalArgumentException()
-                .isThrownBy(() -> new StreamFramer(Collections.nCopies(4, PacketGroup.GROUP_100), frames::add))
+                .isThrownBy(() -> new StreamFramer(Collections.nCopies(4, PacketGroup.GROUP_100)))
                 .withMessageContaining("324 bytes");
     }
 }

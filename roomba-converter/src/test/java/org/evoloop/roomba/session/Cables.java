@@ -4,7 +4,6 @@ import java.io.ByteArrayOutputStream;
 import java.util.ArrayList;
 import java.util.List;
 import org.evoloop.roomba.link.Link;
-import org.evoloop.roomba.link.LinkException;
 import org.evoloop.roomba.link.MemoryLink;
 
 /** Cables in memory, one for each time a session plugs in; their other end says only what a test lets it say. */
@@ -13,21 +12,18 @@ final class Cables {
     final List<Integer> bauds = new ArrayList<>();
 
     private final List<MemoryLink.Pair> all = new ArrayList<>();
-    private final ByteArrayOutputStream heard = new ByteArrayOutputStream();
+
+    /** Who reads what the cables say. */
+    private Runnable reader = () -> {};
+
+    /** The session that plugs these cables in and has no thread to read them. */
+    RoombaSession readBy(RoombaSession session) {
+        reader = session::poll;
+        return session;
+    }
 
     Link plugIn(int baud) {
         MemoryLink.Pair fresh = MemoryLink.pair();
-        fresh.robot().open(new Link.Receiver() {
-            @Override
-            public void received(byte[] buffer, int length) {
-                heard.write(buffer, 0, length);
-            }
-
-            @Override
-            public void lost(LinkException cause) {
-                // The robot's side does not mind.
-            }
-        });
         bauds.add(baud);
         all.add(fresh);
         return fresh.converter();
@@ -44,10 +40,12 @@ final class Cables {
 
     void say(byte[] bytes) {
         current().robot().send(bytes);
+        reader.run();
     }
 
     void hangUp() {
         current().converter().hangUp();
+        reader.run();
     }
 
     void stopReading() {
@@ -56,8 +54,15 @@ final class Cables {
 
     /** What the robot has heard since the last look. */
     byte[] heard() {
-        byte[] bytes = heard.toByteArray();
-        heard.reset();
-        return bytes;
+        byte[] buffer = new byte[1_024];
+        ByteArrayOutputStream heard = new ByteArrayOutputStream();
+        for (MemoryLink.Pair cable : all) {
+            for (int length = cable.robot().receive(buffer);
+                    length > 0;
+                    length = cable.robot().receive(buffer)) {
+                heard.write(buffer, 0, length);
+            }
+        }
+        return heard.toByteArray();
     }
 }

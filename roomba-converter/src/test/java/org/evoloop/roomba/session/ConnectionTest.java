@@ -17,6 +17,7 @@ import org.evoloop.roomba.link.Link;
 import org.evoloop.roomba.link.LinkException;
 import org.evoloop.roomba.link.LinkException.Fault;
 import org.evoloop.roomba.link.MemoryLink;
+import org.evoloop.roomba.link.WakeLine;
 import org.evoloop.roomba.oi.ActuatorCommand;
 import org.evoloop.roomba.oi.Command;
 import org.evoloop.roomba.oi.InputCommand;
@@ -26,6 +27,7 @@ import org.evoloop.roomba.session.connection.RobotException;
 import org.evoloop.time.Clock;
 import org.evoloop.time.ManualClock;
 import org.evoloop.time.SystemClock;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
@@ -39,7 +41,8 @@ class ConnectionTest {
     private final Cables cables = new Cables();
 
     private RoombaSession session(IntFunction<Link> cable) {
-        return new RoombaSession(cable, clock, SessionOptions.defaults().withoutWaiting());
+        return cables.readBy(
+                new RoombaSession(cable, clock, SessionOptions.defaults().withoutWaiting()));
     }
 
     @Test
@@ -202,6 +205,7 @@ class ConnectionTest {
                     .isInstanceOfSatisfying(
                             LinkException.class,
                             stalled -> assertThat(stalled.fault()).isEqualTo(Fault.NOT_READING));
+            session.poll();
             assertThat(session.isUp()).isFalse();
             assertThat(session.describe()).contains("takes no bytes");
             clock.advance(Connection.LOOK);
@@ -286,27 +290,50 @@ class ConnectionTest {
 
     @Test
     void aRobotGetsItsTimeAfterACommandThatChangesItsMode() {
-        List<Long> heardNanos = new CopyOnWriteArrayList<>();
-        MemoryLink.Pair pair = MemoryLink.pair();
+        List<Long> sentNanos = new CopyOnWriteArrayList<>();
         try (Clock fast = new SystemClock(20);
-                RoombaSession session = new RoombaSession(baud -> pair.converter(), fast, SessionOptions.defaults())) {
-            pair.robot().open(new Link.Receiver() {
-                @Override
-                public void received(byte[] buffer, int length) {
-                    if (buffer[0] == (byte) 131 || buffer[0] == (byte) 145) {
-                        heardNanos.add(fast.nanoTime());
-                    }
-                }
-
-                @Override
-                public void lost(LinkException cause) {
-                    // The robot's side does not mind.
-                }
-            });
+                RoombaSession session = new RoombaSession(
+                        baud -> new TimedLink(cables.plugIn(baud), fast, sentNanos), fast, SessionOptions.defaults())) {
             session.open();
             session.send(new Command.Safe());
             session.send(new ActuatorCommand.DriveDirect(100, 100));
-            assertThat(heardNanos.get(1) - heardNanos.get(0)).isGreaterThan(19_900_000);
+            assertThat(sentNanos.get(1) - sentNanos.get(0)).isGreaterThan(19_900_000);
+        }
+    }
+
+    /** Notes when Safe and DriveDirect are sent. */
+    private record TimedLink(Link link, Clock clock, List<Long> sentNanos) implements Link {
+        @Override
+        public void send(byte[] bytes) {
+            link.send(bytes);
+            if (bytes[0] == (byte) 131 || bytes[0] == (byte) 145) {
+                sentNanos.add(clock.nanoTime());
+            }
+        }
+
+        @Override
+        public int receive(byte[] buffer) {
+            return link.receive(buffer);
+        }
+
+        @Override
+        public @Nullable LinkException loss() {
+            return link.loss();
+        }
+
+        @Override
+        public WakeLine wakeLine() {
+            return link.wakeLine();
+        }
+
+        @Override
+        public String description() {
+            return link.description();
+        }
+
+        @Override
+        public void close() {
+            link.close();
         }
     }
 }

@@ -11,6 +11,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Random;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import org.evoloop.roomba.link.LinkException;
@@ -61,7 +62,7 @@ class DiagnosisTest {
 
     private RoombaSession session(SessionOptions options) {
         return new RoombaSession(
-                baud -> new SerialLink(new SerialSettings(port().toString()).withBaud(baud)), clock, options);
+                baud -> SerialLink.open(new SerialSettings(port().toString()).withBaud(baud)), clock, options);
     }
 
     /** Opens a session at a port where something says this again and again, and hears nothing. */
@@ -216,6 +217,25 @@ class DiagnosisTest {
             await().until(() -> robot.robot().state().oiMode() == OiMode.OFF);
             await("control is taken again").until(() -> robot.robot().state().oiMode() == OiMode.SAFE);
             assertThat(session.isUp()).isTrue();
+        }
+    }
+
+    @Test
+    void aListenerThatFailsDoesNotEndTheReading() throws Exception {
+        CountDownLatch failures = new CountDownLatch(3);
+        try (SimulatorServer robot = robot(RobotOptions.builder());
+                RoombaSession session = session(PATIENT)) {
+            session.addListener(new SessionListener() {
+                @Override
+                public void received(Telemetry telemetry) {
+                    failures.countDown();
+                    throw new IllegalStateException("a listener's bug, thrown on purpose");
+                }
+            });
+            session.open();
+            assertThat(failures.await(10, TimeUnit.SECONDS)).isTrue();
+            session.awaitRobot();
+            assertThat(robot.robot().state().oiMode()).isEqualTo(OiMode.PASSIVE);
         }
     }
 

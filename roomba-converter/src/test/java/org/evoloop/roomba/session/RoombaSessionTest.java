@@ -33,8 +33,8 @@ class RoombaSessionTest {
 
     private final ManualClock clock = new ManualClock();
     private final Cables cables = new Cables();
-    private final RoombaSession session =
-            new RoombaSession(cables::plugIn, clock, SessionOptions.defaults().withoutWaiting());
+    private final RoombaSession session = cables.readBy(
+            new RoombaSession(cables::plugIn, clock, SessionOptions.defaults().withoutWaiting()));
     private final List<String> told = new ArrayList<>();
 
     @BeforeEach

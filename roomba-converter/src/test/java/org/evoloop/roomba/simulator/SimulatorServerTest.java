@@ -66,9 +66,9 @@ class SimulatorServerTest {
     Path folder;
 
     /** A client of the serial port, as the application is one. */
-    private static final class Client implements Link.Receiver, AutoCloseable {
+    private static final class Client implements AutoCloseable {
         private final List<SensorValues> frames = new CopyOnWriteArrayList<>();
-        private final StreamFramer framer = new StreamFramer(WATCHED, frames::add);
+        private final StreamFramer framer = new StreamFramer(WATCHED);
         private final Link link;
         private final CompletableFuture<LinkException> lost;
         private final AtomicInteger bytes = new AtomicInteger();
@@ -87,25 +87,28 @@ class SimulatorServerTest {
 
         private Client(SerialSettings settings, CompletableFuture<LinkException> lost) {
             this.lost = lost;
-            link = new SerialLink(settings);
-            link.open(this);
+            link = SerialLink.open(settings);
+            Thread reader = new Thread(this::read, "client");
+            reader.setDaemon(true);
+            reader.start();
+        }
+
+        private void read() {
+            byte[] buffer = new byte[1_024];
+            for (int length = link.receive(buffer); length > 0; length = link.receive(buffer)) {
+                bytes.addAndGet(length);
+                frames.addAll(framer.feed(buffer, 0, length));
+            }
+            LinkException cause = link.loss();
+            if (cause != null) {
+                lost.complete(cause);
+            }
         }
 
         void send(Command... commands) {
             for (Command command : commands) {
                 link.send(command.bytes());
             }
-        }
-
-        @Override
-        public void received(byte[] buffer, int length) {
-            bytes.addAndGet(length);
-            framer.feed(buffer, 0, length);
-        }
-
-        @Override
-        public void lost(LinkException cause) {
-            lost.complete(cause);
         }
 
         @Override

@@ -24,8 +24,9 @@ import org.slf4j.LoggerFactory;
  *
  * <p>Without an answer at either rate the first time, {@link #firstAnswer()} fails; the connection goes on asking.
  *
- * <p>Threading: everything that may take a moment runs on one thread of its own, or, without waiting, on the clock's.
- * Frames come on the link's thread, commands and {@link #close()} from any.
+ * <p>Threading: everything that may take a moment runs on one thread of its own, or, without waiting, on the clock's. Each
+ * link is read on a thread named {@code roomba-reader}, or, without waiting, by {@link #poll}. Commands and {@link #close()}
+ * may come from any thread.
  */
 public final class Connection {
     static final int BAUD = 115_200;
@@ -55,12 +56,19 @@ public final class Connection {
     private static final String TRYING = "it is woken by its wake line and asked again, then also at " + ALTERNATE_BAUD
             + " baud. If it sleeps, press CLEAN on it";
 
-    /** What the owner of the connection is told, on the thread that receives or on the connection's own. */
+    /** Who makes something of what the robot says. */
     public interface Owner {
-        void received(byte[] buffer, int length);
+        /**
+         * Reads {@code link}, from the first byte on, and tells {@link #answered} of each frame. Returns when nothing more
+         * comes: when the link has ended, or, if it does not wait, for now. Called on the thread that reads.
+         */
+        void read(Link link);
 
-        /** The robot is out of sight. */
+        /** The robot is out of sight. Called on the thread that reads or on the connection's own. */
         void outOfSight();
+
+        /** What is known of whatever answers. */
+        FirstBytes firstBytes();
 
         /** What is wrong with the frames that come, if that is known; else empty. */
         String frameTrouble();
@@ -75,9 +83,9 @@ public final class Connection {
     private final Duration silenceLimit;
     private final Duration answerLimit;
     private final Owner owner;
+    private final boolean mayWait;
     private final ConnectionThread thread;
     private final CompletableFuture<Void> firstAnswer = new CompletableFuture<>();
-    private final FirstBytes firstBytes = new FirstBytes();
     private final ConnectionState state = new ConnectionState();
     private volatile long lastFrameNanos;
     private volatile Instant downSince = Instant.EPOCH;
@@ -96,7 +104,7 @@ public final class Connection {
      */
     public record Options(List<PacketId> stream, Duration silenceLimit, boolean mayWait) {}
 
-    /** @param cable makes a new link to the robot at a baud rate; called again whenever the link was lost */
+    /** @param cable opens a new link to the robot at a baud rate; called again whenever the link was lost */
     public Connection(IntFunction<Link> cable, Clock clock, Options options, Owner owner) {
         this.plug = new Plug(cable);
         this.clock = clock;
@@ -104,6 +112,7 @@ public final class Connection {
         this.silenceLimit = options.silenceLimit();
         this.answerLimit = longer(ANSWER_LIMIT, silenceLimit.dividedBy(2));
         this.owner = owner;
+        this.mayWait = options.mayWait();
         this.thread = new ConnectionThread(clock, options.mayWait());
     }
 
@@ -139,27 +148,49 @@ public final class Connection {
 
     private void plugIn(int baud, Phase next) {
         long plugging = plug.next();
-        plug.open(baud, new Link.Receiver() {
-            @Override
-            public void received(byte[] buffer, int length) {
-                firstBytes.take(buffer, length);
-                owner.received(buffer, length);
-            }
-
-            @Override
-            public void lost(LinkException cause) {
-                thread.run(() -> lose(plugging, cause));
-            }
-        });
+        Link link = plug.open(baud);
         if (!state.enter(next, "no answer yet")) {
             // Closed meanwhile, by somebody who may not have seen this link.
             plug.close();
+        } else if (mayWait) {
+            plug.startReading(() -> readToTheEnd(link, plugging));
+        }
+    }
+
+    private void readToTheEnd(Link link, long plugging) {
+        boolean ended = false;
+        while (!ended) {
+            try {
+                owner.read(link);
+                ended = true;
+            } catch (Throwable failure) {
+                // Not even an Error may end the reading here, or nobody would give the link back.
+                LOG.error("{}: something that came could not be dealt with", link.description(), failure);
+            }
+        }
+        seeLoss(link, plugging);
+    }
+
+    /** Reads what has come, for whoever lets time pass by hand. */
+    public void poll() {
+        Link link = plug.link();
+        if (link != null) {
+            owner.read(link);
+            seeLoss(link, plug.current());
+        }
+    }
+
+    private void seeLoss(Link link, long plugging) {
+        LinkException cause = link.loss();
+        if (cause != null) {
+            thread.run(() -> lose(plugging, cause));
         }
     }
 
     private void lose(long plugging, LinkException cause) {
         String trouble = String.valueOf(cause.getMessage());
-        if (plugging == plug.current() && state.enter(Phase.DOWN, trouble)) {
+        boolean news = plugging == plug.current() && state.phase() != Phase.DOWN;
+        if (news && state.enter(Phase.DOWN, trouble)) {
             LOG.warn("{}", trouble);
             loseSight();
             firstAnswer.completeExceptionally(cause);
@@ -264,7 +295,7 @@ public final class Connection {
         } else {
             String known = owner.frameTrouble();
             firstAnswer.completeExceptionally(new RobotException(
-                    known.isEmpty() ? firstBytes.diagnosis(description()) : description() + ": " + known));
+                    known.isEmpty() ? owner.firstBytes().diagnosis(description()) : description() + ": " + known));
             alternateTried = false;
             plug.pull();
             replug();
@@ -280,7 +311,9 @@ public final class Connection {
 
     private String noAnswer() {
         String known = owner.frameTrouble();
-        return known.isEmpty() ? firstBytes.isEmpty() ? "no answer yet" : "bytes come, but no frames yet" : known;
+        return known.isEmpty()
+                ? owner.firstBytes().isEmpty() ? "no answer yet" : "bytes come, but no frames yet"
+                : known;
     }
 
     /** The robot may listen at the alternate rate; then it is told to come back to the usual one. */

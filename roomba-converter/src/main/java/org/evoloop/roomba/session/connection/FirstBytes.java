@@ -7,13 +7,14 @@ import java.nio.charset.StandardCharsets;
  *
  * <p>Threading: thread-safe.
  */
-final class FirstBytes {
+public final class FirstBytes {
     private static final int KEPT = 64;
 
     private final byte[] bytes = new byte[KEPT];
     private int length;
 
-    synchronized void take(byte[] buffer, int count) {
+    /** Takes the next {@code count} bytes of a buffer; only the first are kept. */
+    public synchronized void take(byte[] buffer, int count) {
         int taken = Math.min(count, KEPT - length);
         System.arraycopy(buffer, 0, bytes, length, taken);
         length += taken;

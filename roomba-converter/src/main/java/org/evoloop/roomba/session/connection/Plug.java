@@ -3,6 +3,7 @@ package org.evoloop.roomba.session.connection;
 import java.time.Duration;
 import java.util.Arrays;
 import java.util.function.IntFunction;
+import org.evoloop.roomba.link.BoundedWait;
 import org.evoloop.roomba.link.Link;
 import org.evoloop.roomba.link.LinkException;
 import org.evoloop.roomba.oi.Command;
@@ -12,7 +13,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * One end of the cable: the link of the moment, which is replaced by another whenever it is plugged in anew.
+ * One end of the cable: the link of the moment, which is replaced by another whenever it is plugged in anew, and the thread
+ * that reads it.
  *
  * <p>Threading: any thread may send and close; links are replaced and told apart by one thread at a time.
  */
@@ -23,17 +25,20 @@ final class Plug {
     private static final int LONGEST_COMMAND = 3 + 2 * 255;
 
     private static final int BITS_PER_BYTE = 10;
+    private static final String READER = "roomba-reader";
+    private static final long READER_END_LIMIT_NANOS = 2_000_000_000;
 
     private final IntFunction<Link> cable;
     private volatile @Nullable Link link;
+    private volatile @Nullable Thread reader;
     private long pluggings;
 
-    /** @param cable makes a new link at a baud rate */
+    /** @param cable opens a new link at a baud rate */
     Plug(IntFunction<Link> cable) {
         this.cable = cable;
     }
 
-    /** What the next link will be known by; from now on the last one is none of ours. */
+    /** What the next link will be known by; from now on what the last one tells is ignored. */
     long next() {
         return ++pluggings;
     }
@@ -44,23 +49,43 @@ final class Plug {
     }
 
     /** Opens another link. @throws LinkException if that cannot be done */
-    void open(int baud, Link.Receiver receiver) {
+    Link open(int baud) {
         Link fresh = cable.apply(baud);
-        fresh.open(receiver);
         link = fresh;
+        return fresh;
     }
 
-    /** Closes the link of this moment, which is none of ours any more. */
+    /** Reads the link of this moment on a thread of its own, which has to end with the link. */
+    void startReading(Runnable reading) {
+        Thread started = new Thread(reading, READER);
+        started.setDaemon(true);
+        reader = started;
+        started.start();
+    }
+
+    /** The link of this moment; null before the first. */
+    @Nullable
+    Link link() {
+        return link;
+    }
+
+    /** Closes the link of this moment; what it tells from now on is ignored. */
     void pull() {
         next();
         close();
     }
 
-    /** Closes the link of this moment. */
+    /** Closes the link of this moment, and waits until nobody reads it any more. */
     void close() {
         Link current = link;
         if (current != null) {
             current.close();
+        }
+        Thread reading = reader;
+        if (reading != null
+                && reading != Thread.currentThread()
+                && !BoundedWait.forEnd(reading, READER_END_LIMIT_NANOS)) {
+            LOG.error("thread {} is stuck at {}", READER, Arrays.toString(reading.getStackTrace()));
         }
     }
 

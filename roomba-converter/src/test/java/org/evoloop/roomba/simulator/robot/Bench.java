@@ -2,7 +2,6 @@ package org.evoloop.roomba.simulator.robot;
 
 import java.io.ByteArrayOutputStream;
 import java.nio.charset.StandardCharsets;
-import java.util.ArrayList;
 import java.util.List;
 import org.evoloop.roomba.oi.Command;
 import org.evoloop.roomba.oi.InputCommand;
@@ -90,10 +89,8 @@ final class Bench {
 
     /** The frames among what the robot has sent since the last look. */
     List<SensorValues> frames() {
-        List<SensorValues> frames = new ArrayList<>();
         byte[] bytes = sent();
-        StreamFramer.forAnyPackets(frames::add).feed(bytes, 0, bytes.length);
-        return frames;
+        return StreamFramer.forAnyPackets().feed(bytes, 0, bytes.length);
     }
 
     /** Asks for one packet. */

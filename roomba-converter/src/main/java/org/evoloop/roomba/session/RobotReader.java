@@ -1,0 +1,252 @@
+package org.evoloop.roomba.session;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.IntFunction;
+import org.evoloop.roomba.link.Link;
+import org.evoloop.roomba.oi.Button;
+import org.evoloop.roomba.oi.Command;
+import org.evoloop.roomba.oi.Packet;
+import org.evoloop.roomba.oi.SensorValues;
+import org.evoloop.roomba.oi.StreamFramer;
+import org.evoloop.roomba.session.SessionListener.Activity;
+import org.evoloop.roomba.session.connection.Connection;
+import org.evoloop.roomba.session.connection.FirstBytes;
+import org.evoloop.roomba.session.inference.ActivityEstimate;
+import org.evoloop.roomba.session.inference.ButtonPresses;
+import org.evoloop.roomba.session.inference.CommandEffect;
+import org.evoloop.roomba.session.inference.FrameFilter;
+import org.evoloop.roomba.session.inference.ModeOffset;
+import org.evoloop.roomba.session.inference.SpotWatch;
+import org.evoloop.time.Clock;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Reads the robot: bytes into frames, frames into what it shows, and that into what it does by itself, which is told to
+ * whoever listens: presses of its buttons, the end of a spot cleaning, and what it is seen to do.
+ *
+ * <p>Threading: thread-safe; listeners are called on the thread that reads, one call at a time.
+ */
+final class RobotReader implements Connection.Owner {
+    private static final Logger LOG = LoggerFactory.getLogger(RoombaSession.class);
+
+    private static final int BUFFER_BYTES = 4_096;
+
+    /** So many frames whose checksum is wrong, and none whose is right, are no chance. */
+    private static final int TELLING_FRAMES = 20;
+
+    private final Connection connection;
+    private final List<SessionListener> listeners = new CopyOnWriteArrayList<>();
+    private final FirstBytes firstBytes = new FirstBytes();
+    private final StreamFramer framer = new StreamFramer(RoombaSession.STREAM);
+    private final ModeOffset modeOffset;
+    private final FrameFilter filter;
+    private final Odometry odometry = new Odometry();
+    private final ButtonPresses buttons = new ButtonPresses();
+    private final SpotWatch spotWatch = new SpotWatch();
+    private final ActivityEstimate estimate = new ActivityEstimate();
+    private final CommandEffect effect = new CommandEffect();
+    private final Control control;
+    private volatile @Nullable Telemetry latest;
+
+    /** @param cable opens a new link to the robot at a baud rate; called again whenever the link was lost */
+    RobotReader(IntFunction<Link> cable, Clock clock, SessionOptions options) {
+        this.modeOffset = new ModeOffset(options.modeOffset());
+        this.filter = new FrameFilter(modeOffset);
+        Connection.Options wanted =
+                new Connection.Options(RoombaSession.STREAM, options.silenceLimit(), options.mayWait());
+        this.connection = new Connection(cable, clock, wanted, this);
+        this.control = new Control(connection, estimate);
+    }
+
+    Connection connection() {
+        return connection;
+    }
+
+    /** Who controls the robot; only to be used by whoever holds the monitor of this object. */
+    Control control() {
+        return control;
+    }
+
+    void addListener(SessionListener listener) {
+        listeners.add(listener);
+    }
+
+    void removeListener(SessionListener listener) {
+        listeners.remove(listener);
+    }
+
+    /** What the last frame told; null before the first. */
+    @Nullable
+    Telemetry latest() {
+        return latest;
+    }
+
+    @Override
+    public void read(Link link) {
+        byte[] buffer = new byte[BUFFER_BYTES];
+        for (int length = link.receive(buffer); length > 0; length = link.receive(buffer)) {
+            firstBytes.take(buffer, length);
+            take(buffer, length);
+        }
+    }
+
+    private synchronized void take(byte[] buffer, int length) {
+        for (SensorValues reported : framer.feed(buffer, 0, length)) {
+            learnModeOffset(reported.value(Packet.OI_MODE));
+            if (modeOffset.isKnown()) {
+                framed(filter.filter(reported));
+            }
+        }
+    }
+
+    private void framed(SensorValues values) {
+        Telemetry earlier = latest;
+        Telemetry now = new Telemetry(earlier == null ? 1 : earlier.frame() + 1, values, odometry.update(values));
+        // Telemetry is published before the first answer is, since whoever waits for that reads it.
+        latest = now;
+        connection.answered();
+        listeners.forEach(listener -> listener.received(now));
+        Command obeyed = effect.update(values, now.isUnderControl());
+        if (obeyed != null) {
+            listeners.forEach(listener -> listener.obeyed(obeyed));
+        }
+        switch (control.update(now)) {
+            case ON -> tellSeen(Activity.ON);
+            case AS_ESTIMATED -> tellActivity();
+            case NOTHING -> {}
+        }
+        for (Button button : buttons.update(values.buttons())) {
+            pressed(button, !now.isUnderControl());
+        }
+        SpotWatch.Ending ending = spotWatch.update(values);
+        if (ending != null) {
+            estimate.seenAtRest();
+            listeners.forEach(listener -> listener.spotEnded(ending));
+        }
+        if (estimate.update(values, now.isUnderControl(), !control.isWanted())) {
+            tellActivity();
+        }
+    }
+
+    private void pressed(Button button, boolean robotActs) {
+        listeners.forEach(listener -> listener.pressed(button, robotActs));
+        if (robotActs) {
+            estimate.pressed(button);
+            if (estimate.activity() == ActivityEstimate.Activity.SPOT) {
+                spotWatch.started();
+            } else {
+                spotWatch.forget();
+            }
+            tellActivity();
+        }
+    }
+
+    /** Tells what the robot does, as far as it is one of the things that its model knows. */
+    private void tellActivity() {
+        switch (estimate.activity()) {
+            case ON -> tellSeen(Activity.ON);
+            case CLEAN -> tellSeen(Activity.CLEAN);
+            case SPOT -> tellSeen(Activity.SPOT);
+            default -> LOG.debug("the robot is in {}", estimate.activity());
+        }
+    }
+
+    private void tellSeen(Activity activity) {
+        listeners.forEach(listener -> listener.seen(activity));
+    }
+
+    private void learnModeOffset(int reported) {
+        int before = modeOffset.value();
+        if (modeOffset.update(reported)) {
+            connection.trySend(new Command.Start());
+        }
+        if (modeOffset.value() != before) {
+            LOG.warn(
+                    "{}: the robot reports its mode {}; modes are read accordingly",
+                    connection.description(),
+                    modeOffset.value() == 1 ? "one too high, as some 600 models do" : "as specified");
+        }
+    }
+
+    /** A command is about to be sent. */
+    synchronized void sending(Command command) {
+        effect.sending(command);
+    }
+
+    /** Whether the effect of the last command is still to be seen. */
+    synchronized boolean isEffectAwaited() {
+        return effect.isAwaited();
+    }
+
+    /**
+     * What the robot does, if its frames show it for sure; a command that did not make it do so is not sent again. Null if
+     * they do not, or not yet.
+     *
+     * @param since the number of a frame; what is told has to be newer
+     */
+    synchronized ActivityEstimate.@Nullable Activity known(long since) {
+        Telemetry now = latest;
+        if (now == null || now.frame() <= since || !effect.isOver() || control.isRegaining()) {
+            return null;
+        }
+        if (now.isUnderControl()) {
+            control.forgetCommand();
+            return ActivityEstimate.Activity.ON;
+        }
+        return effect.isMissing() || !estimate.isSure() ? null : estimate.activity();
+    }
+
+    /** A command has been sent. */
+    synchronized void commanded(Command command) {
+        control.commanded(command);
+        estimate.commanded(command);
+        if (command instanceof Command.Spot && estimate.activity() == ActivityEstimate.Activity.SPOT) {
+            spotWatch.started();
+        }
+    }
+
+    /** What was seen of the robot counts no more. */
+    @Override
+    public synchronized void outOfSight() {
+        control.loseSight();
+        spotWatch.forget();
+        estimate.forget();
+    }
+
+    @Override
+    public FirstBytes firstBytes() {
+        return firstBytes;
+    }
+
+    /** Frames that fit in everything but their checksum are no matter of the baud rate. */
+    @Override
+    public synchronized String frameTrouble() {
+        if (framer.frames() > 0 || framer.badChecksums() < TELLING_FRAMES) {
+            return "";
+        }
+        return 2 * framer.headerlessChecksums() > framer.badChecksums()
+                ? "frames come, but their checksum leaves out the header byte, as the Roomba 500's specification has it and "
+                        + "no robot is known to do. A simulated robot does with --checksum spec500: start it without"
+                : "frames come, but their checksum never fits: the cable or its adapter changes bytes. Try another one";
+    }
+
+    @Override
+    public synchronized boolean isDozing() {
+        Telemetry now = latest;
+        return (now == null || !now.isUnderControl()) && estimate.isAtRest();
+    }
+
+    /** The mode of the last frame, and how many frames were good and bad. */
+    synchronized String describe(Telemetry now) {
+        String mode = now.values()
+                .mode()
+                .map(known -> known.name().toLowerCase(Locale.ROOT))
+                .orElse("unknown");
+        return "mode " + mode + (modeOffset.value() == 0 ? "" : " (reported one too high)") + ", " + framer.frames()
+                + " frames, " + framer.badChecksums() + " bad, " + framer.skippedBytes() + " bytes skipped";
+    }
+}

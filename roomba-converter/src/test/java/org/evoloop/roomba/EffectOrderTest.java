@@ -1,0 +1,181 @@
+package org.evoloop.roomba;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.awaitility.Awaitility.await;
+
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.Locale;
+import java.util.Optional;
+import org.evoloop.PaperPair;
+import org.evoloop.evolution.ModelPair;
+import org.evoloop.loop.LoopConfig;
+import org.evoloop.roomba.move.MoveOptions;
+import org.evoloop.roomba.move.StartPointSensor;
+import org.evoloop.roomba.oi.Button;
+import org.evoloop.roomba.oi.OiMode;
+import org.evoloop.roomba.oi.Opcode;
+import org.evoloop.roomba.session.SessionOptions;
+import org.evoloop.roomba.simulator.SimulatorServer;
+import org.evoloop.roomba.simulator.robot.Activity;
+import org.evoloop.roomba.simulator.robot.RobotOptions;
+import org.evoloop.statemachine.StateMachine;
+import org.evoloop.time.Clock;
+import org.evoloop.time.SystemClock;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Effects and what the robot does by itself, in the order in which they happen at a robot on a real serial port. */
+@EnabledOnOs(OS.LINUX)
+@Timeout(120)
+class EffectOrderTest {
+    private static final double SPEED = 4;
+    private static final Duration STEP_LIMIT = Duration.ofSeconds(8);
+    private static final Duration PATIENCE = Duration.ofSeconds(30);
+
+    @TempDir
+    Path folder;
+
+    private final HeldLink.Hold hold = new HeldLink.Hold();
+    private final Clock clock = new SystemClock(SPEED);
+    private SimulatorServer robot;
+    private RoombaConverter roomba;
+
+    @BeforeEach
+    void connect() throws Exception {
+        Path port = folder.resolve("roomba");
+        StateMachine device = PaperPair.cleaningRobot().original();
+        robot = SimulatorServer.start(port, RobotOptions.defaults(), clock, 1);
+        roomba = RoombaConverter.connect(
+                hold.on(RoombaCommand.cable(port.toString())),
+                LoopConfig.defaults("roomba", clock).withStepLimit(STEP_LIMIT),
+                SessionOptions.defaults().withSilenceLimit(Duration.ofSeconds(20)),
+                new RoombaConverter.Options(
+                        RobotModels.of(new ModelPair(device, device)),
+                        time -> StartPointSensor.byWheels(1000, 500),
+                        MoveOptions.defaults(),
+                        Duration.ofSeconds(5)));
+        roomba.converter().start();
+    }
+
+    @AfterEach
+    void close() {
+        hold.release();
+        roomba.close();
+        robot.close();
+        clock.close();
+    }
+
+    private Activity truth() {
+        return robot.robot().state().activity();
+    }
+
+    private String record() {
+        return roomba.converter().status().states().original().name();
+    }
+
+    private String doubt() {
+        return roomba.converter().status().doubt();
+    }
+
+    private void awaitBoth(Activity activity) {
+        await().atMost(PATIENCE)
+                .until(() ->
+                        truth() == activity && record().toUpperCase(Locale.ROOT).equals(activity.name()));
+    }
+
+    private void awaitAgreement() {
+        await().atMost(PATIENCE)
+                .until(() ->
+                        doubt().isEmpty() && record().toUpperCase(Locale.ROOT).equals(truth().name()));
+    }
+
+    private void startCleaning() {
+        roomba.controller().press(RobotEvents.CLEAN);
+        awaitBoth(Activity.ON);
+        await().atMost(PATIENCE).until(() -> robot.robot().state().oiMode() == OiMode.SAFE);
+        roomba.controller().press(RobotEvents.CLEAN);
+        awaitBoth(Activity.CLEAN);
+    }
+
+    @Test
+    void whatTheRobotHasObeyedIsRecordedThoughItsSendNeverReturns() throws Exception {
+        hold.after(Opcode.SAFE.code());
+        roomba.controller().press(RobotEvents.CLEAN);
+        hold.await();
+        awaitBoth(Activity.ON);
+        clock.sleep(STEP_LIMIT.plusSeconds(1));
+        assertThat(doubt()).as("given up, and known all the same").isEmpty();
+        assertThat(record()).isEqualTo(RobotEvents.STATE_ON);
+        hold.release();
+        roomba.converter().exchange("ExecuteCommand", "ExecuteCommand2");
+        roomba.controller().press(RobotEvents.SPOT);
+        awaitBoth(Activity.SPOT);
+    }
+
+    @Test
+    void aStepOfWhichNobodyKnowsIsSettledByAskingTheRobot() throws Exception {
+        startCleaning();
+        hold.before(Opcode.CLEAN.code());
+        roomba.controller().press(RobotEvents.CLEAN);
+        hold.await();
+        await().atMost(PATIENCE).until(() -> !doubt().isEmpty());
+        assertThat(doubt()).contains("nobody knows whether Clean had its effect");
+        roomba.converter().exchange("ExecuteCommand", "ExecuteCommand2");
+        await().atMost(PATIENCE).until(() -> doubt().isEmpty());
+        assertThat(truth()).isEqualTo(Activity.CLEAN);
+        assertThat(record()).isEqualTo(RobotEvents.STATE_CLEAN);
+    }
+
+    @Test
+    void aRobotThatIsPausedByItsOwnButtonWhileACommandIsOnItsWay() throws Exception {
+        startCleaning();
+        hold.before(Opcode.CLEAN.code());
+        roomba.controller().press(RobotEvents.CLEAN);
+        hold.await();
+        robot.robot().press(Button.CLEAN);
+        awaitBoth(Activity.ON);
+        hold.release();
+        await().atMost(PATIENCE).until(() -> roomba.converter().status().queue().depth() == 0);
+        awaitAgreement();
+    }
+
+    @Test
+    void aRobotThatIsLiftedAndSetToWorkWhileACommandIsOnItsWay() throws Exception {
+        roomba.controller().press(RobotEvents.CLEAN);
+        awaitBoth(Activity.ON);
+        await().atMost(PATIENCE).until(() -> roomba.session().isUnderControl());
+        hold.before(Opcode.CLEAN.code());
+        roomba.controller().press(RobotEvents.CLEAN);
+        hold.await();
+        robot.robot().lift();
+        await().atMost(PATIENCE).until(() -> !roomba.session().isUnderControl());
+        robot.robot().setDown();
+        robot.robot().press(Button.SPOT);
+        awaitBoth(Activity.SPOT);
+        hold.release();
+        await().atMost(PATIENCE).until(() -> truth() == Activity.ON);
+        awaitAgreement();
+    }
+
+    @Test
+    void whereTheRobotIsIsToldFromItsFramesOrNotAtAll() throws Exception {
+        ExecuteCommand asked = new ExecuteCommand(roomba.session(), clock, new Resumption());
+        startCleaning();
+        await().atMost(PATIENCE).until(() -> asked.locate().equals(Optional.of(RobotEvents.STATE_CLEAN)));
+        roomba.controller().press(RobotEvents.CLEAN);
+        awaitBoth(Activity.ON);
+        assertThat(asked.locate()).contains(RobotEvents.STATE_ON);
+        roomba.controller().press(RobotEvents.SPOT);
+        awaitBoth(Activity.SPOT);
+        assertThat(asked.locate()).contains(RobotEvents.STATE_SPOT);
+        robot.unplug();
+        await().atMost(PATIENCE).until(() -> !roomba.session().isUp());
+        assertThat(asked.locate()).as("no frames come").isEmpty();
+    }
+}

@@ -1,0 +1,105 @@
+package org.evoloop.roomba;
+
+import java.util.concurrent.CountDownLatch;
+import java.util.function.IntFunction;
+import org.evoloop.roomba.link.Link;
+import org.evoloop.roomba.link.LinkException;
+import org.evoloop.roomba.link.WakeLine;
+import org.jspecify.annotations.Nullable;
+
+/** A link on which a test can hold a command, before it leaves or when the robot has it but the send has not returned. */
+record HeldLink(Link link, Hold hold) implements Link {
+    /** Whether anything is held, by all links of one cable. */
+    static final class Hold {
+        private volatile int before = -1;
+        private volatile int after = -1;
+        private volatile CountDownLatch held = new CountDownLatch(1);
+        private volatile CountDownLatch free = new CountDownLatch(0);
+
+        /** A cable that can be held. */
+        IntFunction<Link> on(IntFunction<Link> cable) {
+            return baud -> new HeldLink(cable.apply(baud), this);
+        }
+
+        /** The next command of this opcode does not leave until it is {@link #release released}. */
+        void before(int opcode) {
+            arm();
+            before = opcode;
+        }
+
+        /** The next command of this opcode leaves, but its send does not return. */
+        void after(int opcode) {
+            arm();
+            after = opcode;
+        }
+
+        private void arm() {
+            held = new CountDownLatch(1);
+            free = new CountDownLatch(1);
+        }
+
+        /** Waits until the command has come. */
+        void await() throws InterruptedException {
+            held.await();
+        }
+
+        void release() {
+            before = -1;
+            after = -1;
+            free.countDown();
+        }
+
+        /** However often the thread is told to stop. */
+        private void stay() {
+            held.countDown();
+            boolean interrupted = false;
+            while (free.getCount() > 0) {
+                try {
+                    free.await();
+                } catch (InterruptedException later) {
+                    interrupted = true;
+                }
+            }
+            if (interrupted) {
+                Thread.currentThread().interrupt();
+            }
+        }
+    }
+
+    @Override
+    public void send(byte[] bytes) {
+        int opcode = bytes.length == 1 ? bytes[0] & 0xFF : -1;
+        if (opcode >= 0 && opcode == hold.before) {
+            hold.stay();
+        }
+        link.send(bytes);
+        if (opcode >= 0 && opcode == hold.after) {
+            hold.stay();
+        }
+    }
+
+    @Override
+    public int receive(byte[] buffer) {
+        return link.receive(buffer);
+    }
+
+    @Override
+    public @Nullable LinkException loss() {
+        return link.loss();
+    }
+
+    @Override
+    public WakeLine wakeLine() {
+        return link.wakeLine();
+    }
+
+    @Override
+    public String description() {
+        return link.description();
+    }
+
+    @Override
+    public void close() {
+        link.close();
+    }
+}
