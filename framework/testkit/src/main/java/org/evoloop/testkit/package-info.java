@@ -1,0 +1,11 @@
+/**
+ * For tests of a converter: {@link org.evoloop.testkit.ConverterHarness} runs it without threads under a {@link
+ * org.evoloop.time.ManualClock}, and {@link org.evoloop.testkit.SimulatedDevice} stands in for the device.
+ *
+ * <p>This room uses the framework and Logback, which hears the transcript. It needs no particular test framework: what
+ * does not hold is an {@link AssertionError}.
+ */
+@NullMarked
+package org.evoloop.testkit;
+
+import org.jspecify.annotations.NullMarked;
