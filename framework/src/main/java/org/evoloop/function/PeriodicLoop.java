@@ -25,7 +25,8 @@ final class PeriodicLoop<O, A, P> extends ControlLoopFunction<O, A, P> {
             Effector<? super P> effector) {
         this.period = Clock.requireDelay(period);
         if (period.isZero()) {
-            throw new IllegalArgumentException("the period is zero; a loop that never rests needs a monitor of its own");
+            throw new IllegalArgumentException(
+                    "the period is zero; a loop that never rests needs a monitor of its own");
         }
         this.sensor = sensor;
         this.analyze = analyze;

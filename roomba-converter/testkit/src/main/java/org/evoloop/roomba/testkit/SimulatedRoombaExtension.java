@@ -65,7 +65,11 @@ public final class SimulatedRoombaExtension implements BeforeEachCallback, After
         return this;
     }
 
-    /** Lets the robot's time pass faster than the test's. @param factor see {@link SimulatorServer} */
+    /**
+     * Lets the robot's time pass faster than the test's.
+     *
+     * @param factor {@value SimulatorServer#SLOWEST} to {@value SimulatorServer#FASTEST}
+     */
     public SimulatedRoombaExtension speed(double factor) {
         speed = factor;
         return this;
