@@ -1,9 +1,12 @@
 package org.evoloop.function;
 
+import java.time.Duration;
 import org.evoloop.loop.Failure;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.loop.LoopListener;
 import org.evoloop.loop.MapeLoop;
+import org.evoloop.time.Clock;
+import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -22,6 +25,82 @@ public abstract class ControlLoopFunction<O, A, P> implements NewFunction {
 
     /** For subclasses. */
     protected ControlLoopFunction() {}
+
+    /**
+     * Reads what a loop monitors.
+     *
+     * @param <O> an occurrence of the loop
+     */
+    @FunctionalInterface
+    public interface Sensor<O> {
+        /**
+         * Reads it now.
+         *
+         * @return null if there is nothing to be said of it
+         * @throws Exception any failure: it is reported, and the sensor is read again after a pause
+         */
+        @Nullable
+        O read() throws Exception;
+    }
+
+    /**
+     * Analyzes or plans.
+     *
+     * @param <I> what comes in
+     * @param <R> what comes of it
+     */
+    @FunctionalInterface
+    public interface Stage<I, R> {
+        /**
+         * What comes of {@code input}.
+         *
+         * @return null if there is nothing to do, which ends the cycle
+         * @throws Exception any failure: it is reported, and this cycle ends here
+         */
+        @Nullable
+        R apply(I input) throws Exception;
+    }
+
+    /**
+     * Acts.
+     *
+     * @param <P> a plan of the loop
+     */
+    @FunctionalInterface
+    public interface Effector<P> {
+        /**
+         * Carries {@code plan} out.
+         *
+         * @throws Exception any failure: it is reported, and this cycle ends here
+         */
+        void act(P plan) throws Exception;
+    }
+
+    /**
+     * A small loop as four functions: it reads the sensor when the state is entered and once a period from then on. A
+     * thermostat, say:
+     *
+     * <pre>{@code
+     * function("Heating", ControlLoopFunction.every(Duration.ofSeconds(10),
+     *         () -> thermometer.celsius(), celsius -> 21 - celsius, gap -> gap > 0.5, on -> heater.set(on)));
+     * }</pre>
+     *
+     * <p>Threading: each of the four is called on the thread of its component, {@code sensor} also while the others work; in a
+     * converter without threads all on that which lets time pass.
+     *
+     * @param period of the converter's clock, more than 0
+     * @param analyze what a reading means
+     * @param plan what is to be done about it
+     * @throws IllegalArgumentException if {@code period} is zero, negative, or longer than {@link Clock#LONGEST}
+     */
+    public static <O, A, P> NewFunction every(
+            Duration period,
+            Sensor<? extends O> sensor,
+            Stage<? super O, ? extends A> analyze,
+            Stage<? super A, ? extends P> plan,
+            Effector<? super P> effector) {
+        return new PeriodicLoop<O, A, P>(period, sensor, analyze, plan, effector);
+    }
 
     /** Adds the components for {@code visit} to {@code loop}, and with {@link Visit#onEnd} what must be cleaned up. */
     protected abstract void assemble(MapeLoop<O, A, P> loop, Visit visit) throws Exception;

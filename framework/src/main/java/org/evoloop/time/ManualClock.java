@@ -2,6 +2,7 @@ package org.evoloop.time;
 
 import java.time.Duration;
 import java.time.Instant;
+import java.util.Optional;
 import java.util.PriorityQueue;
 import org.jspecify.annotations.Nullable;
 
@@ -82,6 +83,12 @@ public final class ManualClock implements Clock {
         }
         nowNanos = Math.max(nowNanos, next.dueNanos);
         return tasks.poll();
+    }
+
+    /** How long it is until the next task is due; empty if none waits. */
+    public synchronized Optional<Duration> untilNext() {
+        Task next = tasks.peek();
+        return next == null ? Optional.empty() : Optional.of(Duration.ofNanos(Math.max(0, next.dueNanos - nowNanos)));
     }
 
     /** How many tasks wait for their time; for tests that look for timers left behind. */

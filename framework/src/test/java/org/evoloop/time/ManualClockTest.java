@@ -41,6 +41,18 @@ class ManualClockTest {
     }
 
     @Test
+    void tellsHowLongItIsUntilTheNextTask() {
+        assertThat(clock.untilNext()).isEmpty();
+        at(20, "late");
+        at(10, "soon");
+        assertThat(clock.untilNext()).contains(Duration.ofMillis(10));
+
+        clock.advance(Duration.ofMillis(12));
+
+        assertThat(clock.untilNext()).contains(Duration.ofMillis(8));
+    }
+
+    @Test
     void forgetsWhatWasCancelled() {
         Clock.Timer timer = at(5, "never");
         timer.cancel();

@@ -14,35 +14,41 @@ import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.function.Predicate;
 import java.util.stream.Stream;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
 import org.evoloop.converter.SystemEventConverter;
+import org.evoloop.testkit.ConverterHarness;
 
 /**
- * The framework that this program runs with, as a Maven repository in a directory, so that a project needs nobody else's.
- * Its version holds a mark of its content: what Maven has kept of another one is never taken for it.
+ * The framework that this program runs with, and its test kit, as a Maven repository in a directory, so that a project needs
+ * nobody else's. Their version holds a mark of their content: what Maven has kept of another one is never taken for it.
  */
 final class FrameworkRepository {
     private static final String OURS = "org/evoloop/";
     private static final String TOOL = "org/evoloop/models/";
+    private static final String KIT = "org/evoloop/testkit/";
     private static final int MARK_DIGITS = 10;
 
-    private final byte[] jar;
+    private final byte[] framework;
+    private final byte[] kit;
     private final String version;
 
-    private FrameworkRepository(byte[] jar, String version) {
-        this.jar = jar;
-        this.version = version;
+    private FrameworkRepository(byte[] framework, byte[] kit) {
+        this.framework = framework;
+        this.kit = kit;
+        this.version = Versions.get("evoloop").replace("-SNAPSHOT", "") + "-" + mark(framework, kit);
     }
 
-    /** Packs the framework. @throws IOException if its classes cannot be read */
+    /** Packs both. @throws IOException if their classes cannot be read */
     static FrameworkRepository pack() throws IOException {
-        byte[] jar = jar(classes());
-        return new FrameworkRepository(jar, Versions.get("evoloop").replace("-SNAPSHOT", "") + "-" + mark(jar));
+        return new FrameworkRepository(
+                jar(classes(SystemEventConverter.class, name -> !name.startsWith(TOOL) && !name.startsWith(KIT))),
+                jar(classes(ConverterHarness.class, name -> name.startsWith(KIT))));
     }
 
-    /** The framework's version in this repository. */
+    /** The version of both in this repository. */
     String version() {
         return version;
     }
@@ -55,7 +61,9 @@ final class FrameworkRepository {
     void addTo(ProjectDirectory.Content content, String folder) {
         pom(content, folder, "evoloop", Template.text("poms/pom.xml"));
         pom(content, folder, "framework", Template.text("poms/framework/pom.xml"));
-        content.bytes(path(folder, "framework") + ".jar", jar);
+        pom(content, folder, "evoloop-testkit", Template.text("poms/framework/testkit/pom.xml"));
+        content.bytes(path(folder, "framework") + ".jar", framework);
+        content.bytes(path(folder, "evoloop-testkit") + ".jar", kit);
     }
 
     private void pom(ProjectDirectory.Content content, String folder, String artifact, String pom) {
@@ -67,22 +75,22 @@ final class FrameworkRepository {
         return folder + OURS + artifact + "/" + version + "/" + artifact + "-" + version;
     }
 
-    /** By path in a jar. They lie in a directory while the framework is being built, else in a jar. */
-    private static Map<String, byte[]> classes() throws IOException {
-        CodeSource source = SystemEventConverter.class.getProtectionDomain().getCodeSource();
+    /** By path in a jar. They lie in a directory while they are being built, else in a jar. */
+    private static Map<String, byte[]> classes(Class<?> oneOfThem, Predicate<String> wanted) throws IOException {
+        CodeSource source = oneOfThem.getProtectionDomain().getCodeSource();
         if (source == null) {
             throw new IOException("nobody knows where the framework's classes lie; run this program from its jar");
         }
         Path place = Path.of(URI.create(source.getLocation().toString()));
         if (Files.isDirectory(place)) {
-            return below(place);
+            return below(place, wanted);
         }
         try (FileSystem opened = FileSystems.newFileSystem(place)) {
-            return below(opened.getPath("/"));
+            return below(opened.getPath("/"), wanted);
         }
     }
 
-    private static Map<String, byte[]> below(Path root) throws IOException {
+    private static Map<String, byte[]> below(Path root, Predicate<String> wanted) throws IOException {
         List<Path> files;
         try (Stream<Path> all = Files.walk(root.resolve(OURS))) {
             files = all.filter(Files::isRegularFile).toList();
@@ -90,7 +98,7 @@ final class FrameworkRepository {
         Map<String, byte[]> classes = new TreeMap<>();
         for (Path file : files) {
             String name = root.relativize(file).toString().replace('\\', '/');
-            if (!name.startsWith(TOOL)) {
+            if (wanted.test(name)) {
                 classes.put(name, Files.readAllBytes(file));
             }
         }
@@ -111,10 +119,13 @@ final class FrameworkRepository {
         return bytes.toByteArray();
     }
 
-    private static String mark(byte[] jar) {
+    private static String mark(byte[]... jars) {
         try {
-            byte[] digest = MessageDigest.getInstance("SHA-256").digest(jar);
-            return HexFormat.of().formatHex(digest).substring(0, MARK_DIGITS);
+            MessageDigest digest = MessageDigest.getInstance("SHA-256");
+            for (byte[] jar : jars) {
+                digest.update(jar);
+            }
+            return HexFormat.of().formatHex(digest.digest()).substring(0, MARK_DIGITS);
         } catch (NoSuchAlgorithmException broken) {
             throw new IllegalStateException("every Java has SHA-256", broken);
         }

@@ -18,8 +18,7 @@ final class TestText {
     TestText(Map<Transition, Scenario> scenarios, boolean guarded) {
         this.scenarios = scenarios;
         this.guarded = guarded;
-        List.of("start", "press", "device", "pass", "only", "convert", "assertStands")
-                .forEach(names::reserve);
+        List.of("device", "assertStands").forEach(names::reserve);
     }
 
     String methods(StateMachine evolved) {
@@ -42,7 +41,7 @@ final class TestText {
         text.append("    @DisplayName(")
                 .append(JavaText.literal(transition.toString()))
                 .append(")\n");
-        text.append("    void ").append(name(transition)).append("() throws Exception {\n");
+        text.append("    void ").append(name(transition)).append("() {\n");
         scenario.happenings().forEach(happening -> happening(text, happening));
         text.append("\n        assertStands(")
                 .append(JavaText.literal(scenario.after().original().name()))
@@ -56,13 +55,15 @@ final class TestText {
         if (guarded) {
             String guards =
                     happening.guards().stream().sorted().map(JavaText::literal).collect(Collectors.joining(", "));
-            text.append("        only(").append(guards).append(");\n");
+            text.append("        conditions.only(Set.of(").append(guards).append("));\n");
         }
         Duration delay = happening.delay();
         if (delay != null) {
-            text.append("        pass(Duration.parse(\"").append(delay).append("\"));\n");
+            text.append("        converter.advance(Duration.parse(\"")
+                    .append(delay)
+                    .append("\"));\n");
         } else {
-            String how = happening.byDevice() ? "device" : "press";
+            String how = happening.byDevice() ? "device" : "converter.press";
             text.append("        ")
                     .append(how)
                     .append('(')

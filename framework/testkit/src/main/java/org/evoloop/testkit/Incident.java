@@ -1,0 +1,52 @@
+package org.evoloop.testkit;
+
+/**
+ * What befalls a command on its way to a {@link SimulatedDevice}.
+ *
+ * <p>Threading: immutable.
+ */
+public sealed interface Incident {
+
+    /**
+     * It does not arrive, and has no effect. Whoever sent it learns of that only if the device tells its effects; then no
+     * answer comes, and the sending fails.
+     */
+    record Lost() implements Incident {}
+
+    /** It has no effect, and the sending fails. */
+    record Refused() implements Incident {}
+
+    /** It has its effect, but the sending fails: the answer was lost. */
+    record Unanswered() implements Incident {}
+
+    /** The device does {@code event} by itself just before it takes the command. */
+    record Before(String event) implements Incident {}
+
+    /** The device does {@code event} by itself when it has taken the command, before whoever sent that knows. */
+    record After(String event) implements Incident {}
+
+    /** See {@link Lost}. */
+    static Incident lost() {
+        return new Lost();
+    }
+
+    /** See {@link Refused}. */
+    static Incident refused() {
+        return new Refused();
+    }
+
+    /** See {@link Unanswered}. */
+    static Incident unanswered() {
+        return new Unanswered();
+    }
+
+    /** See {@link Before}. */
+    static Incident before(String event) {
+        return new Before(event);
+    }
+
+    /** See {@link After}. */
+    static Incident after(String event) {
+        return new After(event);
+    }
+}

@@ -1,0 +1,88 @@
+package org.evoloop.testkit;
+
+import java.time.Duration;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.function.Function;
+import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.StateMachine;
+
+/**
+ * Sees whether an adapter keeps the order: whether what a device does by itself, and the effects of what it is sent, reach
+ * the converter in the order in which they happened at the device. An adapter keeps it by telling both on the thread that
+ * reads the device: a {@link org.evoloop.converter.PushMonitor}'s {@code push}, and {@link
+ * org.evoloop.converter.EventExecute}'s {@code tookEffect}.
+ *
+ * <pre>{@code
+ * OrderCheck.of(models.original()).buttons("Clean", "Spot").check(line -> new RobotLink(line).adapter());
+ * }</pre>
+ *
+ * <p>The check plays the device. Wherever in the model it makes a difference it acts by itself just before, or just after, it
+ * takes a command, and looks whether the converter, which runs with its threads and in real time, knows afterwards where the
+ * device is, and has never been in doubt.
+ *
+ * <p>Threading: one thread.
+ */
+public final class OrderCheck {
+    /** Many more would take long, and find the same. */
+    private static final int MOST_SITUATIONS = 60;
+
+    private final StateMachine model;
+    private final Set<String> own = new LinkedHashSet<>();
+    private final Set<String> unsendable = new LinkedHashSet<>();
+    private Duration patience = Duration.ofSeconds(10);
+
+    private OrderCheck(StateMachine model) {
+        this.model = model;
+        model.spontaneous().forEach(event -> own.add(event.name()));
+        unsendable.addAll(own);
+        for (Event trigger : model.triggers()) {
+            if (trigger.timeTrigger().isPresent()) {
+                unsendable.add(trigger.name());
+            }
+        }
+    }
+
+    /** Begins a check with a device of this model; what that declares to be the device's own is not sent. */
+    public static OrderCheck of(StateMachine original) {
+        return new OrderCheck(original);
+    }
+
+    /** Events that the device takes by itself although they can be sent too, as the adapter's monitor declares them. */
+    public OrderCheck buttons(String... events) {
+        own.addAll(List.of(events));
+        return this;
+    }
+
+    /** How long the adapter may take, in real time, to tell what has happened; 10 s unless this is called. */
+    public OrderCheck patience(Duration longest) {
+        patience = longest;
+        return this;
+    }
+
+    /**
+     * Tries an adapter.
+     *
+     * @param adapters makes one for a line, with which it has begun to {@linkplain DeviceLine#listen listen}
+     * @throws AssertionError if it does not keep the order; the message tells in which situation, and what it has told
+     * @throws IllegalStateException if the order makes no difference anywhere in the model, or the adapter does not listen
+     * @throws org.evoloop.statemachine.ModelException if the adapter does not fit the model
+     */
+    public void check(Function<DeviceLine, DeviceAdapter> adapters) {
+        Set<String> sendable = new LinkedHashSet<>();
+        model.triggers().forEach(trigger -> sendable.add(trigger.name()));
+        sendable.removeAll(unsendable);
+        List<Situation> situations = Situation.all(model, sendable, own);
+        if (situations.isEmpty()) {
+            throw new IllegalStateException("in the model " + model.name()
+                    + " the order of what the device takes and what it does by itself (" + String.join(", ", own)
+                    + ") makes no difference; name all its own events by buttons");
+        }
+        for (Situation situation : situations.subList(0, Math.min(situations.size(), MOST_SITUATIONS))) {
+            try (SituationRun run = new SituationRun(model, own, patience, adapters)) {
+                run.play(situation);
+            }
+        }
+    }
+}

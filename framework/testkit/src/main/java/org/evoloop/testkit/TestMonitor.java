@@ -1,0 +1,27 @@
+package org.evoloop.testkit;
+
+import org.evoloop.converter.PushMonitor;
+import org.evoloop.evolution.Values;
+
+/** Tells what a test says. */
+final class TestMonitor extends PushMonitor {
+    TestMonitor() {
+        super("Test");
+    }
+
+    void pressed(String event, Values values) {
+        push(fromController(event, values));
+    }
+
+    void pressedOnDevice(String event, boolean deviceActed) {
+        push(fromPanel(event, deviceActed));
+    }
+
+    void done(String event) {
+        push(fromDevice(event));
+    }
+
+    void found(String state) {
+        push(foundIn(state));
+    }
+}

@@ -1,0 +1,41 @@
+package org.evoloop.testkit;
+
+import java.nio.file.Path;
+import org.evoloop.evolution.ModelPair;
+import org.evoloop.statemachine.StateMachine;
+import org.evoloop.xmi.XmiFile;
+
+/** The models that these tests are about. */
+final class Models {
+    /** Of a device with buttons of its own. */
+    static final StateMachine PLAYER = StateMachine.named("original")
+            .initial("Stopped")
+            .transition("Stopped", "play", "Playing")
+            .transition("Playing", "pause", "Paused")
+            .transition("Paused", "play", "Playing")
+            .transition("Playing", "stop", "Stopped")
+            .transition("Paused", "stop", "Stopped")
+            .transition("Playing", "ended", "Stopped")
+            .spontaneous("ended")
+            .build();
+
+    private Models() {}
+
+    static ModelPair lightBulb() {
+        return read("light-bulb.xml");
+    }
+
+    static ModelPair cleaningRobot() {
+        return read("cleaning-robot.xml");
+    }
+
+    /** The player as it is: the new model is the original one. */
+    static ModelPair player() {
+        return new ModelPair(PLAYER, PLAYER.withName("new"));
+    }
+
+    private static ModelPair read(String file) {
+        XmiFile machines = XmiFile.read(Path.of(System.getProperty("evoloop.root"), "models", file));
+        return new ModelPair(machines.pick("original"), machines.pick("new"));
+    }
+}

@@ -1,0 +1,25 @@
+package org.evoloop.lightbulb;
+
+import java.nio.file.Path;
+import org.evoloop.evolution.ModelPair;
+import org.evoloop.testkit.ConverterHarness;
+import org.evoloop.xmi.XmiFile;
+import org.junit.jupiter.api.Test;
+
+/** The first test of a converter, as docs/testing.md shows it. */
+class FirstScenarioTest {
+    private final XmiFile machines = XmiFile.read(Path.of("../models/light-bulb.xml"));
+    private final ModelPair models = new ModelPair(machines.pick("original"), machines.pick("new"));
+    private final Lamp lamp = new Lamp();
+
+    @Test
+    void switchedTwiceTheLampGoesOffByItself() {
+        ConverterHarness converter = ConverterHarness.of(new LampKnowledge(models, lamp))
+                .with(new LampExecute(lamp))
+                .start();
+
+        converter.press("switch").expect("on", "on");
+        converter.press("switch").expect("on", "wait");
+        converter.until("off").expect("off", "off");
+    }
+}

@@ -1,0 +1,192 @@
+package org.evoloop.roomba.testkit;
+
+import static java.util.Objects.requireNonNull;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Predicate;
+import org.evoloop.roomba.oi.Button;
+import org.evoloop.roomba.simulator.SimulatorServer;
+import org.evoloop.roomba.simulator.robot.RobotOptions;
+import org.evoloop.roomba.simulator.robot.RobotState;
+import org.evoloop.roomba.simulator.robot.SimulatedRoomba;
+import org.evoloop.time.SystemClock;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.extension.AfterEachCallback;
+import org.junit.jupiter.api.extension.BeforeEachCallback;
+import org.junit.jupiter.api.extension.ExtensionContext;
+
+/**
+ * Gives each test a simulated Roomba behind a serial port of its own, which any program can open, and ends it afterwards.
+ *
+ * <pre>{@code
+ * @RegisterExtension
+ * final SimulatedRoombaExtension roomba = SimulatedRoombaExtension.create().speed(20);
+ *
+ * @Test
+ * void itCleans() {
+ *     try (MyDriver driver = new MyDriver(roomba.port().toString())) {
+ *         roomba.press(Button.CLEAN);
+ *         roomba.until(robot -> robot.activity() == Activity.CLEAN);
+ *     }
+ * }
+ * }</pre>
+ *
+ * <p>Errors: what does not come to hold is an {@link AssertionError} with the state in which the robot was last.
+ *
+ * <p>Threading: the robot has a thread of its own; all methods may be called from any thread. One object serves one test at a
+ * time.
+ */
+public final class SimulatedRoombaExtension implements BeforeEachCallback, AfterEachCallback {
+    private static final String PORT = "roomba";
+
+    private final Object lock = new Object();
+    private RobotOptions options = RobotOptions.defaults();
+    private double speed = 1;
+    private Duration patience = Duration.ofSeconds(20);
+    private @Nullable Path folder;
+    private @Nullable SystemClock clock;
+    private @Nullable SimulatorServer server;
+    private @Nullable RobotState last;
+
+    private SimulatedRoombaExtension() {}
+
+    /** A robot as {@link RobotOptions#defaults} has it, in real time. */
+    public static SimulatedRoombaExtension create() {
+        return new SimulatedRoombaExtension();
+    }
+
+    /** Sets what the robot is like: its room, its battery, how noisy its line is. Counts from the next test on. */
+    public SimulatedRoombaExtension options(RobotOptions itsOptions) {
+        options = requireNonNull(itsOptions, "the robot's options are null");
+        return this;
+    }
+
+    /**
+     * Lets the robot's time pass faster than the test's.
+     *
+     * @param factor {@value SimulatorServer#SLOWEST} to {@value SimulatorServer#FASTEST}
+     */
+    public SimulatedRoombaExtension speed(double factor) {
+        speed = factor;
+        return this;
+    }
+
+    /** How long {@link #until} waits at most, in real time; 20 s unless this is called. */
+    public SimulatedRoombaExtension patience(Duration longest) {
+        patience = requireNonNull(longest, "the patience is null");
+        return this;
+    }
+
+    @Override
+    public void beforeEach(ExtensionContext context) throws IOException {
+        Path own = Files.createTempDirectory("evoloop-roomba-");
+        SystemClock its = new SystemClock();
+        folder = own;
+        clock = its;
+        last = null;
+        boolean started = false;
+        try {
+            server = SimulatorServer.start(own.resolve(PORT), options, its, speed, this::seen);
+            started = true;
+        } finally {
+            if (!started) {
+                end();
+            }
+        }
+    }
+
+    @Override
+    public void afterEach(ExtensionContext context) throws IOException {
+        end();
+    }
+
+    private void end() throws IOException {
+        if (server != null) {
+            server.close();
+            server = null;
+        }
+        if (clock != null) {
+            clock.close();
+            clock = null;
+        }
+        if (folder != null) {
+            Files.deleteIfExists(folder.resolve(PORT));
+            Files.delete(folder);
+            folder = null;
+        }
+    }
+
+    private void seen(RobotState state) {
+        synchronized (lock) {
+            last = state;
+            lock.notifyAll();
+        }
+    }
+
+    private SimulatorServer server() {
+        SimulatorServer running = server;
+        if (running == null) {
+            throw new IllegalStateException(
+                    "there is a robot only while a test runs; register this by @RegisterExtension, in a field");
+        }
+        return running;
+    }
+
+    /** The file that a program opens as the robot's serial port. */
+    public Path port() {
+        return server().path();
+    }
+
+    /** The robot in its world: to press and hold its buttons, to lift, place and dock it. */
+    public SimulatedRoomba robot() {
+        return server().robot();
+    }
+
+    /** Presses one of its buttons as a finger does. */
+    public void press(Button button) {
+        robot().press(button);
+    }
+
+    /** Where it is, and what it does. */
+    public RobotState state() {
+        return robot().state();
+    }
+
+    /** Pulls the cable; the port is gone. @throws IllegalArgumentException if it is pulled already */
+    public void unplug() {
+        server().unplug();
+    }
+
+    /** Plugs the cable in again. @throws IOException if there is no port to be had */
+    public void replug() throws IOException {
+        server().replug();
+    }
+
+    /**
+     * Waits until the robot is as {@code wanted} says, looking after each tick of 15 ms of its time.
+     *
+     * @return the state in which it was then
+     * @throws AssertionError if it does not come to be so in time; the message tells the state that was seen last
+     */
+    public RobotState until(Predicate<RobotState> wanted) throws InterruptedException {
+        server();
+        long deadline = System.nanoTime() + patience.toNanos();
+        synchronized (lock) {
+            RobotState now = last;
+            while (now == null || !wanted.test(now)) {
+                long left = deadline - System.nanoTime();
+                if (left <= 0) {
+                    throw new AssertionError("the robot did not come to be as wanted within " + patience + "; it is "
+                            + (now == null ? "not there" : now.toJson()));
+                }
+                TimeUnit.NANOSECONDS.timedWait(lock, left);
+                now = last;
+            }
+            return now;
+        }
+    }
+}

@@ -1,0 +1,103 @@
+package org.evoloop.roomba.testkit;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.nio.file.Files;
+import java.nio.file.LinkOption;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.HashSet;
+import java.util.Set;
+import org.evoloop.roomba.link.Link;
+import org.evoloop.roomba.link.LinkException;
+import org.evoloop.roomba.link.SerialLink;
+import org.evoloop.roomba.link.SerialSettings;
+import org.evoloop.roomba.oi.ActuatorCommand.DriveDirect;
+import org.evoloop.roomba.oi.Button;
+import org.evoloop.roomba.oi.Command;
+import org.evoloop.roomba.oi.OiMode;
+import org.evoloop.roomba.simulator.robot.Activity;
+import org.evoloop.roomba.simulator.robot.RobotState;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.extension.RegisterExtension;
+
+/** A test of anybody's: it has a robot at a port, and leaves nothing behind. */
+@EnabledOnOs(OS.LINUX)
+@Timeout(60)
+class SimulatedRoombaExtensionTest {
+    private static final Set<Path> PORTS = new HashSet<>();
+
+    @RegisterExtension
+    final SimulatedRoombaExtension roomba =
+            SimulatedRoombaExtension.create().speed(10).patience(Duration.ofSeconds(30));
+
+    @BeforeEach
+    void note() {
+        assertThat(PORTS.add(roomba.port()))
+                .as("each test has a port of its own")
+                .isTrue();
+    }
+
+    @AfterAll
+    static void nothingIsLeftBehind() {
+        assertThat(PORTS).noneMatch(port -> Files.exists(port, LinkOption.NOFOLLOW_LINKS));
+        assertThat(PORTS).noneMatch(port -> Files.exists(port.resolveSibling("")));
+    }
+
+    private static final class Nobody implements Link.Receiver {
+        @Override
+        public void received(byte[] buffer, int length) {}
+
+        @Override
+        public void lost(LinkException cause) {}
+    }
+
+    @Test
+    void aProgramDrivesItThroughItsPort() throws Exception {
+        try (Link link = new SerialLink(new SerialSettings(roomba.port().toString()))) {
+            link.open(new Nobody());
+            link.send(new Command.Start().bytes());
+            link.send(new Command.Safe().bytes());
+            link.send(new DriveDirect(100, 100).bytes());
+            RobotState there = roomba.until(robot -> robot.xMm() > 50);
+            assertThat(there.oiMode()).isEqualTo(OiMode.SAFE);
+        }
+    }
+
+    @Test
+    void itsButtonsArePressed() throws Exception {
+        assertThat(roomba.state().activity()).isEqualTo(Activity.OFF);
+        roomba.press(Button.CLEAN);
+        roomba.until(robot -> robot.activity() != Activity.OFF);
+        roomba.robot().lift();
+    }
+
+    @Test
+    void itsCableIsPulledAndPluggedIn() throws Exception {
+        roomba.unplug();
+        assertThat(Files.exists(roomba.port(), LinkOption.NOFOLLOW_LINKS)).isFalse();
+        roomba.replug();
+        assertThat(roomba.port()).exists();
+    }
+
+    @Test
+    void whatNeverComesToHoldIsToldWithTheRobotsState() {
+        roomba.patience(Duration.ofMillis(50));
+        assertThatThrownBy(() -> roomba.until(robot -> robot.xMm() > 1e9))
+                .isInstanceOf(AssertionError.class)
+                .hasMessageContaining("did not come to be as wanted within PT0.05S; it is {");
+    }
+
+    @Test
+    void outsideOfATestThereIsNoRobot() {
+        assertThatThrownBy(() -> SimulatedRoombaExtension.create().port())
+                .isInstanceOf(IllegalStateException.class)
+                .hasMessageContaining("@RegisterExtension");
+    }
+}
