@@ -10,7 +10,6 @@ import java.time.Duration;
 import java.util.HashSet;
 import java.util.Set;
 import org.evoloop.roomba.link.Link;
-import org.evoloop.roomba.link.LinkException;
 import org.evoloop.roomba.link.SerialLink;
 import org.evoloop.roomba.link.SerialSettings;
 import org.evoloop.roomba.oi.ActuatorCommand.DriveDirect;
@@ -50,18 +49,9 @@ class SimulatedRoombaExtensionTest {
         assertThat(PORTS).noneMatch(port -> Files.exists(port.resolveSibling("")));
     }
 
-    private static final class Nobody implements Link.Receiver {
-        @Override
-        public void received(byte[] buffer, int length) {}
-
-        @Override
-        public void lost(LinkException cause) {}
-    }
-
     @Test
     void aProgramDrivesItThroughItsPort() throws Exception {
-        try (Link link = new SerialLink(new SerialSettings(roomba.port().toString()))) {
-            link.open(new Nobody());
+        try (Link link = SerialLink.open(new SerialSettings(roomba.port().toString()))) {
             link.send(new Command.Start().bytes());
             link.send(new Command.Safe().bytes());
             link.send(new DriveDirect(100, 100).bytes());
