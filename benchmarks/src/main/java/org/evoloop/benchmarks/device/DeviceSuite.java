@@ -9,9 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import org.evoloop.benchmarks.report.Figures;
 import org.evoloop.benchmarks.report.Fork;
 import org.evoloop.benchmarks.report.ResidentMemory;
@@ -28,8 +26,7 @@ public final class DeviceSuite implements Suite {
     @Override
     public List<Row> measure(boolean quick) throws Exception {
         String times = quick ? "20" : "200";
-        Figures press = Fork.shipped(PressToCommand.class, List.of("1"), times).figures();
-        Figures bare = Fork.of(BareChain.class, Fork.SHIPPED_OPTIONS, times).figures();
+        List<Row> rows = new ArrayList<>(presses(quick ? "20" : "200"));
         Fork version = Fork.java("-version");
         double[] starts = new double[quick ? 3 : 9];
         double[] versions = new double[starts.length];
@@ -42,22 +39,24 @@ public final class DeviceSuite implements Suite {
         }
         Arrays.sort(starts);
         Arrays.sort(versions);
-        return List.of(
-                press("button to command, added by us, median", "p50", 100, press, bare),
-                press("button to command, 99th percentile", "p99", 1000, press, bare),
-                new Row(
-                        "start of the Roomba converter to the first event",
-                        "s",
-                        starts[starts.length / 2],
-                        Row.Goal.atMostTimes(10, "java -version", versions[versions.length / 2])),
-                new Row("its resident memory", "MB", megabytes, Row.Goal.atMost(90)));
+        rows.add(new Row(
+                "start of the Roomba converter to the first event",
+                "s",
+                starts[starts.length / 2],
+                Row.Goal.atMostTimes(10, "java -version", versions[versions.length / 2])));
+        rows.add(new Row("its resident memory", "MB", megabytes, Row.Goal.atMost(90)));
+        return rows;
     }
 
-    private static Row press(String what, String percentile, double bound, Figures press, Figures bare) {
-        Map<String, Double> least = new LinkedHashMap<>();
-        least.put("a byte sent back by its reader", bare.get("direct " + percentile));
-        least.put("by way of 3 bare threads", bare.get("threads " + percentile));
-        return new Row(what, "us", press.get("press " + percentile), Row.Goal.atMost(bound), least);
+    private static List<Row> presses(String times) throws IOException, InterruptedException {
+        Figures bare = Fork.of(BareChain.class, Fork.SHIPPED_OPTIONS, times).figures();
+        List<Row> rows = new ArrayList<>();
+        for (PressWay way : PressWay.values()) {
+            Figures press = Fork.shipped(PressToCommand.class, List.of("1", way.name()), times, way.name())
+                    .figures();
+            rows.addAll(way.rows(press, bare));
+        }
+        return rows;
     }
 
     private record Started(double seconds, double megabytes) {}

@@ -35,10 +35,11 @@ public final class PressToCommand {
     /**
      * Prints the median and the 99th percentile in microseconds.
      *
-     * @param arguments how many commands
+     * @param arguments how many commands, and the name of the {@link PressWay}
      */
     public static void main(String[] arguments) throws IOException, InterruptedException {
         int wanted = Integer.parseInt(arguments[0]);
+        PressWay way = PressWay.valueOf(arguments[1]);
         StateMachine device = StateMachine.named("device")
                 .initial("Off")
                 .transition("Off", "Clean", "On")
@@ -56,7 +57,7 @@ public final class PressToCommand {
                 RoombaConverter roomba = RoombaConverter.connect(
                         baud -> new TimedLink(
                                 new SerialLink(new SerialSettings(port.toString()).withBaud(baud)), nanos),
-                        LoopConfig.defaults("roomba", clock),
+                        way.configured(LoopConfig.defaults("roomba", clock)),
                         SessionOptions.defaults().withSilenceLimit(Duration.ofSeconds(8)),
                         new RoombaConverter.Options(
                                 RobotModels.of(new ModelPair(device, device)),
