@@ -25,7 +25,6 @@ public final class DeviceSuite implements Suite {
 
     @Override
     public List<Row> measure(boolean quick) throws Exception {
-        String times = quick ? "20" : "200";
         List<Row> rows = new ArrayList<>(presses(quick ? "20" : "200"));
         Fork version = Fork.java("-version");
         double[] starts = new double[quick ? 3 : 9];

@@ -17,7 +17,10 @@ enum PressWay {
     THREADS("added by us", config -> config, Bare.THREADS, 1.25, 1.5);
 
     private final String label;
+
+    @SuppressWarnings("ImmutableEnumChecker") // functions that hold nothing
     private final UnaryOperator<LoopConfig> config;
+
     private final Bare bare;
     private final double mostAtMedian;
     private final double mostAtPercentile99;

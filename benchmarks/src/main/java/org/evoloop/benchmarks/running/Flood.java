@@ -47,7 +47,11 @@ public final class Flood {
         return rate;
     }
 
-    /** @throws IllegalStateException if occurrences of a monitor came out of order */
+    /**
+     * Ends the measurement if order was lost.
+     *
+     * @throws IllegalStateException if occurrences of a monitor came out of order
+     */
     public void requireOrder() {
         if (broken) {
             throw new IllegalStateException("occurrences of a monitor came out of order");
