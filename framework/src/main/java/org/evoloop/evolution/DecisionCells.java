@@ -66,11 +66,16 @@ final class DecisionCells {
         after[place] = next;
     }
 
-    /** Notes for each decision the number of the situation it leads to. */
+    /** Notes the number of the situation that the decision in a cell leads to. */
+    void lead(int situation, int event, int next) {
+        after[placeOf(situation, event)] = next;
+    }
+
+    /** Notes it for every decision for which that was not done. */
     void link(ToIntFunction<Decision> numberOf) {
         for (int place = 0; place < decisions.length; place++) {
             Decision decision = decisions[place];
-            if (decision != null) {
+            if (decision != null && after[place] == UNKNOWN) {
                 after[place] = numberOf.applyAsInt(decision);
             }
         }

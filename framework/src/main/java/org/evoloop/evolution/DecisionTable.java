@@ -1,6 +1,5 @@
 package org.evoloop.evolution;
 
-import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.HashMap;
@@ -9,7 +8,6 @@ import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
-import java.util.Queue;
 import java.util.Set;
 import java.util.function.Predicate;
 import org.evoloop.statemachine.Event;
@@ -32,11 +30,19 @@ import org.jspecify.annotations.Nullable;
 public final class DecisionTable {
     private final ModelPair pair;
     private final DeviceEvents device;
+    /** Whether the device takes any event by itself that could be sent. */
+    private final boolean interferes;
+
     private final EventConversion conversion;
     private final GuardedTriggers originalGuards;
     private final GuardedTriggers evolvedGuards;
     /** In the order in which they were reached, which is that of their numbers. */
     private final Map<Configuration, Integer> situations = new LinkedHashMap<>();
+
+    /** The same by their numbers, those that are still to be explored included. */
+    private final List<Configuration> reached = new ArrayList<>();
+
+    private int explored;
 
     private final Map<Event, Integer> numbers = new HashMap<>();
     private final Map<String, Integer> numbersByName = new HashMap<>();
@@ -49,6 +55,7 @@ public final class DecisionTable {
     private DecisionTable(ModelPair pair, DeviceEvents device) {
         this.pair = pair;
         this.device = device.declaredBy(pair.original());
+        this.interferes = this.device.spontaneous().stream().anyMatch(this.device.sendable()::contains);
         this.conversion = new EventConversion(pair, this.device);
         this.originalGuards = new GuardedTriggers(pair.original());
         this.evolvedGuards = new GuardedTriggers(pair.evolved());
@@ -70,30 +77,39 @@ public final class DecisionTable {
      */
     public static DecisionTable compile(ModelPair pair, DeviceEvents device) {
         DecisionTable table = new DecisionTable(pair, device);
-        table.explore(new ArrayDeque<>(List.of(pair.initial())), false, table.problems);
-        Queue<Configuration> interfered = new ArrayDeque<>();
-        for (Configuration at : table.configurations()) {
-            table.follow(table.interference(at), table.hazards, interfered);
+        table.reach(pair.initial());
+        table.explore(false, table.problems);
+        int expected = table.reached.size();
+        for (int situation = 0; situation < expected; situation++) {
+            table.follow(situation, table.interference(table.reached.get(situation)), table.hazards);
         }
-        table.explore(interfered, true, table.hazards);
+        table.explore(true, table.hazards);
         table.asked.link(decision -> table.situation(decision.after()));
         return table;
     }
 
-    private void explore(Queue<Configuration> frontier, boolean withInterference, Set<Decision.Impossible> impossible) {
-        for (Configuration at = frontier.poll(); at != null; at = frontier.poll()) {
-            int situation = situations.size();
-            if (situations.putIfAbsent(at, situation) == null) {
-                fill(at, situation);
-                follow(expected(at), impossible, frontier);
-                if (withInterference) {
-                    follow(interference(at), impossible, frontier);
-                }
+    /** The number of a configuration, which is to be explored if it was not reached before. */
+    private int reach(Configuration at) {
+        Integer known = situations.putIfAbsent(at, reached.size());
+        if (known != null) {
+            return known;
+        }
+        reached.add(at);
+        return reached.size() - 1;
+    }
+
+    private void explore(boolean withInterference, Set<Decision.Impossible> impossible) {
+        for (; explored < reached.size(); explored++) {
+            Configuration at = reached.get(explored);
+            fill(at, explored);
+            follow(explored, expected(at), impossible);
+            if (withInterference) {
+                follow(explored, interference(at), impossible);
             }
         }
     }
 
-    private void follow(List<Turn> turns, Set<Decision.Impossible> impossible, Queue<Configuration> frontier) {
+    private void follow(int situation, List<Turn> turns, Set<Decision.Impossible> impossible) {
         for (Turn turn : turns) {
             if (turn.decision() instanceof Decision.Impossible found) {
                 // An event that cannot come is one problem of its own, not one in each configuration.
@@ -101,7 +117,10 @@ public final class DecisionTable {
                     impossible.add(found);
                 }
             } else {
-                frontier.add(turn.decision().after());
+                int next = reach(turn.decision().after());
+                if (!turn.deviceActed()) {
+                    asked.lead(situation, number(turn.event()), next);
+                }
             }
         }
     }
@@ -129,7 +148,7 @@ public final class DecisionTable {
     /** What can happen in {@code at} when the device does by itself what it could have been asked for. */
     public List<Turn> interference(Configuration at) {
         List<Turn> turns = new ArrayList<>();
-        if (device.spontaneous().stream().noneMatch(device.sendable()::contains)) {
+        if (!interferes) {
             return turns;
         }
         int situation = situation(at);

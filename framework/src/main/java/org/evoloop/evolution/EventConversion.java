@@ -1,8 +1,10 @@
 package org.evoloop.evolution;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
@@ -27,20 +29,27 @@ final class EventConversion {
     private final DeviceEvents device;
     private final PathPlanner planner;
     private final Set<Event> unsendable;
-    private final Set<State> newStates;
+    /** By the new model's states the device's that they are; none for a new one. */
+    private final Map<State, List<State>> deviceStates = new HashMap<>();
 
     EventConversion(ModelPair pair, DeviceEvents device) {
         this.pair = pair;
         this.device = device;
         this.planner = new PathPlanner(pair.original(), device);
         this.unsendable = device.unsendable(pair.original());
-        this.newStates = new HashSet<>(pair.evolved().states());
-        newStates.removeIf(state -> !pair.isNew(state));
+        for (State state : pair.evolved().states()) {
+            deviceStates.put(state, pair.deviceStates(state));
+        }
     }
 
     /** Whether {@code state} is one that only the new model has. */
     boolean isNew(State state) {
-        return newStates.contains(state);
+        return goalsOf(state).isEmpty();
+    }
+
+    /** The device's states that {@code state} of the new model is; empty for a new state. */
+    private List<State> goalsOf(State state) {
+        return deviceStates.getOrDefault(state, List.of());
     }
 
     /** Whether {@code trigger} is an event of the device that nobody sends and that is not declared to be its own. */
@@ -88,11 +97,11 @@ final class EventConversion {
                             + " is the device's, but can neither be sent nor is it declared to be the device's own");
         }
         State target = transition.target();
-        if (isNew(target)) {
+        List<State> goals = goalsOf(target);
+        if (goals.isEmpty()) {
             return new Decision.NewFunction(
                     before, new Configuration(original, target), steps, transition, effectsLeft(transition, steps));
         }
-        List<State> goals = pair.deviceStates(target);
         Optional<List<Step>> way = taken ? planner.shortestPath(original, goals) : wayFor(original, same, goals);
         if (way.isEmpty()) {
             return new Decision.Impossible(
@@ -126,11 +135,11 @@ final class EventConversion {
         }
         State target = transition.target();
         List<Step> done = own == null ? List.of() : List.of(own);
-        if (isNew(target)) {
+        List<State> goals = goalsOf(target);
+        if (goals.isEmpty()) {
             return new Decision.NewFunction(
                     at, at.withEvolved(target), List.of(), transition, effectsLeft(transition, done));
         }
-        List<State> goals = pair.deviceStates(target);
         if (follow && own != null && goals.contains(own.target())) {
             return existing(at, List.of(), done, List.of(), transition);
         }

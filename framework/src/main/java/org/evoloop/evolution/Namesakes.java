@@ -40,7 +40,8 @@ final class Namesakes {
 
     /** Whether they are one state but for what is remembered in it. */
     private static boolean isOne(List<State> states, StateMachine machine) {
-        return states.stream().map(machine::withoutMemory).distinct().count() == 1;
+        return states.size() == 1
+                || states.stream().map(machine::withoutMemory).distinct().count() == 1;
     }
 
     /** The name that the device has for it, unless the new model needs that for another state. */

@@ -101,15 +101,17 @@ final class FlatMachine {
                 }
             }
         }
-        for (Node node : net.nodes()) {
-            node.outgoing.forEach(link -> link.arc.spontaneous().forEach(builder::spontaneous));
-        }
+        net.spontaneous().forEach(builder::spontaneous);
         net.chart().events().stream().filter(event -> !event.isBlank()).forEach(builder::event);
         return builder.build();
     }
 
     private List<String> paths(Snapshot state) {
-        return Arrays.stream(state.leaves()).mapToObj(this::path).toList();
+        int[] leaves = state.leaves();
+        if (leaves.length == 1) {
+            return List.of(path(leaves[0]));
+        }
+        return Arrays.stream(leaves).mapToObj(this::path).toList();
     }
 
     private String path(int leaf) {
@@ -117,9 +119,12 @@ final class FlatMachine {
     }
 
     private boolean isEnd(Snapshot state) {
-        return Arrays.stream(state.leaves())
-                .mapToObj(net::node)
-                .allMatch(node -> node.isFinal() || node.is(Vertex.Kind.TERMINATE));
+        for (int leaf : state.leaves()) {
+            if (!net.node(leaf).isFinal() && !net.node(leaf).is(Vertex.Kind.TERMINATE)) {
+                return false;
+            }
+        }
+        return true;
     }
 
     private Transition transition(Flat source, Move move) {

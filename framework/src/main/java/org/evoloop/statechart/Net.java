@@ -9,7 +9,9 @@ import java.util.Set;
  * @param tops its top regions
  * @param zones in document order
  * @param nodes in document order
+ * @param triggers the events that stand on transitions
  * @param timeTriggers the events that are raised by themselves
+ * @param spontaneous the events that are drawn as the device's own
  * @param isCalm whether nothing goes on while the machine rests: no timers and no do activities
  */
 record Net(
@@ -17,7 +19,9 @@ record Net(
         List<Zone> tops,
         List<Zone> zones,
         List<Node> nodes,
+        Set<String> triggers,
         Set<String> timeTriggers,
+        Set<String> spontaneous,
         boolean isCalm) {
     /** Whether an event is raised by itself. */
     boolean isTime(String trigger) {

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.Deque;
 import java.util.HashMap;
 import java.util.HashSet;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -27,6 +28,7 @@ final class NetBuilder {
     private final Map<String, Node> byKey = new HashMap<>();
     private final List<Arc> arcs = new ArrayList<>();
     private final List<Zone> zones = new ArrayList<>();
+    private final Set<String> spontaneous = new LinkedHashSet<>();
     private int links;
 
     private NetBuilder(Statechart chart, List<Problem> problems) {
@@ -65,7 +67,7 @@ final class NetBuilder {
         timeTriggers.removeIf(name -> !isTime(name));
         boolean calm = timeTriggers.isEmpty()
                 && nodes.stream().allMatch(node -> node.activities().isEmpty());
-        return new Net(chart, tops, zones, nodes, timeTriggers, calm);
+        return new Net(chart, tops, zones, nodes, named.keySet(), timeTriggers, spontaneous, calm);
     }
 
     private static boolean isTime(String trigger) {
@@ -153,6 +155,9 @@ final class NetBuilder {
         }
         Link link = new Link(links++, arc, source, target);
         source.outgoing.add(link);
+        if (!arc.spontaneous().isEmpty()) {
+            spontaneous.addAll(arc.spontaneous());
+        }
         if (target.isPseudostate()) {
             target.incoming.add(link);
         }

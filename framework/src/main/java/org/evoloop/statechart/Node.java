@@ -40,6 +40,7 @@ final class Node {
     private @Nullable Map<String, List<Link>> byTrigger;
 
     private boolean rivals;
+    private int triggers;
 
     Node(Vertex vertex, int index, Zone zone, @Nullable Node border) {
         this.vertex = vertex;
@@ -64,6 +65,7 @@ final class Node {
             }
             for (String trigger : link.arc.triggers()) {
                 rivals |= named.put(trigger, this) == this;
+                triggers++;
             }
         }
     }
@@ -86,6 +88,11 @@ final class Node {
             }
         }
         return byTrigger;
+    }
+
+    /** How many events it has transitions for. */
+    int triggerCount() {
+        return rivals ? triggers().size() : triggers;
     }
 
     /** The events for which it has transitions. */

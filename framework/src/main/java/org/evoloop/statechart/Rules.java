@@ -191,7 +191,7 @@ final class Rules {
         if (link.target.is(Kind.EXIT_POINT) && link.target.border != null && !link.target.border.holds(link.source)) {
             refuse(place, link + " comes from outside", "end it at the state or at an entry point");
         }
-        for (String trigger : link.arc.triggers()) {
+        for (String trigger : net.timeTriggers().isEmpty() ? List.<String>of() : link.arc.triggers()) {
             try {
                 if (net.isTime(trigger) && timeTriggers.add(trigger)) {
                     new Event(trigger).timeTrigger();

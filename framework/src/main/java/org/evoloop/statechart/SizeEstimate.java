@@ -1,8 +1,6 @@
 package org.evoloop.statechart;
 
 import java.math.BigInteger;
-import java.util.HashSet;
-import java.util.Set;
 import org.evoloop.statechart.Vertex.Kind;
 import org.jspecify.annotations.Nullable;
 
@@ -15,7 +13,6 @@ final class SizeEstimate {
 
     private final BigInteger states;
     private final BigInteger transitions;
-    private final Set<String> events = new HashSet<>();
     private BigInteger memories = BigInteger.ONE;
     private @Nullable Node widest;
     private BigInteger widestStates = BigInteger.ZERO;
@@ -27,7 +24,7 @@ final class SizeEstimate {
         }
         states = whole.states().multiply(memories);
         BigInteger each = whole.transitions().multiply(memories);
-        transitions = each.min(states.multiply(BigInteger.valueOf(events.size())));
+        transitions = each.min(states.multiply(BigInteger.valueOf(net.triggers().size())));
     }
 
     private record Size(BigInteger states, BigInteger transitions) {
@@ -73,9 +70,7 @@ final class SizeEstimate {
         if (node.wantsCompletion() && !node.activities().isEmpty()) {
             inside = inside.or(inside);
         }
-        events.addAll(node.triggers());
-        BigInteger own =
-                inside.states().multiply(BigInteger.valueOf(node.triggers().size()));
+        BigInteger own = inside.states().multiply(BigInteger.valueOf(node.triggerCount()));
         return new Size(inside.states(), inside.transitions().add(own));
     }
 

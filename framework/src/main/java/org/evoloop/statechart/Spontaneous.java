@@ -9,17 +9,18 @@ import java.util.regex.Pattern;
  * accord: {@code «spontaneous» endSpot}. Two angle brackets on each side do as well.
  */
 public final class Spontaneous {
-    private static final Pattern MARKED = Pattern.compile("\\s*(?:«|<<)\\s*spontaneous\\s*(?:»|>>)\\s*(.*)");
+    private static final String KEYWORD = "spontaneous";
+    private static final Pattern MARKED = Pattern.compile("\\s*(?:«|<<)\\s*" + KEYWORD + "\\s*(?:»|>>)\\s*(.*)");
 
     private Spontaneous() {}
 
     /** The name with the keyword before it. */
     public static String mark(String name) {
-        return "«spontaneous» " + name;
+        return "«" + KEYWORD + "» " + name;
     }
 
     static boolean isMarked(String name) {
-        return MARKED.matcher(name).matches();
+        return name.contains(KEYWORD) && MARKED.matcher(name).matches();
     }
 
     /** The name without the keyword, if it has one. */
@@ -29,14 +30,26 @@ public final class Spontaneous {
     }
 
     static List<String> unmarked(List<String> names) {
-        return names.stream().map(Spontaneous::unmarked).toList();
+        return anyIsMarked(names) ? names.stream().map(Spontaneous::unmarked).toList() : List.copyOf(names);
     }
 
     /** Those of the names that have the keyword, without it. */
     static List<String> marked(List<String> names) {
-        return names.stream()
-                .filter(Spontaneous::isMarked)
-                .map(Spontaneous::unmarked)
-                .toList();
+        return anyIsMarked(names)
+                ? names.stream()
+                        .filter(Spontaneous::isMarked)
+                        .map(Spontaneous::unmarked)
+                        .toList()
+                : List.of();
+    }
+
+    /** Hardly any is: of a hundred thousand transitions none should cost a list of its own. */
+    private static boolean anyIsMarked(List<String> names) {
+        for (String name : names) {
+            if (isMarked(name)) {
+                return true;
+            }
+        }
+        return false;
     }
 }

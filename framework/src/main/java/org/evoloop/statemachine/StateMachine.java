@@ -28,8 +28,7 @@ public final class StateMachine {
     private final Set<Event> events;
     private final Set<Event> spontaneous;
     private final Set<String> guards;
-    private final Map<State, List<Transition>> outgoing;
-    private final Map<State, Map<Event, Transition>> byEvent;
+    private final Map<State, Row> outgoing;
     private final List<String> initialEffects;
     /** Only of states that have any. */
     private final Map<State, StateTraits> traits;
@@ -42,7 +41,7 @@ public final class StateMachine {
             Set<State> states,
             Set<Event> events,
             Set<Event> spontaneous,
-            Map<State, Map<Event, Transition>> outgoing,
+            Map<State, Row> outgoing,
             List<String> initialEffects,
             Map<State, StateTraits> traits) {
         this.name = name;
@@ -52,11 +51,7 @@ public final class StateMachine {
         this.spontaneous = Collections.unmodifiableSet(new LinkedHashSet<>(spontaneous));
         this.guards = guardsOf(this.events);
         this.outgoing = new LinkedHashMap<>();
-        this.byEvent = new HashMap<>();
-        for (Map.Entry<State, Map<Event, Transition>> row : outgoing.entrySet()) {
-            this.outgoing.put(row.getKey(), List.copyOf(row.getValue().values()));
-            this.byEvent.put(row.getKey(), Map.copyOf(row.getValue()));
-        }
+        outgoing.forEach((state, row) -> this.outgoing.put(state, new Row(row)));
         this.initialEffects = List.copyOf(initialEffects);
         this.traits = Map.copyOf(traits);
         this.alike = findAlike();
@@ -70,7 +65,6 @@ public final class StateMachine {
         this.spontaneous = same.spontaneous;
         this.guards = same.guards;
         this.outgoing = same.outgoing;
-        this.byEvent = same.byEvent;
         this.initialEffects = same.initialEffects;
         this.traits = same.traits;
         this.alike = same.alike;
@@ -265,15 +259,16 @@ public final class StateMachine {
     /** T, ordered by source state. */
     public List<Transition> transitions() {
         List<Transition> all = new ArrayList<>();
-        for (List<Transition> some : outgoing.values()) {
-            all.addAll(some);
+        for (Row row : outgoing.values()) {
+            all.addAll(row.transitions());
         }
         return Collections.unmodifiableList(all);
     }
 
     /** The transitions that leave {@code source}; empty for a state that is not of this machine. */
     public List<Transition> transitionsFrom(State source) {
-        return outgoing.getOrDefault(source, List.of());
+        Row row = outgoing.get(source);
+        return row == null ? List.of() : row.transitions();
     }
 
     /** Whether {@code state} is a member of S (the paper's {@code existState}). */
@@ -308,8 +303,8 @@ public final class StateMachine {
     }
 
     private @Nullable Transition find(State source, Event event) {
-        Map<Event, Transition> row = byEvent.get(source);
-        return row == null ? null : row.get(event);
+        Row row = outgoing.get(source);
+        return row == null ? null : row.find(event);
     }
 
     /** For messages: the name and the sizes of S, E and T. */

@@ -19,7 +19,7 @@ public final class StateMachineBuilder {
     private final String name;
     private final Set<State> states = new LinkedHashSet<>();
     private final Set<Event> events = new LinkedHashSet<>();
-    private final Map<State, Map<Event, Transition>> outgoing = new LinkedHashMap<>();
+    private final Map<State, Row> outgoing = new LinkedHashMap<>();
     /** Only of transitions that stand somewhere. */
     private final IdentityHashMap<Transition, String> places = new IdentityHashMap<>();
 
@@ -138,15 +138,15 @@ public final class StateMachineBuilder {
     public StateMachineBuilder transition(Transition transition, String place) {
         State source = transition.source();
         Event event = transition.event();
-        Map<Event, Transition> row = outgoing.get(source);
+        Row row = outgoing.get(source);
         if (row == null) {
             states.add(source);
-            row = new LinkedHashMap<>();
+            row = new Row();
             outgoing.put(source, row);
         }
         states.add(transition.target());
         addEvent(event, place);
-        Transition present = row.putIfAbsent(event, transition);
+        Transition present = row.putIfAbsent(transition);
         if (present != null) {
             problems.add("two transitions leave state " + source + " on event " + event + ": "
                     + placed(present, places.getOrDefault(present, "")) + " and " + placed(transition, place)

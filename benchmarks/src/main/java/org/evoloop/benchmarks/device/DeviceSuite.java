@@ -9,21 +9,15 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import org.evoloop.benchmarks.report.Figures;
 import org.evoloop.benchmarks.report.Fork;
 import org.evoloop.benchmarks.report.ResidentMemory;
 import org.evoloop.benchmarks.report.Row;
 import org.evoloop.benchmarks.report.Suite;
-import org.evoloop.loop.ThreadingModel;
 
 /** From the press of a button to the command, and from the start of the program to its first event. */
 public final class DeviceSuite implements Suite {
-    private static final String ONE_READER = "a byte sent back by its reader";
-    private static final String THREE_THREADS = "by way of 3 bare threads";
-
     @Override
     public String name() {
         return "device";
@@ -31,10 +25,7 @@ public final class DeviceSuite implements Suite {
 
     @Override
     public List<Row> measure(boolean quick) throws Exception {
-        String times = quick ? "20" : "200";
-        Figures carried = press(times, ThreadingModel.SINGLE_CARRIER);
-        Figures handed = press(times, ThreadingModel.THREAD_PER_COMPONENT);
-        Figures bare = Fork.of(BareChain.class, Fork.SHIPPED_OPTIONS, times).figures();
+        List<Row> rows = new ArrayList<>(presses(quick ? "20" : "200"));
         Fork version = Fork.java("-version");
         double[] starts = new double[quick ? 3 : 9];
         double[] versions = new double[starts.length];
@@ -47,41 +38,24 @@ public final class DeviceSuite implements Suite {
         }
         Arrays.sort(starts);
         Arrays.sort(versions);
-        return List.of(
-                press("button to command, added by us, median", 6, ONE_READER, carried, bare, "p50"),
-                press("button to command, 99th percentile", 1.5, THREE_THREADS, carried, bare, "p99"),
-                press("the same, a thread for each component, median", 1.25, THREE_THREADS, handed, bare, "p50"),
-                press(
-                        "the same, a thread for each component, 99th percentile",
-                        1.5,
-                        THREE_THREADS,
-                        handed,
-                        bare,
-                        "p99"),
-                new Row(
-                        "start of the Roomba converter to the first event",
-                        "s",
-                        starts[starts.length / 2],
-                        Row.Goal.atMostTimes(10, "java -version", versions[versions.length / 2])),
-                new Row("its resident memory", "MB", megabytes, Row.Goal.atMost(90)));
+        rows.add(new Row(
+                "start of the Roomba converter to the first event",
+                "s",
+                starts[starts.length / 2],
+                Row.Goal.atMostTimes(10, "java -version", versions[versions.length / 2])));
+        rows.add(new Row("its resident memory", "MB", megabytes, Row.Goal.atMost(90)));
+        return rows;
     }
 
-    private static Figures press(String times, ThreadingModel threading) throws IOException, InterruptedException {
-        return Fork.shipped(PressToCommand.class, List.of("1", threading.name()), times, threading.name())
-                .figures();
-    }
-
-    private static Row press(String what, double bound, String goal, Figures press, Figures bare, String percentile) {
-        Map<String, Double> least = new LinkedHashMap<>();
-        least.put(ONE_READER, bare.get("direct " + percentile));
-        least.put(THREE_THREADS, bare.get("threads " + percentile));
-        Double against = least.get(goal);
-        return new Row(
-                what,
-                "us",
-                press.get("press " + percentile),
-                Row.Goal.atMostTimes(bound, goal, against == null ? Double.NaN : against),
-                least);
+    private static List<Row> presses(String times) throws IOException, InterruptedException {
+        Figures bare = Fork.of(BareChain.class, Fork.SHIPPED_OPTIONS, times).figures();
+        List<Row> rows = new ArrayList<>();
+        for (PressWay way : PressWay.values()) {
+            Figures press = Fork.shipped(PressToCommand.class, List.of("1", way.name()), times, way.name())
+                    .figures();
+            rows.addAll(way.rows(press, bare));
+        }
+        return rows;
     }
 
     private record Started(double seconds, double megabytes) {}

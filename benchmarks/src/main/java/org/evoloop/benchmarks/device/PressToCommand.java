@@ -8,7 +8,6 @@ import org.HdrHistogram.Histogram;
 import org.evoloop.benchmarks.report.Latencies;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.loop.LoopConfig;
-import org.evoloop.loop.ThreadingModel;
 import org.evoloop.roomba.RobotModels;
 import org.evoloop.roomba.RoombaConverter;
 import org.evoloop.roomba.link.SerialLink;
@@ -36,11 +35,11 @@ public final class PressToCommand {
     /**
      * Prints the median and the 99th percentile in microseconds.
      *
-     * @param arguments how many commands, and by which {@link ThreadingModel}
+     * @param arguments how many commands, and the name of the {@link PressWay}
      */
     public static void main(String[] arguments) throws IOException, InterruptedException {
         int wanted = Integer.parseInt(arguments[0]);
-        ThreadingModel threading = ThreadingModel.valueOf(arguments[1]);
+        PressWay way = PressWay.valueOf(arguments[1]);
         StateMachine device = StateMachine.named("device")
                 .initial("Off")
                 .transition("Off", "Clean", "On")
@@ -58,7 +57,7 @@ public final class PressToCommand {
                 RoombaConverter roomba = RoombaConverter.connect(
                         baud -> new TimedLink(
                                 SerialLink.open(new SerialSettings(port.toString()).withBaud(baud)), nanos),
-                        LoopConfig.defaults("roomba", clock).withThreading(threading),
+                        way.configured(LoopConfig.defaults("roomba", clock)),
                         SessionOptions.defaults().withSilenceLimit(Duration.ofSeconds(8)),
                         new RoombaConverter.Options(
                                 RobotModels.of(new ModelPair(device, device)),

@@ -12,7 +12,7 @@ public final class Figures {
     private final Map<String, Double> byName = new HashMap<>();
 
     /** Reads lines of a name, a space and a number; lines of another form do not count. */
-    static Figures parse(String text) {
+    public static Figures parse(String text) {
         Figures figures = new Figures();
         for (String line : text.lines().toList()) {
             int space = line.lastIndexOf(' ');

@@ -55,6 +55,11 @@ public record Row(String what, String unit, double ours, Goal goal, Map<String, 
             return new Goal(name, against, bound, false);
         }
 
+        /** At least so many times what something else reached in the same run. */
+        public static Goal atLeastTimes(double bound, String name, double against) {
+            return new Goal(name, against, bound, true);
+        }
+
         /** The figure that is held against the bound. */
         public double ratio(double ours) {
             return ours / against;

@@ -8,10 +8,8 @@ import org.HdrHistogram.Histogram;
 import org.evoloop.benchmarks.report.Latencies;
 import org.evoloop.benchmarks.running.PlainLoop;
 import org.evoloop.loop.Execute;
-import org.evoloop.loop.LoopConfig;
 import org.evoloop.loop.MapeLoop;
 import org.evoloop.loop.Monitor;
-import org.evoloop.loop.ThreadingModel;
 import org.evoloop.time.SystemClock;
 import org.jspecify.annotations.Nullable;
 
@@ -41,10 +39,7 @@ final class LoopRing {
         LoopRing ring = new LoopRing(warmUp, rounds);
         try (SystemClock clock = new SystemClock();
                 MapeLoop<Object, Object, Object> loop = PlainLoop.build(
-                        LoopConfig.defaults("ring", clock).withThreading(ThreadingModel.THREAD_PER_COMPONENT),
-                        false,
-                        List.of(ring.new Teller()),
-                        ring.new Done())) {
+                        PlainLoop.threads("ring", clock), false, List.of(ring.new Teller()), ring.new Done())) {
             loop.start();
             ring.over.await();
         }

@@ -43,7 +43,9 @@ public final class RingSuite implements Suite {
                         "the whole loop, 4 threads, allocated a cycle",
                         "B",
                         Math.rint(found.get(LOOP + " bytes")),
-                        Row.Goal.atMost(0)));
+                        Row.Goal.atMost(0)),
+                FloodTurns.row(
+                        Fork.of(FloodTurns.class, List.of(), quick ? "3" : "7").figures()));
     }
 
     private static Row row(String what, double ours, double bound, Map<String, Double> rings) {

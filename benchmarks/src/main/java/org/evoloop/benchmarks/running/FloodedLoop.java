@@ -1,69 +1,49 @@
 package org.evoloop.benchmarks.running;
 
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.CountDownLatch;
 import org.evoloop.loop.Execute;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.loop.MapeLoop;
 import org.evoloop.loop.Monitor;
 import org.evoloop.time.SystemClock;
 
-/**
- * The framework's loop with four monitors that tell as fast as they can and components that do nothing but look whether
- * each monitor's occurrences come in order. The queue is bounded: what finds it full is lost, and counted.
- */
-final class FloodedLoop implements AutoCloseable {
-    private static final int MONITORS = 4;
-
+/** The framework's loop in a {@link Flood}, with components that do nothing. */
+public final class FloodedLoop implements AutoCloseable {
     private final SystemClock clock = new SystemClock();
-    private final MapeLoop<Told, Told, Told> loop;
+    private final MapeLoop<Flood.Told, Flood.Told, Flood.Told> loop;
     private final List<Teller> tellers = new ArrayList<>();
-    private final long[] last = new long[MONITORS];
-    private final CountDownLatch enough = new CountDownLatch(1);
-    private final long wanted;
-    private long executed;
-    private volatile boolean broken;
+    private final Flood flood = new Flood();
 
-    /** What a monitor tells. */
-    private record Told(int monitor, long number) {}
-
-    FloodedLoop(boolean threads, long wanted) {
-        this.wanted = wanted;
-        LoopConfig config = LoopConfig.defaults("flood", clock).withQueueCapacity(1024);
-        for (int index = 0; index < MONITORS; index++) {
+    public FloodedLoop(boolean threads) {
+        LoopConfig config = PlainLoop.threads("flood", clock).withQueueCapacity(Flood.CAPACITY);
+        for (int index = 0; index < Flood.MONITORS; index++) {
             tellers.add(new Teller(index));
         }
         loop = PlainLoop.build(threads ? config : config.withoutThreads(), true, tellers, new Count());
     }
 
-    /** Events a second, by threads. */
-    double byThreads() throws InterruptedException {
-        long begun = System.nanoTime();
+    /** Events a second, by threads, after so long to warm up. */
+    public double byThreads(Duration warmUp, Duration watched) throws InterruptedException {
         loop.start();
-        enough.await();
-        return finish(System.nanoTime() - begun);
+        return flood.rate(clock, warmUp, watched);
     }
 
-    /** Events a second, in steps: each monitor is asked once, then four steps are taken. */
-    double inSteps() throws InterruptedException {
+    /** Events a second, in steps, over so many events: each monitor is asked once, then four steps are taken. */
+    double inSteps(long wanted) throws InterruptedException {
         loop.start();
         long begun = System.nanoTime();
-        while (executed < wanted) {
-            for (int index = 0; index < MONITORS; index++) {
-                loop.observe(tellers.get(index));
+        while (flood.executed() < wanted) {
+            for (Teller teller : tellers) {
+                loop.observe(teller);
             }
-            for (int index = 0; index < MONITORS; index++) {
+            for (int index = 0; index < Flood.MONITORS; index++) {
                 loop.step();
             }
         }
-        return finish(System.nanoTime() - begun);
-    }
-
-    private double finish(long nanos) {
-        if (broken) {
-            throw new IllegalStateException("occurrences of a monitor came out of order");
-        }
+        long nanos = System.nanoTime() - begun;
+        flood.requireOrder();
         return wanted * 1e9 / nanos;
     }
 
@@ -73,7 +53,7 @@ final class FloodedLoop implements AutoCloseable {
         clock.close();
     }
 
-    private static final class Teller extends Monitor<Told> {
+    private static final class Teller extends Monitor<Flood.Told> {
         private final int index;
         private long number;
 
@@ -83,21 +63,15 @@ final class FloodedLoop implements AutoCloseable {
         }
 
         @Override
-        protected Told getEvent() {
-            return new Told(index, ++number);
+        protected Flood.Told getEvent() {
+            return new Flood.Told(index, ++number);
         }
     }
 
-    private final class Count extends Execute<Told> {
+    private final class Count extends Execute<Flood.Told> {
         @Override
-        protected void execute(Told told) {
-            if (told.number <= last[told.monitor]) {
-                broken = true;
-            }
-            last[told.monitor] = told.number;
-            if (++executed == wanted) {
-                enough.countDown();
-            }
+        protected void execute(Flood.Told told) {
+            flood.execute(told);
         }
     }
 }

@@ -9,10 +9,17 @@ import org.evoloop.loop.LoopListener;
 import org.evoloop.loop.MapeLoop;
 import org.evoloop.loop.Monitor;
 import org.evoloop.loop.Plan;
+import org.evoloop.loop.ThreadingModel;
+import org.evoloop.time.Clock;
 
 /** The framework's loop whose analyze and plan hand on what they are given: what is left is the loop. */
 public final class PlainLoop {
     private PlainLoop() {}
+
+    /** The configuration of a loop with a thread a component, which is what bare rings of threads are held against. */
+    public static LoopConfig threads(String name, Clock clock) {
+        return LoopConfig.defaults(name, clock).withThreading(ThreadingModel.THREAD_PER_COMPONENT);
+    }
 
     /**
      * Such a loop, built.

@@ -24,8 +24,8 @@ public final class RunningSuite implements Suite {
 
     @Override
     public List<Row> measure(boolean quick) throws Exception {
-        Figures found = Fork.of(RunningSuite.class, List.of(), quick ? "1" : "6", quick ? "300000" : "1000000")
-                .figures();
+        Figures found =
+                Fork.of(RunningSuite.class, List.of(), quick ? "1" : "6").figures();
         return List.of(
                 new Row("the loop without threads, a cycle", "us", found.get("step"), Row.Goal.atMost(0.2)),
                 new Row("the same, allocated", "B", Math.rint(found.get("step bytes")), Row.Goal.atMost(0)),
@@ -42,26 +42,22 @@ public final class RunningSuite implements Suite {
                         Row.Goal.atMost(100),
                         Map.of("p99", found.get("path p99"))),
                 new Row("flood of 4 monitors, in steps", "events/s", found.get("flood step"), Row.Goal.least(1e6)),
-                new Row("flood of 4 monitors, threads", "events/s", found.get("flood threads"), Row.Goal.least(1e5)),
                 new Row("an idle minute's processor time", "ms", found.get("idle"), Row.Goal.atMost(10)));
     }
 
     /**
      * Prints what it measured.
      *
-     * @param arguments how many times ten seconds the idle converter is watched, and how many events flood the threads
+     * @param arguments how many times ten seconds the idle converter is watched
      */
     public static void main(String[] arguments) throws InterruptedException {
         steps();
         conversions();
-        try (FloodedLoop warmUp = new FloodedLoop(false, 2_000_000)) {
-            warmUp.inSteps();
+        try (FloodedLoop warmUp = new FloodedLoop(false)) {
+            warmUp.inSteps(2_000_000);
         }
-        try (FloodedLoop flood = new FloodedLoop(false, 5_000_000)) {
-            System.out.println("flood step " + flood.inSteps());
-        }
-        try (FloodedLoop flood = new FloodedLoop(true, Integer.parseInt(arguments[1]))) {
-            System.out.println("flood threads " + flood.byThreads());
+        try (FloodedLoop flood = new FloodedLoop(false)) {
+            System.out.println("flood step " + flood.inSteps(5_000_000));
         }
         idle(Integer.parseInt(arguments[0]));
     }

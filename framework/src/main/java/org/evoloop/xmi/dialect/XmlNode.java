@@ -1,5 +1,6 @@
 package org.evoloop.xmi.dialect;
 
+import java.util.AbstractList;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -28,7 +29,9 @@ public final class XmlNode {
     /** Name, value, name, value and so on: there may be a million of these. */
     private final String[] attributes;
 
-    private final List<XmlNode> children = new ArrayList<>(0);
+    /** Most hold none. */
+    private List<XmlNode> children = List.of();
+
     private String text = "";
 
     private XmlNode(XmiStream stream) {
@@ -57,7 +60,7 @@ public final class XmlNode {
         this.name = name;
         this.line = from.line;
         this.attributes = attributes.toArray(new String[0]);
-        this.children.addAll(children);
+        this.children = List.copyOf(children);
         this.text = from.text;
     }
 
@@ -117,6 +120,7 @@ public final class XmlNode {
      */
     public static XmlNode read(XmiStream stream, Predicate<XmiStream> unwanted) {
         XmlNode node = new XmlNode(stream);
+        List<XmlNode> children = null;
         int depth = stream.depth();
         // Most elements hold none.
         StringBuilder text = null;
@@ -126,7 +130,8 @@ public final class XmlNode {
                     if (unwanted.test(stream)) {
                         stream.skipElement();
                     } else {
-                        node.children.add(read(stream, unwanted));
+                        children = children == null ? new ArrayList<>() : children;
+                        children.add(read(stream, unwanted));
                     }
                 }
                 case XMLStreamConstants.CHARACTERS, XMLStreamConstants.CDATA, XMLStreamConstants.SPACE -> {
@@ -138,6 +143,7 @@ public final class XmlNode {
                 }
                 case XMLStreamConstants.END_ELEMENT -> {
                     if (stream.depth() < depth) {
+                        node.children = children == null ? List.of() : children;
                         node.text = text == null ? "" : text.toString().strip();
                         return node;
                     }
@@ -179,11 +185,18 @@ public final class XmlNode {
 
     /** Names of all attributes. */
     public List<String> attributeNames() {
-        List<String> names = new ArrayList<>(attributes.length / 2);
-        for (int i = 0; i < attributes.length; i += 2) {
-            names.add(attributes[i]);
-        }
-        return names;
+        // A view, since they are looked at again and again.
+        return new AbstractList<>() {
+            @Override
+            public String get(int index) {
+                return attributes[2 * index];
+            }
+
+            @Override
+            public int size() {
+                return attributes.length / 2;
+            }
+        };
     }
 
     /** All elements directly in it. */

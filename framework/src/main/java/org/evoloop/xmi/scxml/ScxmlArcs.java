@@ -39,7 +39,7 @@ final class ScxmlArcs {
     private final Map<String, List<Arc>> later = new HashMap<>();
 
     private final Map<String, List<Vertex>> forks = new HashMap<>();
-    private final Map<XmlNode, List<Arc>> internal = new HashMap<>();
+    private final Map<ScxmlVertex, List<Arc>> internal = new HashMap<>();
 
     ScxmlArcs(ScxmlTree tree, Problems problems) {
         this.tree = tree;
@@ -48,78 +48,78 @@ final class ScxmlArcs {
     }
 
     /** Names the region in which this vertex stands: each child of a parallel state has one of its own. */
-    String region(XmlNode vertex) {
-        XmlNode parent = tree.parent(vertex);
-        return ScxmlTree.isParallel(parent) ? "around " + tree.key(vertex) : regionIn(parent);
+    String region(ScxmlVertex vertex) {
+        ScxmlVertex parent = vertex.parent();
+        return ScxmlTree.isParallel(parent) ? "around " + vertex.key() : regionIn(parent);
     }
 
     /** Names the region of what stands in a state, or in the root for null. */
-    String regionIn(@Nullable XmlNode container) {
-        return container == null ? "root" : "in " + tree.key(container);
+    String regionIn(@Nullable ScxmlVertex container) {
+        return container == null ? "root" : "in " + container.key();
     }
 
     List<Arc> in(String region) {
-        return Stream.concat(
-                        arcs.getOrDefault(region, List.of()).stream(), later.getOrDefault(region, List.of()).stream())
-                .toList();
+        List<Arc> all = new ArrayList<>(arcs.getOrDefault(region, List.of()));
+        all.addAll(later.getOrDefault(region, List.of()));
+        return all;
     }
 
     List<Vertex> forksIn(String region) {
         return forks.getOrDefault(region, List.of());
     }
 
-    List<Arc> internal(XmlNode state) {
+    List<Arc> internal(ScxmlVertex state) {
         return internal.getOrDefault(state, List.of());
     }
 
     /** Reads the transitions of all states in a container and further in. */
-    void readAll(@Nullable XmlNode container) {
-        for (XmlNode vertex : tree.vertices(container)) {
-            if (vertex.name().equals("history") && ScxmlTree.isParallel(container)) {
+    void readAll(@Nullable ScxmlVertex container) {
+        for (ScxmlVertex vertex : tree.vertices(container)) {
+            if (vertex.isHistory() && ScxmlTree.isParallel(container)) {
                 historyOfRegions(vertex, requireNonNull(container));
-            } else if (vertex.name().equals("history")) {
-                vertex.children("transition")
-                        .forEach(transition -> unconditional(
-                                transition, tree.key(vertex), region(vertex), ScxmlActions.in(transition)));
+            } else if (vertex.isHistory()) {
+                vertex.transitions()
+                        .forEach(transition ->
+                                unconditional(transition, vertex.key(), region(vertex), ScxmlActions.in(transition)));
             } else {
                 Set<Object> taken = new HashSet<>();
-                String label = "transition of " + ScxmlVocabulary.label(vertex);
-                vertex.children("transition").forEach(transition -> read(transition, vertex, label, taken));
+                String label = "transition of " + vertex.label();
+                vertex.transitions().forEach(transition -> read(transition, vertex, label, taken));
             }
             readAll(vertex);
         }
     }
 
     /** The key of what stands for a history of a parallel state in the region of one of its children. */
-    String historyKey(XmlNode history, XmlNode child) {
-        return tree.key(history) + "#" + tree.key(child);
+    String historyKey(ScxmlVertex history, ScxmlVertex child) {
+        return history.key() + "#" + child.key();
     }
 
     /** What leads to a history of a parallel state leads to those of all its regions; so does its default. */
-    private void historyOfRegions(XmlNode history, XmlNode parallel) {
-        Place place = ScxmlTree.place(history);
+    private void historyOfRegions(ScxmlVertex history, ScxmlVertex parallel) {
+        Place place = history.place();
         String region = region(parallel);
         forks.computeIfAbsent(region, any -> new ArrayList<>())
-                .add(new Pseudostate(tree.key(history), "", place, Kind.FORK));
-        List<XmlNode> transitions = history.children("transition");
-        String label = "default of " + ScxmlVocabulary.label(history);
-        List<XmlNode> defaults = transitions.stream()
+                .add(new Pseudostate(history.key(), "", place, Kind.FORK));
+        List<XmlNode> transitions = history.transitions();
+        String label = "default of " + history.label();
+        List<ScxmlVertex> defaults = transitions.stream()
                 .flatMap(transition -> tree.targets(ids(transition), transition.line(), label).stream())
                 .toList();
         List<String> effects = transitions.stream()
                 .flatMap(transition -> ScxmlActions.in(transition).stream())
                 .toList();
-        for (XmlNode child : tree.vertices(parallel)) {
-            if (child.name().equals("history")) {
+        for (ScxmlVertex child : parallel.inner()) {
+            if (child.isHistory()) {
                 continue;
             }
             String key = historyKey(history, child);
-            add(arcs, region, new Arc(place, tree.key(history), key, List.of(), "", List.of(), Arc.Kind.EXTERNAL));
-            XmlNode target = defaults.stream()
-                    .filter(end -> tree.isInside(end, child))
+            add(arcs, region, new Arc(place, history.key(), key, List.of(), "", List.of(), Arc.Kind.EXTERNAL));
+            ScxmlVertex target = defaults.stream()
+                    .filter(end -> end.isInside(child))
                     .findFirst()
                     .orElse(child);
-            add(arcs, region(child), new Arc(place, key, tree.key(target), List.of(), "", effects, Arc.Kind.EXTERNAL));
+            add(arcs, region(child), new Arc(place, key, target.key(), List.of(), "", effects, Arc.Kind.EXTERNAL));
             effects = List.of();
         }
     }
@@ -131,7 +131,7 @@ final class ScxmlArcs {
             problems.add(transition.line(), label + " of an initial or history has an event; remove it");
         }
         String condition = transition.attribute("cond").strip();
-        List<XmlNode> targets = tree.targets(ids(transition), transition.line(), label);
+        List<ScxmlVertex> targets = tree.targets(ids(transition), transition.line(), label);
         lead(source, region, targets, condition, label, effects, new Place("", transition.line()));
     }
 
@@ -139,7 +139,7 @@ final class ScxmlArcs {
     void lead(
             String source,
             String region,
-            List<XmlNode> targets,
+            List<ScxmlVertex> targets,
             String condition,
             String label,
             List<String> effects,
@@ -174,7 +174,7 @@ final class ScxmlArcs {
     }
 
     /** @param taken what earlier transitions of the state take in any case */
-    private void read(XmlNode transition, XmlNode state, String label, Set<Object> taken) {
+    private void read(XmlNode transition, ScxmlVertex state, String label, Set<Object> taken) {
         for (String attribute : transition.attributeNames()) {
             if (attribute.indexOf(':') < 0 && !ATTRIBUTES.contains(attribute)) {
                 problems.add(
@@ -182,14 +182,14 @@ final class ScxmlArcs {
             }
         }
         String ids = ids(transition);
-        List<XmlNode> targets = tree.targets(ids, transition.line(), label);
+        List<ScxmlVertex> targets = tree.targets(ids, transition.line(), label);
         if (targets.isEmpty() && !ids.isEmpty()) {
             return;
         }
         String condition = transition.attribute("cond").strip();
         if (!transition.attribute("event").isBlank()) {
-            List<XmlNode> done = free(events.doneStates(transition), condition, taken);
-            for (XmlNode inner : done) {
+            List<ScxmlVertex> done = free(events.doneStates(transition), condition, taken);
+            for (ScxmlVertex inner : done) {
                 done(transition, state, inner, targets, label);
             }
             List<String> triggers = free(events.triggers(transition, state, label), condition, taken);
@@ -215,15 +215,23 @@ final class ScxmlArcs {
         if (causes.isEmpty()) {
             return causes;
         }
-        List<T> free = taken.isEmpty()
+        boolean all = true;
+        for (T cause : causes) {
+            all &= isFree(cause, condition, taken);
+        }
+        List<T> free = all
                 ? causes
                 : causes.stream()
-                        .filter(cause -> !taken.contains(cause) && !taken.contains(List.of(cause, condition)))
+                        .filter(cause -> isFree(cause, condition, taken))
                         .toList();
         for (T cause : causes) {
             taken.add(condition.isEmpty() ? cause : List.of(cause, condition));
         }
         return free;
+    }
+
+    private static boolean isFree(Object cause, String condition, Set<Object> taken) {
+        return !taken.contains(cause) && (condition.isEmpty() || !taken.contains(List.of(cause, condition)));
     }
 
     private void never(XmlNode transition, String label) {
@@ -232,8 +240,8 @@ final class ScxmlArcs {
                 label + " is never taken, since earlier ones always take its events, and is passed over; remove it");
     }
 
-    private void requireLasting(XmlNode transition, XmlNode state, List<XmlNode> targets, String label) {
-        if (tree.isComposite(state) || targets.isEmpty()) {
+    private void requireLasting(XmlNode transition, ScxmlVertex state, List<ScxmlVertex> targets, String label) {
+        if (state.isComposite() || targets.isEmpty()) {
             problems.add(
                     transition.line(),
                     label + " has no event and leads " + (targets.isEmpty() ? "nowhere" : "out of a composite state")
@@ -241,22 +249,23 @@ final class ScxmlArcs {
         }
     }
 
-    private static boolean alwaysLeaves(XmlNode state) {
-        return state.children("transition").stream()
+    private static boolean alwaysLeaves(ScxmlVertex state) {
+        return state.transitions().stream()
                 .anyMatch(transition -> transition.attribute("event").isBlank()
                         && transition.attribute("cond").isBlank());
     }
 
     /** @param done whose being done triggers the transition */
-    private void done(XmlNode transition, XmlNode state, XmlNode done, List<XmlNode> targets, String label) {
+    private void done(
+            XmlNode transition, ScxmlVertex state, ScxmlVertex done, List<ScxmlVertex> targets, String label) {
         boolean own = done == state;
-        boolean outer = tree.isInside(done, state)
+        boolean outer = done.isInside(state)
                 && (isLocal(transition, state, targets)
-                        || targets.stream().noneMatch(target -> target == state || tree.isInside(target, state)));
+                        || targets.stream().noneMatch(target -> target == state || target.isInside(state)));
         if (targets.isEmpty() || !(own || outer)) {
             problems.add(
                     transition.line(),
-                    label + " waits for " + ScxmlVocabulary.label(done)
+                    label + " waits for " + done.label()
                             + " to be done, which is supported only for leaving that state; "
                             + "draw the transition from that state");
             return;
@@ -273,9 +282,9 @@ final class ScxmlArcs {
 
     private void arc(
             XmlNode transition,
-            XmlNode state,
-            XmlNode source,
-            List<XmlNode> targets,
+            ScxmlVertex state,
+            ScxmlVertex source,
+            List<ScxmlVertex> targets,
             List<String> names,
             String guard,
             String label) {
@@ -283,7 +292,7 @@ final class ScxmlArcs {
                 ? names.stream().map(Spontaneous::mark).toList()
                 : names;
         Place place = new Place("", transition.line());
-        String key = tree.key(source);
+        String key = source.key();
         List<String> effects = ScxmlActions.in(transition);
         if (targets.isEmpty()) {
             internal.computeIfAbsent(source, any -> new ArrayList<>())
@@ -303,53 +312,57 @@ final class ScxmlArcs {
 
     /** SCXML has no keywords, but lets attributes of other namespaces be. */
     private static boolean isSpontaneous(XmlNode transition) {
-        return transition.attributeNames().stream()
-                .anyMatch(name -> name.endsWith(":spontaneous")
-                        && transition.attribute(name).strip().equals("true"));
+        for (String name : transition.attributeNames()) {
+            if (name.endsWith(":spontaneous")
+                    && transition.attribute(name).strip().equals("true")) {
+                return true;
+            }
+        }
+        return false;
     }
 
-    private boolean isLocal(XmlNode transition, XmlNode state, List<XmlNode> targets) {
+    private static boolean isLocal(XmlNode transition, ScxmlVertex state, List<ScxmlVertex> targets) {
         return transition.attribute("type").equals("internal")
-                && state.name().equals("state")
-                && tree.isComposite(state)
-                && targets.stream().allMatch(target -> tree.isInside(target, state));
+                && state.isState()
+                && state.isComposite()
+                && targets.stream().allMatch(target -> target.isInside(state));
     }
 
     /** SCXML leaves a parallel state even for a transition within one child of it; UML does not. */
-    private void requireSameExits(XmlNode transition, XmlNode source, List<XmlNode> targets, String label) {
-        if (tree.parent(source) == null) {
+    private void requireSameExits(XmlNode transition, ScxmlVertex source, List<ScxmlVertex> targets, String label) {
+        if (source.parent() == null) {
             return;
         }
-        List<XmlNode> ends = new ArrayList<>(targets);
+        List<ScxmlVertex> ends = new ArrayList<>(targets);
         ends.add(source);
-        XmlNode common = tree.commonContainer(ends);
+        ScxmlVertex common = ScxmlTree.commonContainer(ends);
         if (common != null
                 && ScxmlTree.isParallel(common)
                 && ends.stream().map(end -> childOf(common, end)).distinct().count() == 1) {
             problems.add(
                     transition.line(),
-                    label + " leaves and enters " + ScxmlVocabulary.label(common)
+                    label + " leaves and enters " + common.label()
                             + " as a whole, which is not supported; give it type=\"internal\", or draw it from "
-                            + common.attribute("id"));
+                            + common.node().attribute("id"));
         }
     }
 
-    private XmlNode childOf(XmlNode container, XmlNode vertex) {
-        XmlNode child = vertex;
-        XmlNode parent = tree.parent(child);
+    private static ScxmlVertex childOf(ScxmlVertex container, ScxmlVertex vertex) {
+        ScxmlVertex child = vertex;
+        ScxmlVertex parent = child.parent();
         while (parent != null && parent != container) {
             child = parent;
-            parent = tree.parent(child);
+            parent = child.parent();
         }
         return child;
     }
 
     /** The key of the only target, or of a fork to all of them. */
-    private String target(List<XmlNode> targets, String label, Place place) {
+    private String target(List<ScxmlVertex> targets, String label, Place place) {
         if (targets.size() == 1) {
-            return tree.key(targets.get(0));
+            return targets.get(0).key();
         }
-        XmlNode common = tree.commonContainer(targets);
+        ScxmlVertex common = ScxmlTree.commonContainer(targets);
         String fork = tree.madeUpKey();
         if (common == null || !ScxmlTree.isParallel(common)) {
             problems.add(
@@ -358,18 +371,18 @@ final class ScxmlArcs {
         }
         String region = region(common);
         forks.computeIfAbsent(region, any -> new ArrayList<>()).add(new Pseudostate(fork, "", place, Kind.FORK));
-        for (XmlNode target : targets) {
-            add(arcs, region, new Arc(place, fork, tree.key(target), List.of(), "", List.of(), Arc.Kind.EXTERNAL));
+        for (ScxmlVertex target : targets) {
+            add(arcs, region, new Arc(place, fork, target.key(), List.of(), "", List.of(), Arc.Kind.EXTERNAL));
         }
         return fork;
     }
 
     /** Lets a state be over as soon as it is entered. */
-    void complete(XmlNode state, FinalState end) {
+    void complete(ScxmlVertex state, FinalState end) {
         add(
                 arcs,
                 region(state),
-                new Arc(end.place(), tree.key(state), end.key(), List.of(), "", List.of(), Arc.Kind.EXTERNAL));
+                new Arc(end.place(), state.key(), end.key(), List.of(), "", List.of(), Arc.Kind.EXTERNAL));
     }
 
     private static void add(Map<String, List<Arc>> to, String region, Arc arc) {

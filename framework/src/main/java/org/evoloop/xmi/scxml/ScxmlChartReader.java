@@ -42,8 +42,8 @@ final class ScxmlChartReader {
     }
 
     /** What happens before the first state is entered: the data model gets its values, scripts are run. */
-    private void beginning(@Nullable XmlNode container, List<String> effects) {
-        for (XmlNode child : tree.children(container)) {
+    private void beginning(@Nullable ScxmlVertex container, List<String> effects) {
+        for (XmlNode child : tree.rest(container)) {
             if (child.name().equals("datamodel")) {
                 ScxmlVocabulary.check(child, problems);
                 effects.addAll(ScxmlActions.data(child));
@@ -58,22 +58,22 @@ final class ScxmlChartReader {
     }
 
     /** The region of everything directly in a state, or in the root for null. */
-    private Region region(@Nullable XmlNode container, String name, Place place, List<String> effects) {
+    private Region region(@Nullable ScxmlVertex container, String name, Place place, List<String> effects) {
         String region = arcs.regionIn(container);
         List<Vertex> vertices = new ArrayList<>();
         if (!tree.vertices(container).isEmpty()) {
             vertices.add(initial(container, region, place, effects));
         }
-        for (XmlNode vertex : tree.vertices(container)) {
+        for (ScxmlVertex vertex : tree.vertices(container)) {
             vertex(vertex, vertices);
         }
         vertices.addAll(arcs.forksIn(region));
         return new Region(name, place, vertices, arcs.in(region));
     }
 
-    private Vertex initial(@Nullable XmlNode container, String region, Place place, List<String> effects) {
+    private Vertex initial(@Nullable ScxmlVertex container, String region, Place place, List<String> effects) {
         String key = tree.madeUpKey();
-        List<XmlNode> elements = tree.children(container).stream()
+        List<XmlNode> elements = tree.rest(container).stream()
                 .filter(child -> child.name().equals("initial"))
                 .toList();
         List<XmlNode> transitions = elements.stream()
@@ -89,143 +89,144 @@ final class ScxmlChartReader {
         } else if (!elements.isEmpty()) {
             problems.add(
                     place.line(),
-                    "initial of " + (container == null ? "scxml" : ScxmlVocabulary.label(container))
+                    "initial of " + (container == null ? "scxml" : container.label())
                             + " is not one transition; write one");
         } else {
-            List<XmlNode> targets = ids.isBlank() ? firstState(container) : tree.targets(ids, place.line(), "initial");
+            List<ScxmlVertex> targets =
+                    ids.isBlank() ? firstState(container) : tree.targets(ids, place.line(), "initial");
             arcs.lead(key, region, targets, "", "initial", effects, place);
         }
         return new Pseudostate(key, "", place, Kind.INITIAL);
     }
 
-    private String attribute(@Nullable XmlNode container, String name) {
-        return container == null ? tree.document().attribute(name) : container.attribute(name);
+    private String attribute(@Nullable ScxmlVertex container, String name) {
+        return container == null
+                ? tree.document().attribute(name)
+                : container.node().attribute(name);
     }
 
-    private List<XmlNode> firstState(@Nullable XmlNode container) {
+    private List<ScxmlVertex> firstState(@Nullable ScxmlVertex container) {
         return tree.vertices(container).stream()
-                .filter(vertex -> !vertex.name().equals("history"))
+                .filter(vertex -> !vertex.isHistory())
                 .limit(1)
                 .toList();
     }
 
-    private void vertex(XmlNode node, List<Vertex> vertices) {
-        ScxmlVocabulary.check(node, problems);
-        String key = tree.key(node);
-        Place place = ScxmlTree.place(node);
-        switch (node.name()) {
-            case "history" ->
-                vertices.add(new Pseudostate(key, node.attribute("id").strip(), place, kind(node)));
-            case "final" -> end(node, vertices);
-            default -> {
-                if (node.attribute("final").equals("true")) {
-                    end(node, vertices);
-                } else {
-                    vertices.add(state(node, regions(node)));
-                }
-            }
+    private void vertex(ScxmlVertex vertex, List<Vertex> vertices) {
+        ScxmlVocabulary.check(vertex.node(), problems);
+        if (vertex.isHistory()) {
+            vertices.add(new Pseudostate(vertex.key(), vertex.id(), vertex.place(), kind(vertex)));
+        } else if (vertex.isFinal() || vertex.node().attribute("final").equals("true")) {
+            end(vertex, vertices);
+        } else {
+            vertices.add(state(vertex, regions(vertex)));
         }
     }
 
     /** A final state; one that does something on entering is a state that is completed at once. */
-    private void end(XmlNode node, List<Vertex> vertices) {
-        String name = node.attribute("id").strip();
-        Place place = ScxmlTree.place(node);
-        if (tree.isComposite(node) || !node.children("transition").isEmpty()) {
-            problems.add(place.line(), ScxmlVocabulary.label(node) + " is final but goes on; let it end here");
+    private void end(ScxmlVertex vertex, List<Vertex> vertices) {
+        String name = vertex.id();
+        Place place = vertex.place();
+        if (vertex.isComposite() || !vertex.transitions().isEmpty()) {
+            problems.add(place.line(), vertex.label() + " is final but goes on; let it end here");
         }
         List<String> entry = Stream.concat(
-                        actions(node, "onentry").stream(),
-                        node.children("donedata").stream().map(ScxmlActions::text))
+                        actions(vertex, "onentry").stream(),
+                        vertex.elements("donedata").stream().map(ScxmlActions::text))
                 .toList();
-        List<String> exit = actions(node, "onexit");
+        List<String> exit = actions(vertex, "onexit");
         if (entry.isEmpty() && exit.isEmpty()) {
-            vertices.add(new FinalState(tree.key(node), name, place));
+            vertices.add(new FinalState(vertex.key(), name, place));
             return;
         }
-        if (!exit.isEmpty() && tree.parent(node) != null) {
+        if (!exit.isEmpty() && vertex.parent() != null) {
             problems.note(
                     place.line(),
-                    "onexit of " + ScxmlVocabulary.label(node)
+                    "onexit of " + vertex.label()
                             + " is run as soon as that is entered, not when the state"
                             + " around it is left; move it there if that matters");
         }
         FinalState end = new FinalState(tree.madeUpKey(), name, place);
-        arcs.complete(node, end);
+        arcs.complete(vertex, end);
         vertices.add(new ChartState(
-                tree.key(node), name, place, entry, exit, List.of(), List.of(), List.of(), List.of(), List.of()));
+                vertex.key(), name, place, entry, exit, List.of(), List.of(), List.of(), List.of(), List.of()));
         vertices.add(end);
     }
 
-    private List<Region> regions(XmlNode state) {
-        if (!ScxmlTree.isParallel(state)) {
-            return tree.vertices(state).isEmpty()
-                    ? List.of()
-                    : List.of(region(state, "", ScxmlTree.place(state), List.of()));
+    private List<Region> regions(ScxmlVertex state) {
+        if (!state.isParallel()) {
+            return state.inner().isEmpty() ? List.of() : List.of(region(state, "", state.place(), List.of()));
         }
         List<Region> regions = new ArrayList<>();
-        for (XmlNode child : tree.vertices(state)) {
-            if (child.name().equals("history")) {
+        for (ScxmlVertex child : state.inner()) {
+            if (child.isHistory()) {
                 continue;
             }
             String initial = tree.madeUpKey();
             List<Vertex> vertices = new ArrayList<>();
-            vertices.add(new Pseudostate(initial, "", ScxmlTree.place(child), Kind.INITIAL));
+            vertices.add(new Pseudostate(initial, "", child.place(), Kind.INITIAL));
             vertex(child, vertices);
             vertices.addAll(arcs.forksIn(arcs.region(child)));
             histories(state, child, vertices);
             List<Arc> inRegion = new ArrayList<>();
-            inRegion.add(new Arc(
-                    ScxmlTree.place(child), initial, tree.key(child), List.of(), "", List.of(), Arc.Kind.EXTERNAL));
+            inRegion.add(new Arc(child.place(), initial, child.key(), List.of(), "", List.of(), Arc.Kind.EXTERNAL));
             inRegion.addAll(arcs.in(arcs.region(child)));
-            regions.add(new Region(child.attribute("id").strip(), ScxmlTree.place(child), vertices, inRegion));
+            regions.add(new Region(child.id(), child.place(), vertices, inRegion));
         }
         return regions;
     }
 
     /** A history of a parallel state is one of each of its regions. */
-    private void histories(XmlNode parallel, XmlNode child, List<Vertex> vertices) {
-        for (XmlNode vertex : tree.vertices(parallel)) {
-            if (vertex.name().equals("history")) {
-                String name = vertex.attribute("id").strip();
+    private void histories(ScxmlVertex parallel, ScxmlVertex child, List<Vertex> vertices) {
+        for (ScxmlVertex vertex : parallel.inner()) {
+            if (vertex.isHistory()) {
                 vertices.add(
-                        new Pseudostate(arcs.historyKey(vertex, child), name, ScxmlTree.place(vertex), kind(vertex)));
+                        new Pseudostate(arcs.historyKey(vertex, child), vertex.id(), vertex.place(), kind(vertex)));
             }
         }
     }
 
-    private static Kind kind(XmlNode history) {
-        return history.attribute("type").equals("deep") ? Kind.DEEP_HISTORY : Kind.SHALLOW_HISTORY;
+    private static Kind kind(ScxmlVertex history) {
+        return history.node().attribute("type").equals("deep") ? Kind.DEEP_HISTORY : Kind.SHALLOW_HISTORY;
     }
 
-    private ChartState state(XmlNode node, List<Region> regions) {
+    private ChartState state(ScxmlVertex vertex, List<Region> regions) {
         return new ChartState(
-                tree.key(node),
-                name(node),
-                ScxmlTree.place(node),
-                actions(node, "onentry"),
-                actions(node, "onexit"),
-                node.children("invoke").stream().map(ScxmlActions::text).toList(),
-                arcs.internal(node),
+                vertex.key(),
+                name(vertex),
+                vertex.place(),
+                actions(vertex, "onentry"),
+                actions(vertex, "onexit"),
+                invoked(vertex),
+                arcs.internal(vertex),
                 List.of(),
                 regions,
                 List.of());
     }
 
+    private static List<String> invoked(ScxmlVertex vertex) {
+        List<XmlNode> elements = vertex.elements("invoke");
+        return elements.isEmpty()
+                ? List.of()
+                : elements.stream().map(ScxmlActions::text).toList();
+    }
+
     /** The id; without one, which SCXML allows, the line tells states apart. */
-    private String name(XmlNode state) {
-        String id = state.attribute("id").strip();
-        if (!id.isEmpty()) {
-            return id;
+    private String name(ScxmlVertex state) {
+        if (!state.id().isEmpty()) {
+            return state.id();
         }
-        String name = state.name() + " of line " + state.line();
+        String name = state.node().name() + " of line " + state.line();
         problems.note(state.line(), "state without a name is called " + Problems.quote(name) + "; give it an id");
         return name;
     }
 
-    private static List<String> actions(XmlNode node, String block) {
+    private static List<String> actions(ScxmlVertex vertex, String block) {
+        if (vertex.rest().isEmpty()) {
+            return List.of();
+        }
         List<String> actions = new ArrayList<>();
-        node.children(block).forEach(child -> actions.addAll(ScxmlActions.in(child)));
+        vertex.elements(block).forEach(child -> actions.addAll(ScxmlActions.in(child)));
         return actions;
     }
 }

@@ -43,7 +43,7 @@ final class ScxmlEvents {
      * @param triggers names of all other events
      * @param anyDone whether they match the events of all states that can be done
      */
-    private record Matched(List<XmlNode> done, List<String> triggers, boolean anyDone) {}
+    private record Matched(List<ScxmlVertex> done, List<String> triggers, boolean anyDone) {}
 
     ScxmlEvents(ScxmlTree tree, Problems problems) {
         this.tree = tree;
@@ -58,7 +58,9 @@ final class ScxmlEvents {
                 descriptors.computeIfAbsent(node.attribute("event"), ScxmlEvents::split);
             default -> {}
         }
-        node.children().forEach(this::collect);
+        for (XmlNode child : node.children()) {
+            collect(child);
+        }
     }
 
     /** Each without what says no more than that it is a prefix. */
@@ -97,21 +99,27 @@ final class ScxmlEvents {
         }
     }
 
-    private @Nullable XmlNode doneState(String descriptor) {
-        XmlNode state = descriptor.startsWith(DONE) ? tree.find(descriptor.substring(DONE.length())) : null;
-        return state != null && tree.canBeDone(state) ? state : null;
+    private @Nullable ScxmlVertex doneState(String descriptor) {
+        ScxmlVertex state = descriptor.startsWith(DONE) ? tree.find(descriptor.substring(DONE.length())) : null;
+        return state != null && state.canBeDone() ? state : null;
     }
 
     private Matched matched(XmlNode transition) {
-        return matched.computeIfAbsent(transition.attribute("event"), this::match);
+        String attribute = transition.attribute("event");
+        Matched known = matched.get(attribute);
+        if (known == null) {
+            known = match(attribute);
+            matched.put(attribute, known);
+        }
+        return known;
     }
 
     private Matched match(String attribute) {
-        List<XmlNode> done = new ArrayList<>();
+        List<ScxmlVertex> done = new ArrayList<>();
         Set<String> triggers = new LinkedHashSet<>();
         boolean anyDone = false;
         for (String descriptor : descriptors.getOrDefault(attribute, List.of())) {
-            XmlNode state = doneState(descriptor);
+            ScxmlVertex state = doneState(descriptor);
             if (state != null) {
                 done.add(state);
             } else if (descriptor.isEmpty()) {
@@ -130,12 +138,12 @@ final class ScxmlEvents {
     }
 
     /** States whose being done triggers the transition. */
-    List<XmlNode> doneStates(XmlNode transition) {
+    List<ScxmlVertex> doneStates(XmlNode transition) {
         return matched(transition).done();
     }
 
     /** Names of all other events that trigger it. */
-    List<String> triggers(XmlNode transition, XmlNode state, String label) {
+    List<String> triggers(XmlNode transition, ScxmlVertex state, String label) {
         Matched found = matched(transition);
         if (found.anyDone() && tree.mayHearOfDone(state)) {
             problems.add(

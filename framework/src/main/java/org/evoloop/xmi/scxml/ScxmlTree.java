@@ -1,62 +1,56 @@
 package org.evoloop.xmi.scxml;
 
-import static java.util.Objects.requireNonNull;
-
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.StringTokenizer;
-import org.evoloop.statechart.Place;
 import org.evoloop.xmi.dialect.Problems;
 import org.evoloop.xmi.dialect.XmlNode;
 import org.jspecify.annotations.Nullable;
 
-/** The states of a document, by id and by where they stand. */
+/** The vertices of a document, by id and by where they stand. */
 final class ScxmlTree {
     private static final Set<String> VERTICES = Set.of("state", "parallel", "final", "history");
 
     private final ScxmlDocument document;
     private final Problems problems;
-    private final Map<String, XmlNode> byId = new HashMap<>();
-    private final Map<XmlNode, Placed> vertices = new HashMap<>();
-    private final List<XmlNode> outermost;
+    private final Map<String, ScxmlVertex> byId = new HashMap<>();
+    private final List<ScxmlVertex> all = new ArrayList<>();
+    private final List<ScxmlVertex> outermost = new ArrayList<>();
 
     private int madeUp;
-
-    /** @param parent of a vertex that stands in the root: null */
-    private record Placed(String key, @Nullable XmlNode parent, List<XmlNode> inner) {}
 
     ScxmlTree(ScxmlDocument document, Problems problems) {
         this.document = document;
         this.problems = problems;
-        this.outermost = verticesAmong(document.children());
-        outermost.forEach(vertex -> add(vertex, null));
-    }
-
-    private static List<XmlNode> verticesAmong(List<XmlNode> nodes) {
-        List<XmlNode> found = new ArrayList<>();
-        for (XmlNode node : nodes) {
-            if (VERTICES.contains(node.name())) {
-                found.add(node);
+        for (XmlNode child : document.children()) {
+            if (VERTICES.contains(child.name())) {
+                outermost.add(vertex(child, null));
             }
         }
-        return found;
     }
 
-    private void add(XmlNode vertex, @Nullable XmlNode parent) {
-        String id = vertex.attribute("id").strip();
-        List<XmlNode> inner = verticesAmong(vertex.children());
-        vertices.put(vertex, new Placed(id.isEmpty() ? madeUpKey() : id, parent, inner));
-        XmlNode namesake = id.isEmpty() ? null : byId.putIfAbsent(id, vertex);
+    private ScxmlVertex vertex(XmlNode node, @Nullable ScxmlVertex parent) {
+        String id = node.attribute("id").strip();
+        ScxmlVertex vertex = new ScxmlVertex(node, id, id.isEmpty() ? madeUpKey() : id, parent);
+        all.add(vertex);
+        ScxmlVertex namesake = id.isEmpty() ? null : byId.putIfAbsent(id, vertex);
         if (namesake != null) {
             problems.add(
                     vertex.line(),
-                    vertex.name() + " " + Problems.quote(id) + " has the id of the " + namesake.name() + " in line "
-                            + namesake.line() + "; give each an id of its own");
+                    node.name() + " " + Problems.quote(id) + " has the id of the "
+                            + namesake.node().name() + " in line " + namesake.line() + "; give each an id of its own");
         }
-        inner.forEach(child -> add(child, vertex));
+        for (XmlNode child : node.children()) {
+            if (VERTICES.contains(child.name())) {
+                vertex.addInner(vertex(child, vertex));
+            } else {
+                vertex.add(child);
+            }
+        }
+        return vertex;
     }
 
     /** A key that no id can be. */
@@ -68,91 +62,59 @@ final class ScxmlTree {
         return document;
     }
 
-    String key(XmlNode vertex) {
-        return placed(vertex).key();
-    }
-
     @Nullable
-    XmlNode find(String id) {
+    ScxmlVertex find(String id) {
         return byId.get(id);
     }
 
-    /** The state in which this vertex stands; null for the root. */
-    @Nullable
-    XmlNode parent(XmlNode vertex) {
-        return placed(vertex).parent();
-    }
-
-    private Placed placed(XmlNode vertex) {
-        return requireNonNull(vertices.get(vertex));
-    }
-
-    /** All elements in a state, or in the root for null. */
-    List<XmlNode> children(@Nullable XmlNode container) {
-        return container == null ? document.children() : container.children();
+    /** Elements directly in a vertex that are neither vertices nor transitions; for null all in the root. */
+    List<XmlNode> rest(@Nullable ScxmlVertex container) {
+        return container == null ? document.children() : container.rest();
     }
 
     /** Vertices directly in a state, or in the root for null. */
-    List<XmlNode> vertices(@Nullable XmlNode container) {
-        return container == null ? outermost : placed(container).inner();
-    }
-
-    static boolean isParallel(@Nullable XmlNode vertex) {
-        return vertex != null && vertex.name().equals("parallel");
-    }
-
-    /** Whether something is in this state. */
-    boolean isComposite(XmlNode vertex) {
-        return isParallel(vertex) || !vertices(vertex).isEmpty();
-    }
-
-    /** Whether SCXML raises an event when this state is done. */
-    boolean canBeDone(XmlNode vertex) {
-        return vertex.name().equals("parallel")
-                || vertices(vertex).stream().anyMatch(inner -> inner.name().equals("final"));
+    List<ScxmlVertex> vertices(@Nullable ScxmlVertex container) {
+        return container == null ? outermost : container.inner();
     }
 
     /** Whether a state can be done while this one is active, be it the same. */
-    boolean mayHearOfDone(XmlNode state) {
-        return vertices.keySet().stream()
-                .anyMatch(other -> canBeDone(other)
+    boolean mayHearOfDone(ScxmlVertex state) {
+        return all.stream()
+                .anyMatch(other -> other.canBeDone()
                         && (other == state
-                                || isInside(other, state)
-                                || (isInside(state, other) && isParallel(other))
+                                || other.isInside(state)
+                                || (state.isInside(other) && other.isParallel())
                                 || isParallel(commonContainer(List.of(other, state)))));
     }
 
-    /** Whether the vertex stands in the container at any depth; everything but the root stands in the root. */
-    boolean isInside(@Nullable XmlNode vertex, @Nullable XmlNode container) {
-        XmlNode outer = vertex;
-        while (outer != null) {
-            outer = parent(outer);
-            if (outer == container) {
-                return true;
-            }
-        }
-        return false;
+    static boolean isParallel(@Nullable ScxmlVertex container) {
+        return container != null && container.isParallel();
     }
 
-    /** The innermost element in which all of these stand; null for the root. */
-    @Nullable
-    XmlNode commonContainer(List<XmlNode> some) {
-        XmlNode container = parent(some.get(0));
+    /** The innermost vertex in which all of these stand; null for the root. */
+    static @Nullable ScxmlVertex commonContainer(List<ScxmlVertex> some) {
+        ScxmlVertex container = some.get(0).parent();
         while (container != null) {
-            XmlNode candidate = container;
-            if (some.stream().allMatch(vertex -> isInside(vertex, candidate))) {
+            ScxmlVertex candidate = container;
+            if (some.stream().allMatch(vertex -> vertex.isInside(candidate))) {
                 break;
             }
-            container = parent(container);
+            container = container.parent();
         }
         return container;
     }
 
-    /** The vertices with these ids; an unknown one is a problem. */
-    List<XmlNode> targets(String ids, int line, String what) {
-        List<XmlNode> found = new ArrayList<>(1);
-        for (String id : words(ids)) {
-            XmlNode target = byId.get(id);
+    /**
+     * The vertices with these ids; an unknown one is a problem.
+     *
+     * @param ids with white space between them
+     */
+    List<ScxmlVertex> targets(String ids, int line, String what) {
+        StringTokenizer words = new StringTokenizer(ids);
+        List<ScxmlVertex> found = new ArrayList<>(1);
+        while (words.hasMoreTokens()) {
+            String id = words.nextToken();
+            ScxmlVertex target = byId.get(id);
             if (target != null) {
                 found.add(target);
             } else {
@@ -160,19 +122,5 @@ final class ScxmlTree {
             }
         }
         return found;
-    }
-
-    /** The words of an attribute that holds several, with white space between them. */
-    static List<String> words(String attribute) {
-        StringTokenizer tokens = new StringTokenizer(attribute.strip());
-        List<String> words = new ArrayList<>(1);
-        while (tokens.hasMoreTokens()) {
-            words.add(tokens.nextToken());
-        }
-        return words;
-    }
-
-    static Place place(XmlNode node) {
-        return new Place(node.attribute("id").strip(), node.line());
     }
 }

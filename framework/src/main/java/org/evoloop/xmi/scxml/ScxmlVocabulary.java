@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
+import java.util.function.Supplier;
 import java.util.regex.Pattern;
 import org.evoloop.xmi.dialect.Problems;
 import org.evoloop.xmi.dialect.XmlNode;
@@ -61,7 +62,7 @@ final class ScxmlVocabulary {
         check(
                 node.name(),
                 node.namespace(),
-                label(node),
+                () -> label(node),
                 node.line(),
                 node.attributeNames(),
                 node.children(),
@@ -73,7 +74,7 @@ final class ScxmlVocabulary {
         check(
                 "scxml",
                 document.namespace(),
-                "scxml",
+                () -> "scxml",
                 document.line(),
                 document.attributes().keySet(),
                 document.children(),
@@ -83,7 +84,7 @@ final class ScxmlVocabulary {
     private static void check(
             String name,
             String namespace,
-            String label,
+            Supplier<String> label,
             int line,
             Collection<String> attributes,
             List<XmlNode> children,
@@ -91,13 +92,15 @@ final class ScxmlVocabulary {
         Set<String> known = KNOWN.getOrDefault(name, Set.of());
         for (String attribute : attributes) {
             if (attribute.indexOf(':') < 0 && !known.contains(attribute)) {
-                problems.add(line, "attribute " + attribute + " of " + label + " is not supported; remove it");
+                problems.add(line, "attribute " + attribute + " of " + label.get() + " is not supported; remove it");
             }
         }
         for (XmlNode child : children) {
             boolean ours = isScxml(child, namespace) && known.contains(child.name());
             if (!ours && !isEditors(child)) {
-                problems.add(child.line(), "element " + child.name() + " in " + label + " is not supported; remove it");
+                problems.add(
+                        child.line(),
+                        "element " + child.name() + " in " + label.get() + " is not supported; remove it");
             }
         }
     }

@@ -1,0 +1,81 @@
+package org.evoloop.benchmarks.device;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.evoloop.benchmarks.report.Figures;
+import org.evoloop.benchmarks.report.Row;
+import org.evoloop.loop.LoopConfig;
+import org.evoloop.loop.ThreadingModel;
+
+/**
+ * How a press goes through the loop's components, and what it may cost beside the bare way over the same link that is most
+ * like it: ratios in one run, since the time itself is that of the machine's threads.
+ */
+enum PressWay {
+    /** One thread takes it through all components. */
+    CARRIER("added by us", ThreadingModel.SINGLE_CARRIER, Bare.DIRECT, 6, 6),
+    /** A thread a component, as in the paper. */
+    THREADS("a thread a component", ThreadingModel.THREAD_PER_COMPONENT, Bare.THREADS, 1.25, 1.5);
+
+    private final String label;
+    private final ThreadingModel threading;
+    private final Bare bare;
+    private final double mostAtMedian;
+    private final double mostAtPercentile99;
+
+    PressWay(String label, ThreadingModel threading, Bare bare, double mostAtMedian, double mostAtPercentile99) {
+        this.label = label;
+        this.threading = threading;
+        this.bare = bare;
+        this.mostAtMedian = mostAtMedian;
+        this.mostAtPercentile99 = mostAtPercentile99;
+    }
+
+    /** A way that {@link BareChain} measures. */
+    enum Bare {
+        DIRECT("direct", "a byte sent back by its reader"),
+        THREADS("threads", "by way of 3 bare threads");
+
+        private final String figure;
+        private final String label;
+
+        Bare(String figure, String label) {
+            this.figure = figure;
+            this.label = label;
+        }
+
+        double at(String percentile, Figures bare) {
+            return bare.get(figure + " " + percentile);
+        }
+    }
+
+    LoopConfig configured(LoopConfig defaults) {
+        return defaults.withThreading(threading);
+    }
+
+    /**
+     * Its median and its 99th percentile.
+     *
+     * @param press what {@link PressToCommand} has told
+     * @param measured what {@link BareChain} has told
+     */
+    List<Row> rows(Figures press, Figures measured) {
+        return List.of(
+                row("median", "p50", mostAtMedian, press, measured),
+                row("99th percentile", "p99", mostAtPercentile99, press, measured));
+    }
+
+    private Row row(String what, String percentile, double most, Figures press, Figures measured) {
+        Map<String, Double> others = new LinkedHashMap<>();
+        for (Bare way : Bare.values()) {
+            others.put(way.label, way.at(percentile, measured));
+        }
+        return new Row(
+                "button to command, " + label + ", " + what,
+                "us",
+                press.get("press " + percentile),
+                Row.Goal.atMostTimes(most, bare.label, bare.at(percentile, measured)),
+                others);
+    }
+}

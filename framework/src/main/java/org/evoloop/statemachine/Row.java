@@ -1,0 +1,69 @@
+package org.evoloop.statemachine;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The transitions that leave one state, in order, at most one on an event.
+ *
+ * <p>Threading: not thread-safe while it is written, thread-safe afterwards.
+ */
+final class Row {
+    /** So many are looked through sooner than hashed, and most states have no more. */
+    private static final int FEW = 8;
+
+    private final List<Transition> transitions;
+    /** Null while there are few. */
+    private @Nullable Map<Event, Transition> byEvent;
+
+    Row() {
+        this.transitions = new ArrayList<>(4);
+    }
+
+    /** What {@code same} holds now. */
+    Row(Row same) {
+        this.transitions = List.copyOf(same.transitions);
+        this.byEvent = same.byEvent == null ? null : new HashMap<>(same.byEvent);
+    }
+
+    /** Adds a transition unless there is one on its event: then that one, else null. */
+    @Nullable
+    Transition putIfAbsent(Transition transition) {
+        Transition present = find(transition.event());
+        if (present == null) {
+            transitions.add(transition);
+            if (byEvent != null) {
+                byEvent.put(transition.event(), transition);
+            } else if (transitions.size() > FEW) {
+                byEvent = new HashMap<>();
+                for (Transition each : transitions) {
+                    byEvent.put(each.event(), each);
+                }
+            }
+        }
+        return present;
+    }
+
+    /** The transition on an event; null if there is none. */
+    @Nullable
+    Transition find(Event event) {
+        if (byEvent != null) {
+            return byEvent.get(event);
+        }
+        for (int index = 0; index < transitions.size(); index++) {
+            Transition transition = transitions.get(index);
+            if (transition.event().equals(event)) {
+                return transition;
+            }
+        }
+        return null;
+    }
+
+    /** All of them; of a copy the list cannot be changed. */
+    List<Transition> transitions() {
+        return transitions;
+    }
+}
