@@ -35,12 +35,12 @@ final class LoopRing {
     /** What was measured: times in nanoseconds, and what all threads of the loop together allocated a round. */
     record Result(Histogram nanos, double bytesPerRound) {}
 
+    @SuppressWarnings("try") // it is open from the start; all that is left to do with it is to close it
     static Result run(int warmUp, int rounds) throws InterruptedException {
         LoopRing ring = new LoopRing(warmUp, rounds);
         try (SystemClock clock = new SystemClock();
                 MapeLoop<Object, Object, Object> loop = PlainLoop.build(
                         PlainLoop.threads("ring", clock), false, List.of(ring.new Teller()), ring.new Done())) {
-            loop.start();
             ring.over.await();
         }
         return new Result(ring.nanos, ring.allocatedBytes / (double) rounds);

@@ -26,13 +26,11 @@ public final class FloodedLoop implements AutoCloseable {
 
     /** Events a second, by threads, after so long to warm up. */
     public double byThreads(Duration warmUp, Duration watched) throws InterruptedException {
-        loop.start();
         return flood.rate(clock, warmUp, watched);
     }
 
     /** Events a second, in steps, over so many events: each monitor is asked once, then four steps are taken. */
     double inSteps(long wanted) throws InterruptedException {
-        loop.start();
         long begun = System.nanoTime();
         while (flood.executed() < wanted) {
             for (Teller teller : tellers) {

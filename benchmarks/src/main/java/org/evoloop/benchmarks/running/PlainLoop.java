@@ -22,7 +22,8 @@ public final class PlainLoop {
     }
 
     /**
-     * Such a loop, built.
+     * Such a loop, which is open before a monitor is asked: one that waits for its event to come round would wait for ever if
+     * that were refused.
      *
      * @param mayLose whether an occurrence that finds the queue full is no failure of the measurement
      */
@@ -33,7 +34,7 @@ public final class PlainLoop {
         loop.addAnalyze(new SameAnalysis<>());
         loop.addPlan(new SamePlan<>());
         loop.addExecute(execute);
-        loop.build();
+        loop.buildAndStart();
         return loop;
     }
 

@@ -19,7 +19,6 @@ final class SteppedLoop implements AutoCloseable {
     SteppedLoop() {
         loop = PlainLoop.build(
                 LoopConfig.defaults("step", clock).withoutThreads(), false, List.of(monitor), new Count());
-        loop.start();
     }
 
     void cycle() throws InterruptedException {
