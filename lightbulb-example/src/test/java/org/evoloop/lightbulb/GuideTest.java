@@ -19,9 +19,15 @@ import org.junit.jupiter.api.io.TempDir;
 class GuideTest {
     private static final Path ROOT = Path.of(System.getProperty("evoloop.root"));
     private static final String IMPORTS = Stream.of(
-                    "java.nio.file.Path", "java.time.Duration", "java.util.Set", "org.evoloop.console.*",
-                    "org.evoloop.converter.*", "org.evoloop.evolution.*", "org.evoloop.loop.LoopConfig",
-                    "org.evoloop.time.*", "org.evoloop.xmi.XmiFile")
+                    "java.nio.file.Path",
+                    "java.time.Duration",
+                    "java.util.Set",
+                    "org.evoloop.console.*",
+                    "org.evoloop.converter.*",
+                    "org.evoloop.evolution.*",
+                    "org.evoloop.loop.LoopConfig",
+                    "org.evoloop.time.*",
+                    "org.evoloop.xmi.XmiFile")
             .map(name -> "import " + name + ";\n")
             .collect(Collectors.joining());
 
@@ -51,7 +57,8 @@ class GuideTest {
         List<String> shown = javaIn("docs/lightbulb.md");
         assertThat(Files.readString(sources.resolve("LampExecute.java"))).endsWith(shown.get(0));
         assertThat(Files.readString(sources.resolve("LampKnowledge.java"))).endsWith(shown.get(1));
-        assertThat(Files.readString(sources.resolve("Main.java"))).contains(shown.get(2).indent(8).replaceAll("(?m)^ +$", ""));
+        assertThat(Files.readString(sources.resolve("Main.java")))
+                .contains(shown.get(2).indent(8).replaceAll("(?m)^ +$", ""));
     }
 
     @Test
@@ -59,8 +66,6 @@ class GuideTest {
         String test = Files.readString(Path.of("src/test/java/org/evoloop/lightbulb/FirstScenarioTest.java"));
         String shown = test.substring(test.indexOf("class FirstScenarioTest"));
         assertThat(shown.lines().count()).as("lines of a first test").isLessThanOrEqualTo(20);
-        assertThat(ROOT.resolve("docs/testing.md"))
-                .content()
-                .contains("```java\n" + shown + "```");
+        assertThat(ROOT.resolve("docs/testing.md")).content().contains("```java\n" + shown + "```");
     }
 }
