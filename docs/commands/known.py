@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+FAN = "docs/fan/original.scxml docs/fan/new.scxml"
 LAMP = "models/light-bulb.xml#original models/light-bulb.xml#new"
 ROBOT = "{robot}"
 """Stands for the port of a simulated robot, wherever the documentation names a serial port."""
@@ -86,20 +87,20 @@ KNOWN = [
         shows="--format",
     ),
     typed(f"./evoloop models diff {LAMP}", shows="incandescent"),
-    Known("./evoloop models check ORIGINAL NEW", run=f"./evoloop models check {LAMP}"),
-    Known("./evoloop models plan ORIGINAL NEW", run=f"./evoloop models plan {LAMP}", shows="switch"),
+    typed(f"./evoloop models check {LAMP}"),
     Known(
         "./evoloop models show FILE --format svg",
         run="./evoloop models show models/light-bulb.xml --format svg",
         shows="<svg ",
     ),
-    Known(
-        "./evoloop models scaffold ORIGINAL NEW --package com.example.lamp --out lamp",
-        run=f"./evoloop models scaffold {LAMP} --package com.example.lamp --out lamp",
-    ),
+    typed(f"./evoloop models check {FAN}", shows="swallowed-event"),
+    typed(f"./evoloop models plan {FAN}", shows="path power, speed"),
+    typed(f"./evoloop models scaffold {FAN} --package com.example.fan --out fan"),
     Known("./mvnw verify", why_not=ELSEWHERE),
+    Known("java -jar target/fan.jar", why_not=ELSEWHERE),
     # The robot.
     Known("./evoloop roomba --port /dev/ttyUSB0", run=f"./evoloop roomba --port {ROBOT}", input="start\nstatus\nexit\n"),
+    typed("./evoloop roomba --help", shows="--port"),
     typed("./evoloop roomba --simulate --speed 5", input=CONSOLE, shows="xMm"),
     Known(
         "java -jar roomba-converter.jar --port /dev/ttyUSB0",

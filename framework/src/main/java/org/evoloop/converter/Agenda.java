@@ -5,10 +5,10 @@ import org.evoloop.core.Output;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What has to be done in one turn, in order. Another turn goes on with the same one, unless the turn was taken from whoever
- * had it: that one keeps an agenda that is over.
+ * What has to be done in one turn, in order. The next turn continues with the same agenda, unless the turn was taken
+ * away from a thread: that thread keeps the old agenda, which is over.
  *
- * <p>Threading: whoever has the turn empties it, and alone causes what is added, so that no lock is needed for each
+ * <p>Threading: only the thread that has the turn adds and removes directives, so no lock is needed for each
  * directive.
  */
 final class Agenda {

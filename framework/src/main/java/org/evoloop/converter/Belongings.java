@@ -60,7 +60,7 @@ final class Belongings {
         }
     }
 
-    /** @param kept what nobody else may have, even so; null if there is nothing of the kind */
+    /** @param kept what still belongs to this converter afterwards; null if nothing does */
     void giveBackAll(@Nullable Object kept) {
         synchronized (OWNERS) {
             for (Object thing : own) {

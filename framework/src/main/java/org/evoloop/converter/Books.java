@@ -8,7 +8,7 @@ import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The books that are kept of what a converter does, and those who are told.
+ * The records of what a converter does, and its listeners.
  *
  * <p>Threading: thread-safe, as each of them is.
  */

@@ -10,14 +10,14 @@ import org.evoloop.loop.QueueStatus;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A picture of a converter at one moment.
+ * A snapshot of a converter's status.
  *
  * <p>Threading: immutable.
  *
  * @param name the converter's name
- * @param loop where the loop is in its life
+ * @param loop the state of the loop's lifecycle
  * @param states the current states of both models
- * @param doubt why the record of the device's state may be wrong; empty if it is sure
+ * @param doubt why the record of the device's state may be wrong; empty if it is certain
  * @param lastKnownSince since when these are only the last states that are known, because the loop is closed or the
  *     device cannot be reached; empty while they are kept up to date
  * @param queue what waits and what was lost
@@ -25,7 +25,7 @@ import org.jspecify.annotations.Nullable;
  * @param conversionTime how long conversions take
  * @param components every component and its thread
  * @param function the new function that runs
- * @param link the connection to the device; null if the converter was told of none
+ * @param link the connection to the device; null if no link was registered
  */
 public record ConverterStatus(
         String name,

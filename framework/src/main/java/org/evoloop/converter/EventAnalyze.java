@@ -8,7 +8,7 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Finds out what an occurrence means in the current states: not acceptable, an existing function, or a new function. A
- * converter has one without being told. Extend it to watch decisions, to refine them, or to refuse events by a rule of your
+ * converter has one by default. Extend it to watch decisions, to refine them, or to refuse events by a rule of your
  * own: a child lock, say, refuses the controller's events at night.
  *
  * <pre>{@code

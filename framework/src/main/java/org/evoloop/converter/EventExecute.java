@@ -15,12 +15,12 @@ import org.jspecify.annotations.Nullable;
  * Superclass of the components that send events to the device.
  *
  * <p>Threading: all methods are called on the component's own thread, one at a time; only {@link #settled} is called once
- * more by whoever starts the converter, before the loop opens, and {@link #released} by whoever stops it.
+ * more on the thread that starts the converter, before the loop opens, and {@link #released} on the one that stops it.
  */
 public abstract class EventExecute extends Execute<ChangePlan> {
     private final Object effect = new Object();
 
-    /** The turn in which a step is being sent whose effect was not told yet; 0 if none is. */
+    /** The turn in which a step is being sent whose effect was not reported yet; 0 if none is. */
     private long sending;
 
     private volatile @Nullable Set<Event> events;
@@ -28,7 +28,7 @@ public abstract class EventExecute extends Execute<ChangePlan> {
     private volatile @Nullable CoreDriver driver;
     private volatile @Nullable Carrier carrier;
 
-    /** A component that is called like its class. */
+    /** A component with the name of its class. */
     protected EventExecute() {}
 
     /** @param name what the console calls it, unique within a converter */
@@ -61,15 +61,15 @@ public abstract class EventExecute extends Execute<ChangePlan> {
 
     /**
      * The step that {@link #send} is about has had its effect; for adapters that read from the device when that happens, and
-     * tell what the device does by itself on the same thread. Then everything reaches the converter in the order in which it
-     * happened at the device, and the record is never in doubt. Without this call, an effect counts as told when {@code send}
+     * report what the device does by itself on the same thread. Then everything reaches the converter in the order in which it
+     * happened at the device, and the record is never in doubt. Without this call, an effect counts as reported when {@code send}
      * returns. May be called from any thread; does nothing when nothing is being sent.
      */
     protected final void tookEffect() {
         report(true);
     }
 
-    /** Whoever comes second waits until it was told: what follows from it has to be known before the plan goes on. */
+    /** The second caller waits until the first has reported: its consequences must be known before the plan continues. */
     private void report(boolean inOrder) {
         synchronized (effect) {
             CoreDriver told = driver;
@@ -91,13 +91,13 @@ public abstract class EventExecute extends Execute<ChangePlan> {
      * the device acted by itself while a step was on its way. Events wait meanwhile, for as long as the loop's step limit
      * lets this take.
      *
-     * <p>The answer has to be newer than all that was told before. A step that was given up is expected to have had its effect
+     * <p>The answer must be newer than everything that was reported before. A step that was given up is expected to have had its effect
      * by then, or never to have it, unless its component still reports it: in order, that counts as having come after the
      * answer; else the record is in doubt again.
      *
      * @return the name of a state of the original model; empty if the device cannot tell, which is the usual answer: then
      *     the converter goes on with the likelier of the states, and says that it is in doubt. A step that was given up is
-     *     taken to have had no effect, and what the device did by itself to have come in the order in which it was told
+     *     taken to have had no effect, and what the device did by itself to have come in the order in which it was reported
      * @throws Exception any failure: it is reported, and the record stays in doubt
      */
     protected Optional<String> locate() throws Exception {
@@ -113,8 +113,8 @@ public abstract class EventExecute extends Execute<ChangePlan> {
     protected void settled(Configuration now) throws Exception {}
 
     /**
-     * The converter has stopped and its new function has ended: the device is on its own from now on. Called by whoever
-     * stops or closes the converter.
+     * The converter has stopped and its new function has ended: the device is on its own from now on. Called on the
+     * thread that stops or closes the converter.
      *
      * @throws Exception any failure: it is reported
      */

@@ -25,7 +25,7 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
     private volatile @Nullable MapeLoop<Occurrence, ?, ?> loop;
     private volatile Supplier<Set<String>> guards = Set::of;
 
-    /** A monitor that is called like its class. */
+    /** A monitor with the name of its class. */
     protected EventMonitor() {}
 
     /** @param name what the console calls it, unique within a converter */
@@ -107,7 +107,7 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
         return occurrence(event, Values.NONE, Source.PANEL, deviceActed);
     }
 
-    /** The device did something of its own accord. */
+    /** The device did something by itself. */
     protected final Occurrence fromDevice(String event) {
         return fromDevice(event, Values.NONE);
     }
@@ -118,8 +118,8 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
     }
 
     /**
-     * The device was found in {@code state} of its model, whatever the converter took it to be in: after it was out of
-     * sight, or when it has done what its model does not know. Nothing comes of it if that is no news, or if
+     * The device was found in {@code state} of its model, whatever the converter believed: after the connection was
+     * lost, or when it has done what its model does not know. This has no effect if the state is already known, or if
      * the device has been sent an event since.
      */
     protected final Occurrence foundIn(String state) {
@@ -129,7 +129,7 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
     private Occurrence occurrence(String event, Values values, Source source, boolean deviceActed) {
         EventNames names = eventNames;
         Event heard = names == null ? new Event(event) : names.named(event);
-        // A fact moves the record at once, so what its guards say is asked here, before it is told.
+        // A fact moves the record at once, so its guards are evaluated here, before it is reported.
         return new Occurrence.Heard(heard, values, source, deviceActed, guards.get(), Occurrence.ANY_VISIT, nanoTime());
     }
 

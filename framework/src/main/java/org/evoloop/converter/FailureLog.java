@@ -42,7 +42,7 @@ final class FailureLog {
         }
     }
 
-    /** A stack trace helps whoever wrote the component, and says nothing to whoever unplugged the device. */
+    /** A stack trace helps the author of a component, but not a user who has unplugged the device. */
     private static boolean isBug(Throwable cause) {
         return cause.getClass().getName().startsWith("java.")
                 && (cause instanceof RuntimeException || cause instanceof Error);

@@ -14,10 +14,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Those who hear what a converter does, and the thread on which they are told. It is made with the first of them; what
- * nobody hears costs nothing.
+ * The listeners of a converter, and the thread that calls them. The thread is started with the first listener.
  *
- * <p>Threading: thread-safe; telling never waits. When {@value #MOST_WAITING} calls wait, further ones are lost, which is
+ * <p>Threading: thread-safe; notifying never waits. When {@value #MOST_WAITING} calls wait, further ones are lost, which is
  * logged.
  */
 final class Listeners {
@@ -51,7 +50,7 @@ final class Listeners {
                 losing = false;
             }
         } catch (InterruptedException stop) {
-            // The converter was closed; what had happened before is still told.
+            // The converter was closed; what happened before is still reported.
             for (Consumer<ConverterListener> last = waiting.poll(); last != null; last = waiting.poll()) {
                 call(last);
             }
@@ -102,7 +101,7 @@ final class Listeners {
         }
     }
 
-    /** Tells what is still to be told, and ends the thread. Idempotent. */
+    /** Makes the calls that still wait, and ends the thread. Idempotent. */
     void close() {
         Thread telling;
         synchronized (this) {

@@ -11,18 +11,18 @@ import org.jspecify.annotations.Nullable;
  * A monitor whose events come from other threads: a console, a driver's callback, a web server.
  *
  * <p>Threading: {@link #push} and {@link #press} may be called from any thread and never wait. Once the loop has been
- * built they tell it directly, since the monitor's own thread would have to be woken first; what one thread pushes stays
- * in order.
+ * built they pass events to it directly, since the monitor's own thread would have to be woken first; what one thread
+ * pushes stays in order.
  */
 public class PushMonitor extends EventMonitor {
     private final BlockingQueue<Occurrence> pushed = new LinkedBlockingQueue<>();
 
-    /** How many the monitor's own thread has still to tell; none may overtake them. */
+    /** How many occurrences the monitor's own thread has yet to report; none may overtake them. */
     private final AtomicInteger behind = new AtomicInteger();
 
     private boolean telling;
 
-    /** A monitor that is called like its class. */
+    /** A monitor with the name of its class. */
     public PushMonitor() {}
 
     /** @param name what the console calls it, unique within a converter */
@@ -33,7 +33,7 @@ public class PushMonitor extends EventMonitor {
     /**
      * A control of the controller was operated.
      *
-     * @throws IllegalArgumentException if neither model knows the event; the message tells the nearest names
+     * @throws IllegalArgumentException if neither model knows the event; the message lists the most similar names
      * @throws IllegalStateException if the converter is not running, or this monitor is not part of one: the press is
      *     refused
      */
@@ -43,7 +43,7 @@ public class PushMonitor extends EventMonitor {
         push(pressed);
     }
 
-    /** Tells an occurrence. What is told while the converter is stopped is refused, and counted by {@code status}. */
+    /** Reports an occurrence. While the converter is stopped it is refused, and counted by {@code status}. */
     protected final void push(Occurrence occurrence) {
         Objects.requireNonNull(occurrence, "the occurrence is null");
         if (behind.get() > 0 || !tell(occurrence)) {
@@ -55,7 +55,7 @@ public class PushMonitor extends EventMonitor {
     @Override
     protected final @Nullable Occurrence getEvent() throws InterruptedException {
         if (telling) {
-            // Whoever asks again has told the last one.
+            // A further call means that the last occurrence has been reported.
             telling = false;
             behind.decrementAndGet();
         }

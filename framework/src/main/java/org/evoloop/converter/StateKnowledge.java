@@ -151,17 +151,17 @@ public class StateKnowledge extends Knowledge {
     }
 
     /**
-     * Makes ways of several events avoid {@code event}.
+     * Sets the cost of sending {@code event}; plans minimise the total cost.
      *
      * @param event of the original model
-     * @param cost 1 for an event of which nothing is said; the way with the least sum is taken
+     * @param cost the default of an event is 1
      * @throws IllegalArgumentException if {@code cost} is not from 1 to {@value DeviceEvents#MAX_COST}
      */
     protected final void cost(String event, int cost) {
         bindings.cost(event, cost);
     }
 
-    /** Lets no way of several events lead through {@code state} of the original model; it may begin and end there. */
+    /** No path of several events leads through {@code state} of the original model; it may begin or end there. */
     protected final void doNotPass(String state) {
         bindings.doNotPass(state);
     }

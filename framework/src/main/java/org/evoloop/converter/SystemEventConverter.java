@@ -36,7 +36,7 @@ import org.jspecify.annotations.Nullable;
  * }</pre>
  *
  * <p>Lifecycle: see {@link LoopState}. {@link #stop} ends the running new function and refuses events; {@link #start}
- * enters the current state anew and goes on from there.
+ * enters the current state again and continues from there.
  *
  * <p>Threading: all methods may be called from any thread, but those that change the converter not from its own.
  */
@@ -94,12 +94,12 @@ public final class SystemEventConverter implements AutoCloseable {
         knowledge = stateKnowledge;
     }
 
-    /** From now on {@code listener} is told what this converter does. */
+    /** From now on {@code listener} is notified of what this converter does. */
     public void addListener(ConverterListener listener) {
         listeners.add(listener);
     }
 
-    /** Tells what connects the device, for {@link #status}. */
+    /** Registers the connection to the device, for {@link #status}. */
     public synchronized void addLink(DeviceLink deviceLink) {
         link = requireNonNull(deviceLink, "the link is null");
     }
@@ -291,9 +291,9 @@ public final class SystemEventConverter implements AutoCloseable {
     /**
      * Removes a component.
      *
-     * @throws IllegalArgumentException if there is none of that name
+     * @throws IllegalArgumentException if there is no component of that name
      * @throws IllegalStateException if the converter needs it
-     * @throws ModelException if decisions are left that nobody could carry out
+     * @throws ModelException if a decision could then not be carried out
      */
     public synchronized void remove(String name) {
         ConverterShell built = built();
@@ -310,8 +310,8 @@ public final class SystemEventConverter implements AutoCloseable {
     /**
      * Puts {@code next} in the place of the component {@code name}, between two events.
      *
-     * @throws IllegalArgumentException if there is none of that name, or it has another role
-     * @throws ModelException if decisions are left that nobody could carry out
+     * @throws IllegalArgumentException if there is no component of that name, or it has another role
+     * @throws ModelException if a decision could then not be carried out
      */
     public synchronized void exchange(String name, Component next) {
         ConverterShell built = built();
@@ -347,16 +347,16 @@ public final class SystemEventConverter implements AutoCloseable {
         return Collections.unmodifiableSet(new LinkedHashSet<>(spares.keySet()));
     }
 
-    /** Queues an occurrence as if a monitor had told it; false if it was refused or dropped. */
+    /** Queues an occurrence as if a monitor had reported it; false if it was refused or dropped. */
     public boolean offer(Occurrence occurrence) {
         return built().loop.offer(occurrence);
     }
 
     /**
-     * The step of a monitor in a converter without threads: asks it once and queues what it tells.
+     * The step of a monitor in a converter without threads: calls it once and queues what it returns.
      *
-     * @throws IllegalStateException if the converter has threads, which ask its monitors
-     * @throws IllegalArgumentException if {@code monitor} is none of this converter
+     * @throws IllegalStateException if the converter has threads, which call its monitors
+     * @throws IllegalArgumentException if {@code monitor} does not belong to this converter
      */
     public void observe(EventMonitor monitor) throws InterruptedException {
         built().loop.observe(monitor);
@@ -372,7 +372,7 @@ public final class SystemEventConverter implements AutoCloseable {
         return built().knowledge;
     }
 
-    /** A picture of this moment. @throws IllegalStateException if the converter is not built yet */
+    /** A snapshot of the status. @throws IllegalStateException if the converter is not built yet */
     public ConverterStatus status() {
         ConverterShell built = built();
         DeviceLink device = link;

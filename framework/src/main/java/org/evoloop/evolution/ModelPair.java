@@ -15,7 +15,7 @@ import org.evoloop.statemachine.StateMachine;
  * <p>Threading: immutable.
  *
  * @param original what the device does by itself
- * @param evolved what device and converter shall do together
+ * @param evolved what device and converter are to do together
  */
 public record ModelPair(StateMachine original, StateMachine evolved) {
     /**

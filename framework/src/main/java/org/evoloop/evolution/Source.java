@@ -6,7 +6,7 @@ public enum Source {
     CONTROLLER,
     /** A control on the device itself. */
     PANEL,
-    /** The device, of its own accord: it finished something. */
+    /** The device by itself: it finished something, for example. */
     DEVICE,
     /** A timer that the framework keeps for a state. */
     TIMER,

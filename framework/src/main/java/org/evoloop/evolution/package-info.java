@@ -3,7 +3,7 @@
  * pure functions (paper, sections IV and V). One core serves all callers: the running loop looks decisions up in the
  * {@link org.evoloop.evolution.DecisionTable}, the checks at design time read the same table's problems.
  *
- * <p>This room may use {@code org.evoloop.statemachine} only. It knows no threads, clocks or files.
+ * <p>This package may use {@code org.evoloop.statemachine} only. It knows no threads, clocks or files.
  */
 @NullMarked
 package org.evoloop.evolution;

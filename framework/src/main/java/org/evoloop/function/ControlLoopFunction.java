@@ -36,7 +36,7 @@ public abstract class ControlLoopFunction<O, A, P> implements NewFunction {
         /**
          * Reads it now.
          *
-         * @return null if there is nothing to be said of it
+         * @return null if there is no reading
          * @throws Exception any failure: it is reported, and the sensor is read again after a pause
          */
         @Nullable
@@ -106,13 +106,13 @@ public abstract class ControlLoopFunction<O, A, P> implements NewFunction {
     protected abstract void assemble(MapeLoop<O, A, P> loop, Visit visit) throws Exception;
 
     /**
-     * A component of the loop has failed; the loop goes on. Called on the thread that calls the component, after it was logged.
+     * A component of the loop has failed; the loop continues. Called on the thread that calls the component, after it was logged.
      *
      * @param cause what it threw
      */
     protected void failed(Visit visit, Throwable cause) {}
 
-    /** The loop's options; without threads if the converter has none. */
+    /** The loop's options; by default without threads if the converter has none. */
     protected LoopConfig config(Visit visit) {
         LoopConfig config = LoopConfig.defaults(visit.state().name(), visit.clock());
         return visit.threads() ? config : config.withoutThreads();

@@ -14,7 +14,7 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * One stay of the evolved system in a state. What belongs to a visit ends with it: its function, its timers, and the
- * events it has raised that nobody has looked at yet.
+ * events it has raised that were not handled yet.
  *
  * <p>Threading: all methods may be called from any thread.
  */
@@ -107,7 +107,7 @@ public final class Visit {
     }
 
     /**
-     * Raises {@code event} and goes on; nothing happens if the state has been left.
+     * Raises {@code event} and continues; nothing happens if the state has been left.
      *
      * @throws InterruptedException if the state is left while this waits for room in the queue
      */
@@ -118,9 +118,9 @@ public final class Visit {
     }
 
     /**
-     * Has the device do {@code event}, one that its model knows where it is by then, and goes on: the event waits for its
-     * turn like all others, and the new model stays in this state. What becomes of it is told by the history. Nothing
-     * happens if the state has been left, or is left first.
+     * Has the device take {@code event}, which its model must know in the state in which the device is by then, and
+     * continues: the event waits for its turn like all others, and the new model stays in this state. The history shows
+     * what became of it. Nothing happens if the state has been left, or is left first.
      *
      * @throws InterruptedException if the state is left while this waits for room in the queue
      */
@@ -130,12 +130,12 @@ public final class Visit {
         }
     }
 
-    /** Says in a short line how far the function is, for whoever asks for the converter's status. */
+    /** Describes in a short line how far the function is; shown in the converter's status. */
     public void progress(String text) {
         progress = text;
     }
 
-    /** What was said last of how far the function is; empty if nothing was. */
+    /** The last text given to {@link #progress(String)}; empty if there is none. */
     public String progress() {
         return progress;
     }
@@ -198,8 +198,8 @@ public final class Visit {
     }
 
     /**
-     * Has {@code ending} run when the state is left, last come first; at once if it has been. An ending must come to its
-     * end by itself: nothing interrupts it.
+     * Runs {@code ending} when the state is left, in reverse order of registration, or at once if it has been left. An
+     * ending must return by itself: nothing interrupts it.
      */
     public void onEnd(Runnable ending) {
         requireNonNull(ending, "the ending is null");
@@ -267,7 +267,7 @@ public final class Visit {
         }
     }
 
-    /** A task that throws concerns neither the clock's thread nor whoever leaves the state. */
+    /** A task that throws must not disturb the clock's thread, nor the thread that leaves the state. */
     private void contained(Runnable task) {
         try {
             task.run();

@@ -14,14 +14,14 @@ import org.evoloop.time.Clock;
  *
  * @param name part of every thread's name
  * @param clock the time of back-off and limits
- * @param queueCapacity how many occurrences may wait behind the one that is in the loop, 0 to 1,000,000; with 0 a loop
- *     that is busy loses what comes, and an idle one takes it
+ * @param queueCapacity how many occurrences may wait behind the one that is in the loop, 0 to 1,000,000; with 0, an
+ *     occurrence that comes while the loop is busy is lost
  * @param stepLimit how long an analyze, plan or execute component may work on one occurrence before it is interrupted, 1 ms
  *     to {@link Clock#LONGEST}, in the clock's time
  * @param joinLimit how long to wait for a thread that was told to stop, 1 ms to 1 min, in real time
  * @param waiting how a thread waits for its turn
- * @param threading which threads call the components: {@link ThreadingModel#SINGLE_CARRIER} unless told otherwise, which is
- *     the quickest where processors are few
+ * @param threading which threads call the components: by default {@link ThreadingModel#SINGLE_CARRIER}, which is the
+ *     fastest on few processors
  */
 public record LoopConfig(
         String name,

@@ -9,19 +9,19 @@ package org.evoloop.loop;
  *
  * <p>Threading: immutable.
  *
- * @param looks how often it looks without giving way, 0 to 10,000; more than a few make it worse on two processors
- * @param yields how often it gives way before it sleeps, 0 to 10,000
+ * @param looks how often a thread checks for its turn without yielding, 0 to 10,000; more than a few slow down two processors
+ * @param yields how often it yields before it sleeps, 0 to 10,000
  */
 public record WaitStrategy(int looks, int yields) {
-    /** Whoever was woken within this time stays awake the next time. */
+    /** A thread that was woken within this time does not sleep at once the next time. */
     static final long SOON_NANOS = 200_000;
 
     /** Sleeps at once: the least processor time. */
     public static final WaitStrategy PARK = new WaitStrategy(0, 0);
 
     /**
-     * Gives way first: on few processors the thread that has the turn then runs at once, and the next one is still awake
-     * when its turn comes. The quickest of those measured, see {@code docs/performance.md}.
+     * Yields first: on few processors the thread that has the turn then runs at once, and the next one is still awake
+     * when its turn comes. The fastest of those measured, see {@code docs/performance.md}.
      */
     public static final WaitStrategy YIELD_THEN_PARK = new WaitStrategy(0, 30);
 

@@ -18,7 +18,7 @@ import org.evoloop.xmi.uml14.Uml14Dialect;
 import org.evoloop.xmi.uml2.Uml2Dialect;
 
 /**
- * The state machines of one XMI file. A machine that cannot be used disturbs nobody until it is picked.
+ * The state machines of one XMI file. A machine that cannot be used causes an error only when it is picked.
  *
  * <p>Threading: immutable once read.
  */
@@ -39,8 +39,8 @@ public final class XmiFile {
     }
 
     /**
-     * Has made what it takes to read Astah's files, which is long compared with reading one. A program that has other things
-     * to do before it reads calls this on another thread; whoever reads meanwhile waits for it.
+     * Preloads the bindings for Astah's files, which takes longer than reading a file. A program that has other things
+     * to do before it reads calls this on another thread; reading in the meantime waits for it.
      */
     public static void prepare() {
         AstahDialect.prepare();

@@ -71,7 +71,7 @@ public final class XmiMachine {
     /**
      * The machine as drawn, with its hierarchy.
      *
-     * @throws ModelException if it holds anything that nobody would use; the message lists all of it, one line each
+     * @throws ModelException if it contains anything that would be ignored; the message lists all of it, one line each
      */
     public Statechart statechart() {
         Problems problems = new Problems();

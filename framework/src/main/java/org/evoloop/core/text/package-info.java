@@ -1,7 +1,7 @@
 /**
  * Snapshots of a core as text, to be kept in a file or sent elsewhere: readable, stable and versioned.
  *
- * <p>This room may use {@code org.evoloop.core}, {@code org.evoloop.evolution} and {@code org.evoloop.statemachine}. It makes
+ * <p>This package may use {@code org.evoloop.core}, {@code org.evoloop.evolution} and {@code org.evoloop.statemachine}. It makes
  * texts; files and streams are up to its users.
  */
 @NullMarked

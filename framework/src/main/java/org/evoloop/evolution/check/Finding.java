@@ -4,13 +4,13 @@ import java.util.List;
 import org.evoloop.evolution.Turn;
 
 /**
- * A breach of a rule.
+ * A violation of a rule.
  *
  * <p>Threading: immutable.
  *
  * @param element what it is about
  * @param message what is wrong, one sentence without a full stop
- * @param mend what to do about it
+ * @param mend how to fix it
  * @param example what happens, from the start, until it shows; empty where it shows in the drawing alone, or at once
  */
 public record Finding(Rule rule, Element element, String message, String mend, List<Turn> example) {

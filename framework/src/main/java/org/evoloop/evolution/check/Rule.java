@@ -21,7 +21,7 @@ public enum Rule {
     DEAD_TRANSITION(Severity.WARNING),
     /** A state that is entered and never left. */
     TRAP_STATE(Severity.WARNING),
-    /** An event of the device that nobody sends and that is not declared to be the device's own. */
+    /** An event of the device that cannot be sent and is not declared spontaneous. */
     UNSENDABLE_EVENT(Severity.ERROR),
     /** A new state has no function. */
     NO_FUNCTION(Severity.ERROR),
@@ -33,7 +33,7 @@ public enum Rule {
     DEGRADATION(Severity.WARNING),
     /** A time trigger that never comes. */
     TIMER_CANNOT_FIRE(Severity.WARNING),
-    /** An event that nobody raises. */
+    /** The new model waits for an event that is never raised. */
     UNRAISED_EVENT(Severity.WARNING),
     /** A guard of the new model that nothing is bound to. */
     UNBOUND_GUARD(Severity.ERROR),

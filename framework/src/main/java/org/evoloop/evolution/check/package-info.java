@@ -2,7 +2,7 @@
  * The checks of an evolution at design time: named rules over two state machines and every pair of their states that can
  * be reached, found by the very decisions that run. {@link org.evoloop.evolution.check.Check} is the way in.
  *
- * <p>This room may use {@code org.evoloop.evolution} and {@code org.evoloop.statemachine} only. It knows no files: who
+ * <p>This package may use {@code org.evoloop.evolution} and {@code org.evoloop.statemachine} only. It knows no files: who
  * reads models from files knows where an {@link org.evoloop.evolution.check.Element} stands.
  */
 @NullMarked

@@ -1,7 +1,7 @@
 /**
  * Astah's XMI 1.1 of an extended UML 1.4, bound with JAXB.
  *
- * <p>This room may use {@code org.evoloop.xmi.dialect}, {@code org.evoloop.statechart} and
+ * <p>This package may use {@code org.evoloop.xmi.dialect}, {@code org.evoloop.statechart} and
  * {@code org.evoloop.statemachine}.
  */
 @NullMarked

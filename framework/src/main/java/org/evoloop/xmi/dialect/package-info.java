@@ -3,7 +3,7 @@
  * of problems. A new dialect implements {@link org.evoloop.xmi.dialect.XmiDialect} in a package beside this one and
  * takes a line in {@code XmiFile}.
  *
- * <p>This room may use {@code org.evoloop.statechart} and {@code org.evoloop.statemachine}; not the dialects.
+ * <p>This package may use {@code org.evoloop.statechart} and {@code org.evoloop.statemachine}; not the dialects.
  */
 @NullMarked
 package org.evoloop.xmi.dialect;

@@ -3,7 +3,7 @@
  * MagicDraw and Cameo, StarUML, Visual Paradigm. The element's type, not the place where a tool puts it, decides what it
  * is.
  *
- * <p>This room may use {@code org.evoloop.xmi.dialect}, {@code org.evoloop.statechart} and
+ * <p>This package may use {@code org.evoloop.xmi.dialect}, {@code org.evoloop.statechart} and
  * {@code org.evoloop.statemachine}.
  */
 @NullMarked

@@ -3,7 +3,7 @@
  * org.evoloop.time.ManualClock}, {@link org.evoloop.testkit.SimulatedDevice} stands in for the device, and {@link
  * org.evoloop.testkit.OrderCheck} sees whether an adapter tells things in the order in which they happened.
  *
- * <p>This room uses the framework and Logback, which hears the transcript. It needs no particular test framework: what
+ * <p>This package uses the framework and Logback, which hears the transcript. It needs no particular test framework: what
  * does not hold is an {@link AssertionError}.
  */
 @NullMarked
