@@ -11,7 +11,6 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
 /** Two models side by side. */
@@ -32,13 +31,7 @@ final class DiffCommand implements Callable<Integer> {
     private CommandSpec spec;
 
     @Mixin
-    private ReadingOptions reading;
-
-    @Parameters(index = "0", paramLabel = "ORIGINAL", description = "What the device does: FILE#NAME.")
-    private String original;
-
-    @Parameters(index = "1", paramLabel = "NEW", description = "What its owner wants: FILE#NAME.")
-    private String evolved;
+    private PairParameters models;
 
     @Option(
             names = "--format",
@@ -48,7 +41,7 @@ final class DiffCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        ModelPair pair = ModelReader.pair(reading.reference(original), reading.reference(evolved), spec);
+        ModelPair pair = models.read(spec);
         String shown = switch (format) {
             case TEXT -> DifferenceText.write(pair);
             case JSON -> DifferenceJson.write(pair);

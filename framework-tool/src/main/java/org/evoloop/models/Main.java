@@ -3,6 +3,7 @@ package org.evoloop.models;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
+import org.evoloop.program.UsersMistakes;
 import org.evoloop.statemachine.ModelException;
 import picocli.CommandLine;
 
@@ -27,7 +28,7 @@ public final class Main {
      * wrong usage or input.
      */
     static int run(CommandLine commandLine, String... arguments) {
-        int status = execute(commandLine, arguments);
+        int status = UsersMistakes.toldBy(commandLine, Main::isUsersMistake).execute(arguments);
         // A full disk or a closed pipe shows in nothing but this.
         if (commandLine.getOut().checkError()) {
             commandLine
@@ -37,26 +38,6 @@ public final class Main {
             return status == CommandLine.ExitCode.OK ? CommandLine.ExitCode.SOFTWARE : status;
         }
         return status;
-    }
-
-    private static int execute(CommandLine commandLine, String... arguments) {
-        return commandLine
-                .setParameterExceptionHandler((mistake, given) -> {
-                    CommandLine command = mistake.getCommandLine();
-                    command.getErr()
-                            .println("error: " + mistake.getMessage() + " (see "
-                                    + command.getCommandSpec().qualifiedName() + " --help)");
-                    return CommandLine.ExitCode.USAGE;
-                })
-                .setExecutionExceptionHandler((failure, command, parsed) -> {
-                    if (isUsersMistake(failure)) {
-                        command.getErr().println("error: " + failure.getMessage());
-                        return CommandLine.ExitCode.USAGE;
-                    }
-                    failure.printStackTrace(command.getErr());
-                    return CommandLine.ExitCode.SOFTWARE;
-                })
-                .execute(arguments);
     }
 
     private static boolean isUsersMistake(Exception failure) {

@@ -16,7 +16,6 @@ import org.evoloop.xmi.ModelReference;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
 /** The two models of an evolution, and what their author knows of the device. */
@@ -26,13 +25,7 @@ final class PairOptions {
     private CommandSpec spec;
 
     @Mixin
-    private ReadingOptions reading;
-
-    @Parameters(index = "0", paramLabel = "ORIGINAL", description = "What the device does: FILE#NAME.")
-    private String original;
-
-    @Parameters(index = "1", paramLabel = "NEW", description = "What its owner wants: FILE#NAME.")
-    private String evolved;
+    private PairParameters models;
 
     @Option(
             names = "--sendable",
@@ -66,16 +59,16 @@ final class PairOptions {
     private List<String> doNotPass = List.of();
 
     ModelReference original() {
-        return reading.reference(original);
+        return models.original();
     }
 
     ModelReference evolved() {
-        return reading.reference(evolved);
+        return models.evolved();
     }
 
     /** Reads both models. */
     ModelPair read() {
-        return ModelReader.pair(original(), evolved(), spec);
+        return models.read(spec);
     }
 
     /** Where the parts of {@code pair} stand in their files. */

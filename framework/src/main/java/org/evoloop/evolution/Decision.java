@@ -1,6 +1,5 @@
 package org.evoloop.evolution;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import org.evoloop.statemachine.State;
@@ -59,13 +58,11 @@ public sealed interface Decision {
 
     /** States of the device through which the plan leads, without those in which it begins and ends. */
     default List<State> passed() {
-        List<State> sources = new ArrayList<>();
-        for (Step step : steps()) {
-            if (!step.byDevice()) {
-                sources.add(step.source());
-            }
-        }
-        return sources.isEmpty() ? List.of() : List.copyOf(sources.subList(1, sources.size()));
+        return steps().stream()
+                .filter(step -> !step.byDevice())
+                .skip(1)
+                .map(Step::source)
+                .toList();
     }
 
     /**

@@ -24,8 +24,13 @@ final class PathPlanner {
     private final StateMachine original;
     private final DeviceEvents device;
     private final GuardedTriggers guards;
-    /** Those that were asked last come last. */
-    private final Map<State, PathSearch> searches = new LinkedHashMap<>(KEPT, 0.75f, true);
+    /** The {@link #KEPT} that were asked last. */
+    private final Map<State, PathSearch> searches = new LinkedHashMap<>(KEPT, 0.75f, true) {
+        @Override
+        protected boolean removeEldestEntry(Map.Entry<State, PathSearch> eldest) {
+            return size() > KEPT;
+        }
+    };
 
     PathPlanner(StateMachine original, DeviceEvents device) {
         this.original = original;
@@ -41,7 +46,7 @@ final class PathPlanner {
         if (goals.contains(source)) {
             return Optional.of(List.of());
         }
-        PathSearch search = searchFrom(source);
+        PathSearch search = searches.computeIfAbsent(source, from -> new PathSearch(this, from));
         State goal = goals.size() == 1 ? goals.get(0) : search.nearest(goals);
         Step last = goal == null ? null : search.lastStepTo(goal);
         if (last == null) {
@@ -52,18 +57,6 @@ final class PathPlanner {
             path.addFirst(step);
         }
         return Optional.of(List.copyOf(path));
-    }
-
-    private PathSearch searchFrom(State source) {
-        PathSearch search = searches.get(source);
-        if (search == null) {
-            if (searches.size() == KEPT) {
-                searches.remove(searches.keySet().iterator().next());
-            }
-            search = new PathSearch(this, source);
-            searches.put(source, search);
-        }
-        return search;
     }
 
     List<Transition> transitionsFrom(State state) {

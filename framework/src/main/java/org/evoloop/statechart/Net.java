@@ -7,7 +7,6 @@ import java.util.Set;
  * A statechart whose vertices know their neighbors.
  *
  * @param tops its top regions
- * @param zones in document order
  * @param nodes in document order
  * @param triggers the events that stand on transitions
  * @param timeTriggers the events that are raised by themselves
@@ -17,7 +16,6 @@ import java.util.Set;
 record Net(
         Statechart chart,
         List<Zone> tops,
-        List<Zone> zones,
         List<Node> nodes,
         Set<String> triggers,
         Set<String> timeTriggers,
@@ -30,9 +28,5 @@ record Net(
 
     Node node(int index) {
         return nodes.get(index);
-    }
-
-    Zone zone(int index) {
-        return zones.get(index);
     }
 }

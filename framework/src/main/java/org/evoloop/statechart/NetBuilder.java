@@ -27,8 +27,8 @@ final class NetBuilder {
     private final List<Node> nodes = new ArrayList<>();
     private final Map<String, Node> byKey = new HashMap<>();
     private final List<Arc> arcs = new ArrayList<>();
-    private final List<Zone> zones = new ArrayList<>();
     private final Set<String> spontaneous = new LinkedHashSet<>();
+    private int zones;
     private int links;
 
     private NetBuilder(Statechart chart, List<Problem> problems) {
@@ -67,7 +67,7 @@ final class NetBuilder {
         timeTriggers.removeIf(name -> !isTime(name));
         boolean calm = timeTriggers.isEmpty()
                 && nodes.stream().allMatch(node -> node.activities().isEmpty());
-        return new Net(chart, tops, zones, nodes, named.keySet(), timeTriggers, spontaneous, calm);
+        return new Net(chart, tops, nodes, named.keySet(), timeTriggers, spontaneous, calm);
     }
 
     private static boolean isTime(String trigger) {
@@ -90,8 +90,7 @@ final class NetBuilder {
         if (region.vertices().isEmpty()) {
             return;
         }
-        Zone zone = new Zone(region, owner, zones.size());
-        zones.add(zone);
+        Zone zone = new Zone(region, owner, zones++);
         if (zone.depth > MAX_DEPTH) {
             problems.add(new Problem(
                     region.place(), "states are nested deeper than " + MAX_DEPTH, "draw a machine of fewer levels"));

@@ -5,6 +5,7 @@ import java.time.Duration;
 import java.time.temporal.ChronoUnit;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -26,13 +27,26 @@ final class TimeTrigger {
             Pattern.compile("after\\s+([0-9.].*?|PT?[0-9].*?)" + OWNER, Pattern.CASE_INSENSITIVE),
             Pattern.compile("(P[0-9T.,YMWDHS]*[0-9][YMWDHS])" + OWNER));
 
-    private static final Pattern DURATION =
-            Pattern.compile("([0-9]+(?:\\.[0-9]+)?)\\s*(?:(ms|msec|milliseconds?)|(s|sec|seconds?)|(min|minutes?)"
-                    + "|(h|hours?)|(d|days?))");
+    private static final Pattern DURATION = Pattern.compile("([0-9]+(?:\\.[0-9]+)?)\\s*([a-z]+)");
 
-    /** The unit of each group of {@link #DURATION} but the first. */
-    private static final List<ChronoUnit> UNITS =
-            List.of(ChronoUnit.MILLIS, ChronoUnit.SECONDS, ChronoUnit.MINUTES, ChronoUnit.HOURS, ChronoUnit.DAYS);
+    private static final Map<String, ChronoUnit> UNITS = Map.ofEntries(
+            Map.entry("ms", ChronoUnit.MILLIS),
+            Map.entry("msec", ChronoUnit.MILLIS),
+            Map.entry("millisecond", ChronoUnit.MILLIS),
+            Map.entry("milliseconds", ChronoUnit.MILLIS),
+            Map.entry("s", ChronoUnit.SECONDS),
+            Map.entry("sec", ChronoUnit.SECONDS),
+            Map.entry("second", ChronoUnit.SECONDS),
+            Map.entry("seconds", ChronoUnit.SECONDS),
+            Map.entry("min", ChronoUnit.MINUTES),
+            Map.entry("minute", ChronoUnit.MINUTES),
+            Map.entry("minutes", ChronoUnit.MINUTES),
+            Map.entry("h", ChronoUnit.HOURS),
+            Map.entry("hour", ChronoUnit.HOURS),
+            Map.entry("hours", ChronoUnit.HOURS),
+            Map.entry("d", ChronoUnit.DAYS),
+            Map.entry("day", ChronoUnit.DAYS),
+            Map.entry("days", ChronoUnit.DAYS));
 
     private static final Pattern ISO = Pattern.compile("P(?=[0-9]|T[0-9])" + part('Y') + part('M') + part('W')
             + part('D') + "(?:T(?=[0-9])" + part('H') + part('M') + part('S') + ")?");
@@ -78,12 +92,9 @@ final class TimeTrigger {
             return Optional.of(iso(eventName, iso));
         }
         Matcher duration = DURATION.matcher(text.toLowerCase(Locale.ROOT));
-        if (duration.matches()) {
-            for (int unit = 0; unit < UNITS.size(); unit++) {
-                if (duration.group(2 + unit) != null) {
-                    return Optional.of(exact(eventName, nanos(duration.group(1), UNITS.get(unit))));
-                }
-            }
+        ChronoUnit unit = duration.matches() ? UNITS.get(duration.group(2)) : null;
+        if (unit != null) {
+            return Optional.of(exact(eventName, nanos(duration.group(1), unit)));
         }
         throw new ModelException(
                 WITHOUT_UNIT.matcher(text).matches()

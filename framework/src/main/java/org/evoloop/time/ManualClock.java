@@ -2,6 +2,7 @@ package org.evoloop.time;
 
 import java.time.Duration;
 import java.time.Instant;
+import java.util.Comparator;
 import java.util.Optional;
 import java.util.PriorityQueue;
 import org.jspecify.annotations.Nullable;
@@ -13,30 +14,16 @@ import org.jspecify.annotations.Nullable;
  * <p>Threading: thread-safe; one thread at a time should advance it.
  */
 public final class ManualClock implements Clock {
-    private final PriorityQueue<Task> tasks = new PriorityQueue<>();
+    private final PriorityQueue<Task> tasks =
+            new PriorityQueue<>(Comparator.comparingLong(Task::dueNanos).thenComparingLong(Task::order));
     private long nowNanos;
     private long scheduled;
 
     /** On which a task runs. */
     private volatile @Nullable Thread working;
 
-    private static final class Task implements Comparable<Task> {
-        final long dueNanos;
-        final long order;
-        final Runnable action;
-
-        Task(long dueNanos, long order, Runnable action) {
-            this.dueNanos = dueNanos;
-            this.order = order;
-            this.action = action;
-        }
-
-        @Override
-        public int compareTo(Task other) {
-            int byTime = Long.compare(dueNanos, other.dueNanos);
-            return byTime != 0 ? byTime : Long.compare(order, other.order);
-        }
-    }
+    /** @param order counts what was scheduled; of tasks that are due at one time the first one runs first */
+    private record Task(long dueNanos, long order, Runnable action) {}
 
     @Override
     public synchronized long nanoTime() {
@@ -66,7 +53,7 @@ public final class ManualClock implements Clock {
             Thread before = working;
             working = Thread.currentThread();
             try {
-                due.action.run();
+                due.action().run();
             } finally {
                 working = before;
             }
@@ -78,17 +65,17 @@ public final class ManualClock implements Clock {
 
     private synchronized @Nullable Task pollDue(long until) {
         Task next = tasks.peek();
-        if (next == null || next.dueNanos > until) {
+        if (next == null || next.dueNanos() > until) {
             return null;
         }
-        nowNanos = Math.max(nowNanos, next.dueNanos);
+        nowNanos = Math.max(nowNanos, next.dueNanos());
         return tasks.poll();
     }
 
     /** How long it is until the next task is due; empty if none waits. */
     public synchronized Optional<Duration> untilNext() {
         Task next = tasks.peek();
-        return next == null ? Optional.empty() : Optional.of(Duration.ofNanos(Math.max(0, next.dueNanos - nowNanos)));
+        return next == null ? Optional.empty() : Optional.of(Duration.ofNanos(Math.max(0, next.dueNanos() - nowNanos)));
     }
 
     /** How many tasks wait for their time; for tests that look for timers left behind. */

@@ -1,6 +1,7 @@
 package org.evoloop.roomba;
 
 import java.io.IOException;
+import org.evoloop.program.UsersMistakes;
 import org.evoloop.roomba.camera.CameraException;
 import org.evoloop.roomba.camera.tool.CalibrateCommand;
 import org.evoloop.roomba.camera.tool.CameraCommand;
@@ -63,23 +64,7 @@ public final class Main {
     }
 
     private static CommandLine withHandlers(CommandLine commandLine) {
-        return commandLine
-                .setCaseInsensitiveEnumValuesAllowed(true)
-                .setParameterExceptionHandler((mistake, given) -> {
-                    CommandLine command = mistake.getCommandLine();
-                    command.getErr()
-                            .println("error: " + mistake.getMessage() + " (see "
-                                    + command.getCommandSpec().qualifiedName() + " --help)");
-                    return CommandLine.ExitCode.USAGE;
-                })
-                .setExecutionExceptionHandler((failure, command, parsed) -> {
-                    if (isUsersMistake(failure)) {
-                        command.getErr().println("error: " + failure.getMessage());
-                        return CommandLine.ExitCode.USAGE;
-                    }
-                    failure.printStackTrace(command.getErr());
-                    return CommandLine.ExitCode.SOFTWARE;
-                });
+        return UsersMistakes.toldBy(commandLine.setCaseInsensitiveEnumValuesAllowed(true), Main::isUsersMistake);
     }
 
     private static boolean isUsersMistake(Exception failure) {

@@ -15,6 +15,7 @@ import com.tngtech.archunit.junit.AnalyzeClasses;
 import com.tngtech.archunit.junit.ArchTest;
 import com.tngtech.archunit.lang.ArchRule;
 import org.evoloop.converter.DeviceLink;
+import org.evoloop.loop.Threads;
 import org.evoloop.roomba.link.LinkException;
 import org.evoloop.roomba.simulator.SimulatorCommand;
 
@@ -51,7 +52,7 @@ class ArchitectureTest {
 
     @ArchTest
     static final ArchRule theSimulatorKnowsNothingOfTheConverter =
-            room(SIMULATOR, resideInAnyPackage(OI, NATIVES, TIME));
+            room(SIMULATOR, or(resideInAnyPackage(OI, NATIVES, TIME), type(Threads.class)));
 
     @ArchTest
     static final ArchRule theSessionKnowsTheRobotOnly =

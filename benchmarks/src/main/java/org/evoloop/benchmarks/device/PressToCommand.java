@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import org.HdrHistogram.Histogram;
 import org.evoloop.benchmarks.report.Latencies;
+import org.evoloop.benchmarks.running.PaperModels;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.roomba.RobotModels;
@@ -18,7 +19,6 @@ import org.evoloop.roomba.session.SessionOptions;
 import org.evoloop.roomba.simulator.SimulatorServer;
 import org.evoloop.roomba.simulator.WorldCommands;
 import org.evoloop.roomba.simulator.robot.RobotOptions;
-import org.evoloop.statemachine.StateMachine;
 import org.evoloop.time.Clock;
 import org.evoloop.time.SystemClock;
 
@@ -40,14 +40,7 @@ public final class PressToCommand {
     public static void main(String[] arguments) throws IOException, InterruptedException {
         int wanted = Integer.parseInt(arguments[0]);
         PressWay way = PressWay.valueOf(arguments[1]);
-        StateMachine device = StateMachine.named("device")
-                .initial("Off")
-                .transition("Off", "Clean", "On")
-                .transition("On", "Clean", "Clean")
-                .transition("On", "Spot", "Spot")
-                .transition("Clean", "Clean", "On")
-                .transition("Spot", "endSpot", "On")
-                .build();
+        var device = PaperModels.cleaningRobot().original();
         Histogram nanos = Latencies.histogram();
         Path folder = Files.createTempDirectory("evoloop");
         Path port = folder.resolve("roomba");

@@ -5,6 +5,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
 import org.evoloop.benchmarks.profile.Profile;
+import org.evoloop.program.Svg;
 
 /**
  * A flame graph that hangs from its top: a thread, and below each method those that it called, as wide as they were seen
@@ -16,10 +17,11 @@ public final class FlameGraph {
     private static final double HEAD = 70;
     private static final double HEIGHT = 18;
     private static final double LETTER = 6.7;
+    private static final double FONT_SIZE = 11;
     private static final double NARROWEST = 0.6;
 
     private static final String STYLE = """
-            text { fill: #1b2733; font-size: 11px }
+            text { fill: #1b2733 }
             .title { font-size: 17px; font-weight: bold }
             .note { fill: #57606a; font-size: 12px }
             rect { stroke: #fff; stroke-width: 0.5 }
@@ -48,7 +50,8 @@ public final class FlameGraph {
             }
         });
         double height = HEAD + root.depth() * HEIGHT + MARGIN;
-        FlameGraph graph = new FlameGraph(new Svg(title, WIDTH, height, STYLE), Math.max(1, root.samples));
+        FlameGraph graph =
+                new FlameGraph(new Svg(title, WIDTH, height, FONT_SIZE, STYLE, ""), Math.max(1, root.samples));
         graph.svg
                 .text("title", MARGIN, 26, title)
                 .text(
@@ -95,8 +98,8 @@ public final class FlameGraph {
     }
 
     private void draw(String name, long count, double x, double top, double width) {
-        svg.group(String.format(Locale.ROOT, "%s: %.1f %%", name, 100 * count / samples));
-        svg.rectangle(kind(name, top), x, top, width, HEIGHT);
+        svg.groupWithTip(String.format(Locale.ROOT, "%s: %.1f %%", name, 100 * count / samples));
+        svg.rectangle(kind(name, top), x, top, width, HEIGHT, 0);
         String shown = shorten(name, (int) ((width - 6) / LETTER));
         if (!shown.isEmpty()) {
             svg.text("name", x + 3, top + 13, shown);

@@ -8,6 +8,7 @@ import java.util.stream.Stream;
 import org.evoloop.benchmarks.report.Results;
 import org.evoloop.benchmarks.report.Row;
 import org.evoloop.benchmarks.report.Table;
+import org.evoloop.program.Svg;
 
 /**
  * The plot of a run: how long a decision takes, ours and others', and how long the loop takes beside bare rings, each with
@@ -22,10 +23,11 @@ public final class SpeedPlot {
     private static final double PANEL_FOOT = 40;
     private static final double FULL_COLUMN = WIDTH - 132;
     private static final double HOLLOW_COLUMN = WIDTH - 20;
+    private static final double FONT_SIZE = 14;
     private static final double LINE_HEIGHT = 26;
 
     private static final String STYLE = """
-            text { fill: #1b2733; font-size: 14px }
+            text { fill: #1b2733 }
             .title { font-size: 19px; font-weight: bold }
             .heading { font-size: 16px; font-weight: bold }
             .origin, .mark { fill: #57606a; font-size: 12px }
@@ -72,7 +74,7 @@ public final class SpeedPlot {
                         "99th percentile",
                         row(results, "the whole loop, 4 threads, 99th percentile")));
         double height = HEAD + panels.stream().mapToDouble(Panel::height).sum();
-        SpeedPlot plot = new SpeedPlot(new Svg("How fast Evoloop is", WIDTH, height, STYLE));
+        SpeedPlot plot = new SpeedPlot(new Svg("How fast Evoloop is", WIDTH, height, FONT_SIZE, STYLE, ""));
         plot.svg
                 .text("title", 20, 32, "Evoloop beside others, in one run; further left is faster")
                 .text(

@@ -1,6 +1,5 @@
 package org.evoloop.benchmarks.loading;
 
-import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -11,7 +10,7 @@ import org.evoloop.benchmarks.report.Row;
 import org.evoloop.benchmarks.report.Suite;
 import org.evoloop.xmi.ModelFiles;
 
-/** Reading and compiling in a process that has just begun and in one that is warm, and the size of the jar. */
+/** Reading and compiling in a process that has just begun and in one that is warm. */
 public final class LoadingSuite implements Suite {
     /**
      * All memory is handed out before the first time: on a virtual machine that takes longer than all the rest, and differs
@@ -56,17 +55,6 @@ public final class LoadingSuite implements Suite {
                         read.figures().get("rss"),
                         Row.Goal.atMost(55),
                         Map.of("JDK DOM parse", dom.figures().get("rss"))),
-                LargePair.row(warm),
-                new Row("the framework's jar without XMI", "kB", coreKilobytes(), Row.Goal.atMost(150)));
-    }
-
-    private static double coreKilobytes() throws IOException {
-        Path built = Path.of(System.getProperty("evoloop.home", ""), "framework", "target");
-        try (var jars = Files.newDirectoryStream(built, "framework-*-core.jar")) {
-            for (Path jar : jars) {
-                return Files.size(jar) / 1000.0;
-            }
-        }
-        throw new IOException("there is no framework/target/framework-*-core.jar; run ./evoloop setup and build");
+                LargePair.row(warm));
     }
 }

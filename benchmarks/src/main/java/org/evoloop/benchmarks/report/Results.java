@@ -3,13 +3,14 @@ package org.evoloop.benchmarks.report;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.stream.Collectors;
 import tools.jackson.core.JacksonException;
-import tools.jackson.databind.JsonNode;
+import tools.jackson.core.util.DefaultIndenter;
+import tools.jackson.core.util.DefaultPrettyPrinter;
+import tools.jackson.databind.DeserializationFeature;
+import tools.jackson.databind.MapperFeature;
+import tools.jackson.databind.ObjectWriter;
 import tools.jackson.databind.json.JsonMapper;
 
 /**
@@ -19,6 +20,52 @@ import tools.jackson.databind.json.JsonMapper;
  * <p>Threading: immutable.
  */
 public record Results(Origin origin, List<Row> rows) {
+    private static final JsonMapper MAPPER = JsonMapper.builder()
+            .disable(MapperFeature.SORT_PROPERTIES_ALPHABETICALLY)
+            .enable(DeserializationFeature.FAIL_ON_MISSING_CREATOR_PROPERTIES)
+            .enable(DeserializationFeature.FAIL_ON_NULL_CREATOR_PROPERTIES)
+            .build();
+
+    private static final ObjectWriter A_ROW_A_LINE = MAPPER.writer()
+            .with(new DefaultPrettyPrinter()
+                    .withObjectIndenter(DefaultPrettyPrinter.FixedSpaceIndenter.instance())
+                    .withArrayIndenter(DefaultIndenter.SYSTEM_LINEFEED_INSTANCE.withLinefeed("\n")));
+
+    /** The file. */
+    record Document(String machine, String commit, String day, List<Line> rows) {}
+
+    /** A row of the file; what follows from the rest, as the ratio, is written as well. */
+    record Line(
+            String what,
+            String unit,
+            double ours,
+            String against,
+            double againstValue,
+            double ratio,
+            double bound,
+            boolean atLeast,
+            boolean reached,
+            Map<String, Double> peers) {
+        static Line of(Row row) {
+            Row.Goal goal = row.goal();
+            return new Line(
+                    row.what(),
+                    row.unit(),
+                    row.ours(),
+                    goal.name(),
+                    goal.against(),
+                    goal.ratio(row.ours()),
+                    goal.bound(),
+                    goal.atLeast(),
+                    row.reached(),
+                    row.peers());
+        }
+
+        Row row() {
+            return new Row(what, unit, ours, new Row.Goal(against, againstValue, bound, atLeast), peers);
+        }
+    }
+
     public Results {
         rows = List.copyOf(rows);
     }
@@ -30,7 +77,10 @@ public record Results(Origin origin, List<Row> rows) {
      */
     public static Results read(Path file) {
         try {
-            return parse(Files.readString(file));
+            Document document = MAPPER.readValue(Files.readString(file), Document.class);
+            return new Results(
+                    new Origin(document.machine, document.commit, document.day),
+                    document.rows.stream().map(Line::row).toList());
         } catch (IOException cause) {
             throw new IllegalArgumentException(
                     file + " cannot be read; name a file that ./evoloop bench --json has written", cause);
@@ -40,48 +90,10 @@ public record Results(Origin origin, List<Row> rows) {
         }
     }
 
-    static Results parse(String text) {
-        JsonNode root = JsonMapper.shared().readTree(text);
-        List<Row> rows = new ArrayList<>();
-        root.required("rows").forEach(row -> rows.add(row(row)));
-        return new Results(new Origin(text(root, "machine"), text(root, "commit"), text(root, "day")), rows);
-    }
-
-    private static Row row(JsonNode row) {
-        Map<String, Double> peers = new LinkedHashMap<>();
-        row.required("peers").forEachEntry((name, value) -> peers.put(name, value.doubleValue()));
-        Row.Goal goal = new Row.Goal(
-                text(row, "against"),
-                row.required("againstValue").doubleValue(),
-                row.required("bound").doubleValue(),
-                row.required("atLeast").booleanValue());
-        return new Row(
-                text(row, "what"), text(row, "unit"), row.required("ours").doubleValue(), goal, peers);
-    }
-
-    private static String text(JsonNode node, String field) {
-        return node.required(field).stringValue();
-    }
-
-    /** The results as JSON; what follows from the rest, as the ratio, is written as well. */
+    /** The results as JSON. */
     public String json() {
-        String all = rows.stream().map(Results::json).collect(Collectors.joining(",\n    "));
-        return "{\n  \"machine\": " + quote(origin.machine()) + ",\n  \"commit\": " + quote(origin.commit())
-                + ",\n  \"day\": " + quote(origin.day()) + ",\n  \"rows\": [\n    " + all + "\n  ]\n}\n";
-    }
-
-    private static String json(Row row) {
-        String peers = row.peers().entrySet().stream()
-                .map(peer -> quote(peer.getKey()) + ": " + peer.getValue())
-                .collect(Collectors.joining(", "));
-        Row.Goal goal = row.goal();
-        return "{\"what\": " + quote(row.what()) + ", \"unit\": " + quote(row.unit()) + ", \"ours\": " + row.ours()
-                + ", \"against\": " + quote(goal.name()) + ", \"againstValue\": " + goal.against() + ", \"ratio\": "
-                + goal.ratio(row.ours()) + ", \"bound\": " + goal.bound() + ", \"atLeast\": " + goal.atLeast()
-                + ", \"reached\": " + row.reached() + ", \"peers\": {" + peers + "}}";
-    }
-
-    private static String quote(String text) {
-        return '"' + text.replace("\\", "\\\\").replace("\"", "\\\"") + '"';
+        List<Line> lines = rows.stream().map(Line::of).toList();
+        return A_ROW_A_LINE.writeValueAsString(new Document(origin.machine(), origin.commit(), origin.day(), lines))
+                + "\n";
     }
 }

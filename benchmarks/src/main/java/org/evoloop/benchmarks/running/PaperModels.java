@@ -4,10 +4,11 @@ import org.evoloop.evolution.ModelPair;
 import org.evoloop.statemachine.StateMachine;
 
 /** The paper's cleaning robot, the same as {@code models/cleaning-robot.xml}: a forked JVM needs no file. */
-final class PaperModels {
+public final class PaperModels {
     private PaperModels() {}
 
-    static ModelPair cleaningRobot() {
+    /** The pair, without its file. */
+    public static ModelPair cleaningRobot() {
         return new ModelPair(
                 StateMachine.named("original")
                         .initial("Off")

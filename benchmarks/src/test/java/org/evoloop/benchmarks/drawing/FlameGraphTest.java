@@ -25,11 +25,11 @@ class FlameGraphTest {
                 .containsSubsequence(
                         "<title>It &amp; more</title>",
                         "<g><title>main: 100.0 %</title>",
-                        "<rect class=\"thread\" x=\"10.0\" y=\"70.0\" width=\"1180.0\" height=\"18.0\"/>",
+                        "<rect class=\"thread\" x=\"10\" y=\"70\" width=\"1180\" height=\"18\" rx=\"0\"/>",
                         "<g><title>org.evoloop.A.run: 100.0 %</title>",
-                        "<rect class=\"ours\" x=\"10.0\" y=\"88.0\" width=\"1180.0\" height=\"18.0\"/>",
+                        "<rect class=\"ours\" x=\"10\" y=\"88\" width=\"1180\" height=\"18\" rx=\"0\"/>",
                         "<g><title>java.util.Map.get: 75.0 %</title>",
-                        "<rect class=\"other\" x=\"10.0\" y=\"106.0\" width=\"885.0\" height=\"18.0\"/>");
+                        "<rect class=\"other\" x=\"10\" y=\"106\" width=\"885\" height=\"18\" rx=\"0\"/>");
     }
 
     @Test

@@ -45,7 +45,7 @@ class ResultsTest {
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> Results.read(other))
                 .withMessageContaining("other.json is not what ./evoloop bench --json writes")
-                .withMessageContaining("peers");
+                .withMessageContaining("unit");
     }
 
     @Test

@@ -3,8 +3,8 @@ package org.evoloop.models.diagram;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Function;
-import java.util.stream.Stream;
 import org.evoloop.models.chart.ArcLabel;
+import org.evoloop.models.chart.StateLabel;
 import org.evoloop.models.diagram.Diagram.Edge;
 import org.evoloop.models.diagram.Diagram.Node;
 import org.evoloop.models.diagram.Diagram.Shape;
@@ -71,18 +71,8 @@ public final class ChartDiagram {
         } else {
             state.regions().forEach(region -> children.add(region(region)));
         }
-        return new Node(state.key(), Shape.STATE, state.name(), notes(state), children, vertexTone.apply(state));
-    }
-
-    private static List<String> notes(ChartState state) {
-        return Stream.of(
-                        state.entry().stream().map(behavior -> "entry / " + behavior),
-                        state.doActivities().stream().map(behavior -> "do / " + behavior),
-                        state.exit().stream().map(behavior -> "exit / " + behavior),
-                        state.internal().stream().map(ArcLabel::of),
-                        state.deferred().stream().map(event -> event + " / defer"))
-                .flatMap(lines -> lines)
-                .toList();
+        return new Node(
+                state.key(), Shape.STATE, state.name(), StateLabel.belowName(state), children, vertexTone.apply(state));
     }
 
     private static Shape shape(Vertex.Kind kind) {

@@ -7,6 +7,7 @@ import java.util.Objects;
 import org.evoloop.models.diagram.Diagram.Node;
 import org.evoloop.models.diagram.Diagram.Shape;
 import org.evoloop.models.diagram.Layout.Box;
+import org.evoloop.program.Svg;
 
 /** Paints nodes in UML's notation. */
 final class NodePainter {
@@ -59,7 +60,7 @@ final class NodePainter {
     }
 
     private void line(String cssClass, double x1, double y1, double x2, double y2) {
-        svg.path(cssClass, "M" + Svg.pair(x1, y1) + " L" + Svg.pair(x2, y2));
+        svg.line(cssClass, x1, y1, x2, y2);
     }
 
     /** The dashed lines between the regions of an orthogonal state, which the layout puts in a row or in a column. */

@@ -5,10 +5,12 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.stream.Collectors;
 import org.evoloop.models.diagram.Diagram.Tone;
 import org.evoloop.models.diagram.Layout.Box;
 import org.evoloop.models.diagram.Layout.Point;
 import org.evoloop.models.diagram.Layout.Wire;
+import org.evoloop.program.Svg;
 
 /**
  * Writes diagrams as one SVG picture: a frame each, and a legend if a part has a tone of its own. The text is the same
@@ -21,7 +23,6 @@ public final class SvgWriter {
     private static final double CORNER = 7;
 
     private static final String STYLE = """
-            .paper { fill: #fff }
             .border { fill: none; stroke: #bbb }
             .line { fill: none; stroke-linejoin: round }
             .separator { stroke-dasharray: 9 6 }
@@ -34,44 +35,37 @@ public final class SvgWriter {
     /** Stands behind the colours, which it overrules. */
     private static final String FRAME_STYLE = ".state .frame, .pseudostate .hollow { fill: #fff }\n";
 
-    private final Svg svg = new Svg();
+    private final Svg svg;
 
-    private SvgWriter() {}
+    private SvgWriter(Svg svg) {
+        this.svg = svg;
+    }
 
     /** The picture of {@code diagrams}, beside and below each other. */
     public static String write(String title, List<Diagram> diagrams) {
-        return new SvgWriter().picture(title, diagrams);
-    }
-
-    private String picture(String title, List<Diagram> diagrams) {
         List<Layout> layouts = diagrams.stream().map(ElkLayout::of).toList();
         Shelves shelves = Shelves.of(layouts);
         Set<Tone> tones = tones(diagrams);
         Set<Tone> explained = explained(tones);
         double legend = explained.isEmpty() ? 0 : explained.size() * LEGEND_LINE + GAP;
         double width = legend == 0 ? shelves.width() : Math.max(shelves.width(), LEGEND_WIDTH);
-        double height = shelves.height() + legend;
-        head(title, width, height, tones);
-        svg.rectangle("paper", 0, 0, width, height, 0);
+        SvgWriter writer = new SvgWriter(
+                new Svg(title, width, shelves.height() + legend, TextSize.FONT_SIZE, style(tones), markers(tones)));
         for (int i = 0; i < layouts.size(); i++) {
-            machine(diagrams.get(i), layouts.get(i), shelves.places().get(i));
+            writer.machine(diagrams.get(i), layouts.get(i), shelves.places().get(i));
         }
         if (legend > 0) {
-            legend(explained, shelves.height());
+            writer.legend(explained, shelves.height());
         }
-        return svg.raw("</svg>\n").toString();
+        return writer.svg.toString();
     }
 
-    private void head(String title, double width, double height, Set<Tone> tones) {
-        svg.raw("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + Svg.pair(width, height) + "\" width=\""
-                + Svg.number(width) + "\" height=\"" + Svg.number(height)
-                + "\" font-family=\"DejaVu Sans, Verdana, Arial, sans-serif\" font-size=\""
-                + Svg.number(TextSize.FONT_SIZE) + "\">\n");
-        svg.raw("<title>" + Svg.escape(title) + "</title>\n<style>\n").raw(STYLE);
-        tones.forEach(tone -> svg.raw(Palette.of(tone).css()));
-        svg.raw(FRAME_STYLE).raw("</style>\n<defs>\n");
-        tones.forEach(tone -> svg.raw(Palette.of(tone).marker()));
-        svg.raw("</defs>\n");
+    private static String style(Set<Tone> tones) {
+        return tones.stream().map(tone -> Palette.of(tone).css()).collect(Collectors.joining("", STYLE, FRAME_STYLE));
+    }
+
+    private static String markers(Set<Tone> tones) {
+        return tones.stream().map(tone -> Palette.of(tone).marker()).collect(Collectors.joining());
     }
 
     private static Set<Tone> tones(List<Diagram> diagrams) {
@@ -162,7 +156,7 @@ public final class SvgWriter {
         for (Tone tone : tones) {
             Palette palette = Palette.of(tone);
             svg.group("legend " + palette.cssClass());
-            svg.path("line way", "M" + Svg.pair(GAP, y) + " L" + Svg.pair(GAP + 46, y));
+            svg.line("line way", GAP, y, GAP + 46, y);
             svg.text("meaning", GAP + 58, y + 4.5, palette.meaning()).endGroup();
             y += LEGEND_LINE;
         }

@@ -3,9 +3,9 @@ package org.evoloop.models.format;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.stream.Stream;
 import org.evoloop.models.chart.ArcLabel;
 import org.evoloop.models.chart.ChartIndex;
+import org.evoloop.models.chart.StateLabel;
 import org.evoloop.statechart.Arc;
 import org.evoloop.statechart.Region;
 import org.evoloop.statechart.Statechart;
@@ -77,17 +77,8 @@ public final class Dot {
     }
 
     private static String compartments(ChartState state) {
-        return String.join(
-                "\n",
-                Stream.of(
-                                Stream.of(state.name()),
-                                state.entry().stream().map(behavior -> "entry / " + behavior),
-                                state.doActivities().stream().map(behavior -> "do / " + behavior),
-                                state.exit().stream().map(behavior -> "exit / " + behavior),
-                                state.internal().stream().map(ArcLabel::of),
-                                state.deferred().stream().map(event -> event + " / defer"))
-                        .flatMap(lines -> lines)
-                        .toList());
+        String below = String.join("\n", StateLabel.belowName(state));
+        return below.isEmpty() ? state.name() : state.name() + "\n" + below;
     }
 
     private static String look(Vertex vertex) {

@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.stream.Collectors;
 import org.evoloop.models.chart.ArcLabel;
 import org.evoloop.models.chart.ChartIndex;
+import org.evoloop.models.chart.StateLabel;
 import org.evoloop.statechart.Arc;
 import org.evoloop.statechart.Region;
 import org.evoloop.statechart.Statechart;
@@ -63,11 +64,7 @@ public final class PlantUml {
                 regions(state.regions(), depth + 1);
                 line(depth, "}");
             }
-            state.entry().forEach(behavior -> note(alias, "entry / " + behavior, depth));
-            state.doActivities().forEach(behavior -> note(alias, "do / " + behavior, depth));
-            state.exit().forEach(behavior -> note(alias, "exit / " + behavior, depth));
-            state.internal().forEach(arc -> note(alias, ArcLabel.of(arc), depth));
-            state.deferred().forEach(event -> note(alias, event + " / defer", depth));
+            StateLabel.belowName(state).forEach(text -> note(alias, text, depth));
         } else if (vertex instanceof Pseudostate point && point.kind() != Kind.INITIAL) {
             line(
                     depth,

@@ -27,7 +27,7 @@ import org.evoloop.testkit.ConverterHarness;
  */
 final class FrameworkRepository {
     private static final String OURS = "org/evoloop/";
-    private static final String TOOL = "org/evoloop/models/";
+    private static final List<String> TOOL = List.of("org/evoloop/models/", "org/evoloop/program/");
     private static final String KIT = "org/evoloop/testkit/";
     private static final int MARK_DIGITS = 10;
 
@@ -44,7 +44,9 @@ final class FrameworkRepository {
     /** Packs both. @throws IOException if their classes cannot be read */
     static FrameworkRepository pack() throws IOException {
         return new FrameworkRepository(
-                jar(classes(SystemEventConverter.class, name -> !name.startsWith(TOOL) && !name.startsWith(KIT))),
+                jar(classes(
+                        SystemEventConverter.class,
+                        name -> !name.startsWith(KIT) && TOOL.stream().noneMatch(name::startsWith))),
                 jar(classes(ConverterHarness.class, name -> name.startsWith(KIT))));
     }
 

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.evoloop.statechart.Arc;
+import org.evoloop.statemachine.ModelException;
 
 /**
  * One machine as it stands in a chart, with the keys of its vertices. The machine of a submachine state is a scope of
@@ -13,9 +14,9 @@ import org.evoloop.statechart.Arc;
  *
  * <p>Threading: for one thread.
  *
- * @param <M> how a dialect calls a machine, with equality
+ * @param <M> a dialect's elements, with equality
  */
-public final class ChartScope<M> {
+public final class ChartScope<M extends UmlElement> {
     private static final int MAX_VERTICES = 500_000;
     private static final int MAX_NESTED_MACHINES = 50;
 
@@ -38,7 +39,7 @@ public final class ChartScope<M> {
     }
 
     /** The scope of the machine that is read. */
-    public static <M> ChartScope<M> of(M machine) {
+    public static <M extends UmlElement> ChartScope<M> of(M machine) {
         return new ChartScope<>(machine, "", List.of(), new int[1]);
     }
 
@@ -56,20 +57,27 @@ public final class ChartScope<M> {
      * Makes a vertex known.
      *
      * @param outerStateKey of the state in which it stands; empty if it stands directly in the machine
-     * @return what is wrong with it and how to mend it; empty if nothing is
+     * @throws ModelException if the chart has too many
      */
-    public String define(String id, String outerStateKey) {
+    public void define(M vertex, String outerStateKey, Problems problems) {
+        String id = vertex.id();
         String key = key(id);
         if (!outerStateKey.isEmpty()) {
             outerStates.put(key, outerStateKey);
         }
         if (id.isEmpty()) {
-            return " has no id; export the model again with ids";
+            wrong(vertex, " has no id; export the model again with ids", problems);
+        } else if (keys.putIfAbsent(id, key) != null) {
+            wrong(vertex, " has the id of another vertex; give each an id of its own", problems);
         }
-        if (keys.putIfAbsent(id, key) != null) {
-            return " has the id of another vertex; give each an id of its own";
+        if (++vertices[0] > MAX_VERTICES) {
+            throw new ModelException(machine.file() + ": with its submachines, state machine " + machine.label()
+                    + " (line " + machine.line() + ") is too large: use fewer of them");
         }
-        return "";
+    }
+
+    private static void wrong(UmlElement vertex, String what, Problems problems) {
+        problems.add(vertex.line(), vertex.type() + " " + vertex.label() + what);
     }
 
     /** Lets an id stand for a vertex that has another one. */
@@ -82,15 +90,19 @@ public final class ChartScope<M> {
         return Optional.ofNullable(keys.get(id));
     }
 
-    /** The scope of the machine that a submachine state holds; none if the chart would have no end. */
-    public Optional<ChartScope<M>> open(String stateId, M submachine) {
+    /** The scope of the machine that a submachine state holds; none, and a problem, if the chart would have no end. */
+    public Optional<ChartScope<M>> open(M state, M submachine, Problems problems) {
         List<M> outer = new ArrayList<>(enclosing);
         outer.add(machine);
         if (outer.contains(submachine) || outer.size() > MAX_NESTED_MACHINES) {
+            problems.add(
+                    state.line(),
+                    "submachine state " + state.label() + " holds state machine " + submachine.label()
+                            + ", which holds this state; end the cycle");
             return Optional.empty();
         }
-        ChartScope<M> scope = new ChartScope<>(submachine, key(stateId) + "/", List.copyOf(outer), vertices);
-        submachines.put(stateId, scope);
+        ChartScope<M> scope = new ChartScope<>(submachine, key(state.id()) + "/", List.copyOf(outer), vertices);
+        submachines.put(state.id(), scope);
         return Optional.of(scope);
     }
 
@@ -102,11 +114,6 @@ public final class ChartScope<M> {
     /** The machines of all submachine states. */
     public List<ChartScope<M>> submachines() {
         return List.copyOf(submachines.values());
-    }
-
-    /** Counts one more vertex of the chart; false if there are too many. */
-    public boolean fits() {
-        return ++vertices[0] <= MAX_VERTICES;
     }
 
     /** Whether the vertex stands in the state, at any depth, or is it. */

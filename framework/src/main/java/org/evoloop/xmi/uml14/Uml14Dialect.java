@@ -2,6 +2,7 @@ package org.evoloop.xmi.uml14;
 
 import java.util.List;
 import org.evoloop.xmi.dialect.DrawnMachine;
+import org.evoloop.xmi.dialect.UmlMachine;
 import org.evoloop.xmi.dialect.XmiDialect;
 import org.evoloop.xmi.dialect.XmiHead;
 import org.evoloop.xmi.dialect.XmiStream;
@@ -22,7 +23,8 @@ public final class Uml14Dialect implements XmiDialect {
     @Override
     public List<DrawnMachine> read(XmiHead head, XmiStream stream) {
         return Uml14Document.read(stream).machines().stream()
-                .<DrawnMachine>map(Uml14Machine::new)
+                .<DrawnMachine>map(machine -> new UmlMachine(
+                        machine, (title, problems) -> new Uml14ChartReader(problems).read(machine, title)))
                 .toList();
     }
 }

@@ -3,8 +3,8 @@ package org.evoloop.xmi.uml14;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
-import org.evoloop.statechart.Place;
 import org.evoloop.xmi.dialect.Problems;
+import org.evoloop.xmi.dialect.UmlElement;
 import org.evoloop.xmi.dialect.XmlNode;
 
 /**
@@ -12,14 +12,16 @@ import org.evoloop.xmi.dialect.XmlNode;
  * other elements, or in XMI 1.0 texts; classes of elements are the last part of their names, since XMI 1.0 writes
  * {@code Behavioral_Elements.State_Machines.Transition}.
  */
-record Uml14Element(XmlNode node, Uml14Document document) {
+record Uml14Element(XmlNode node, Uml14Document document) implements UmlElement {
 
-    String id() {
+    @Override
+    public String id() {
         return node.attribute("xmi.id");
     }
 
     /** The class of UML, such as {@code SimpleState}. */
-    String type() {
+    @Override
+    public String type() {
         return lastPart(node.name());
     }
 
@@ -38,7 +40,8 @@ record Uml14Element(XmlNode node, Uml14Document document) {
     }
 
     /** With single spaces; empty if it has none. */
-    String name() {
+    @Override
+    public String name() {
         return text("name").strip().replaceAll("\\s+", " ");
     }
 
@@ -111,16 +114,8 @@ record Uml14Element(XmlNode node, Uml14Document document) {
         }
     }
 
-    int line() {
-        return node.line();
-    }
-
-    Place place() {
-        return new Place(id(), line());
-    }
-
-    /** For messages. */
-    String label() {
-        return Problems.label(name(), id());
+    @Override
+    public String file() {
+        return document.file();
     }
 }

@@ -1,10 +1,8 @@
 package org.evoloop.xmi.uml14;
 
 import java.util.List;
-import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
-import org.evoloop.statemachine.ModelException;
 import org.evoloop.xmi.dialect.ChartScope;
 import org.evoloop.xmi.dialect.Problems;
 
@@ -55,15 +53,7 @@ final class Uml14Vertices {
                 content(scope, vertex, outerState);
                 continue;
             }
-            String wrong = scope.define(vertex.id(), outerState);
-            if (!wrong.isEmpty()) {
-                problems.add(vertex.line(), vertex.type() + " " + vertex.label() + wrong);
-            }
-            if (!scope.fits()) {
-                throw new ModelException(scope.machine().document().file() + ": with its submachines, state machine "
-                        + scope.machine().label() + " (line " + scope.machine().line()
-                        + ") is too large: use fewer of them");
-            }
+            scope.define(vertex, outerState, problems);
             if (isState(vertex)) {
                 submachine(scope, vertex);
                 content(scope, vertex, scope.key(vertex.id()));
@@ -75,14 +65,7 @@ final class Uml14Vertices {
 
     private void submachine(ChartScope<Uml14Element> scope, Uml14Element state) {
         for (Uml14Element machine : state.all("submachine", problems)) {
-            Optional<ChartScope<Uml14Element>> inner = scope.open(state.id(), machine);
-            inner.ifPresent(this::define);
-            if (inner.isEmpty()) {
-                problems.add(
-                        state.line(),
-                        "submachine state " + state.label() + " holds state machine " + machine.label()
-                                + ", which holds this state; end the cycle");
-            }
+            scope.open(state, machine, problems).ifPresent(this::define);
         }
     }
 

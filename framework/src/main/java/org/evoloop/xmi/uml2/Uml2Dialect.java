@@ -3,6 +3,7 @@ package org.evoloop.xmi.uml2;
 import java.util.List;
 import java.util.Locale;
 import org.evoloop.xmi.dialect.DrawnMachine;
+import org.evoloop.xmi.dialect.UmlMachine;
 import org.evoloop.xmi.dialect.XmiDialect;
 import org.evoloop.xmi.dialect.XmiHead;
 import org.evoloop.xmi.dialect.XmiStream;
@@ -32,6 +33,11 @@ public final class Uml2Dialect implements XmiDialect {
     @Override
     public List<DrawnMachine> read(XmiHead head, XmiStream stream) {
         Uml2Document document = Uml2Document.read(head, stream);
-        return document.machines().stream().<DrawnMachine>map(Uml2Machine::new).toList();
+        return document.machines().stream()
+                .<DrawnMachine>map(machine -> new UmlMachine(
+                        machine,
+                        (title, problems) ->
+                                new Uml2ChartReader(new Uml2References(problems), problems).read(machine, title)))
+                .toList();
     }
 }

@@ -2,12 +2,11 @@ package org.evoloop.xmi.uml2;
 
 import java.util.List;
 import java.util.Map;
-import org.evoloop.statechart.Place;
-import org.evoloop.xmi.dialect.Problems;
+import org.evoloop.xmi.dialect.UmlElement;
 import org.evoloop.xmi.dialect.XmlNode;
 
 /** An element of UML, in the document in which its references mean something. */
-record Uml2Element(XmlNode node, Uml2Document document) {
+record Uml2Element(XmlNode node, Uml2Document document) implements UmlElement {
     /** What a tool need not say, since only one type fits the role. */
     private static final Map<String, String> TYPE_BY_ROLE = Map.of(
             "region", "Region",
@@ -20,12 +19,14 @@ record Uml2Element(XmlNode node, Uml2Document document) {
             "connectionPoint", "Pseudostate",
             "connection", "ConnectionPointReference");
 
-    String id() {
+    @Override
+    public String id() {
         return node.attribute("xmi:id");
     }
 
     /** The type of UML without prefix, such as {@code State}; empty if the file gives none. */
-    String type() {
+    @Override
+    public String type() {
         return type(node.attribute("xmi:type"), node.namespace(), node.name());
     }
 
@@ -37,7 +38,8 @@ record Uml2Element(XmlNode node, Uml2Document document) {
     }
 
     /** With single spaces, since some tools break long names; empty if it has none. */
-    String name() {
+    @Override
+    public String name() {
         String name = node.attribute("name");
         if (name.isEmpty()) {
             name = node.child("name").map(XmlNode::text).orElse("");
@@ -61,16 +63,8 @@ record Uml2Element(XmlNode node, Uml2Document document) {
         return !node.attribute("xmi:idref").isEmpty() || !node.attribute("href").isEmpty();
     }
 
-    int line() {
-        return node.line();
-    }
-
-    Place place() {
-        return new Place(id(), line());
-    }
-
-    /** For messages. */
-    String label() {
-        return Problems.label(name(), id());
+    @Override
+    public String file() {
+        return document.file();
     }
 }

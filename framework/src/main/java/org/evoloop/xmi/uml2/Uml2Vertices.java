@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
-import org.evoloop.statemachine.ModelException;
 import org.evoloop.xmi.dialect.ChartScope;
 import org.evoloop.xmi.dialect.Problems;
 
@@ -48,10 +47,10 @@ final class Uml2Vertices {
     }
 
     private void content(ChartScope<Uml2Element> scope, Uml2Element owner, String outerState) {
-        owner.owned("connectionPoint").forEach(point -> vertex(scope, point, outerState));
+        owner.owned("connectionPoint").forEach(point -> scope.define(point, outerState, problems));
         for (Uml2Element region : owner.owned("region")) {
             for (Uml2Element vertex : region.owned("subvertex")) {
-                vertex(scope, vertex, outerState);
+                scope.define(vertex, outerState, problems);
                 if (vertex.type().equals("State")) {
                     content(scope, vertex, scope.key(vertex.id()));
                     submachine(scope, vertex);
@@ -60,29 +59,11 @@ final class Uml2Vertices {
         }
     }
 
-    private void vertex(ChartScope<Uml2Element> scope, Uml2Element vertex, String outerState) {
-        String wrong = scope.define(vertex.id(), outerState);
-        if (!wrong.isEmpty()) {
-            problems.add(vertex.line(), vertex.type() + " " + vertex.label() + wrong);
-        }
-        if (!scope.fits()) {
-            throw new ModelException(scope.machine().document().file() + ": with its submachines, state machine "
-                    + scope.machine().label() + " (line " + scope.machine().line()
-                    + ") is too large: use fewer of them");
-        }
-    }
-
     private void submachine(ChartScope<Uml2Element> scope, Uml2Element state) {
-        references.one(state, "submachine").ifPresent(machine -> {
-            Optional<ChartScope<Uml2Element>> inner = scope.open(state.id(), machine);
-            inner.ifPresent(this::define);
-            if (inner.isEmpty()) {
-                problems.add(
-                        state.line(),
-                        "submachine state " + state.label() + " holds state machine " + machine.label()
-                                + ", which holds this state; end the cycle");
-            }
-        });
+        references
+                .one(state, "submachine")
+                .flatMap(machine -> scope.open(state, machine, problems))
+                .ifPresent(this::define);
         state.owned("connection").forEach(connection -> connection(scope, state, connection));
     }
 

@@ -23,10 +23,6 @@ final class Results {
                 .add(value);
     }
 
-    Samples get(String quantity, int seconds) {
-        return samples.getOrDefault(new Key(quantity, seconds), new Samples());
-    }
-
     void print(String point, PrintStream out) {
         samples.forEach((key, values) -> out.printf(
                 Locale.ROOT,

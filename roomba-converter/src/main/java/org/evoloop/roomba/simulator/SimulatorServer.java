@@ -2,10 +2,12 @@ package org.evoloop.roomba.simulator;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
+import org.evoloop.loop.Threads;
 import org.evoloop.roomba.simulator.robot.RobotOptions;
 import org.evoloop.roomba.simulator.robot.RobotState;
 import org.evoloop.roomba.simulator.robot.SimulatedRoomba;
@@ -38,7 +40,7 @@ public final class SimulatorServer implements Cable, AutoCloseable {
     private static final long LONGEST_LAG_SECONDS = 1;
     private static final long LONGEST_LAG_NANOS = TimeUnit.SECONDS.toNanos(LONGEST_LAG_SECONDS);
     private static final long NANOS_PER_MILLI = TimeUnit.MILLISECONDS.toNanos(1);
-    private static final long END_LIMIT_MILLIS = 2_000;
+    private static final Duration END_LIMIT = Duration.ofSeconds(2);
     private static final int BUFFER_BYTES = 1_024;
 
     /** How long the robot waits for its cable before it looks again. */
@@ -233,13 +235,8 @@ public final class SimulatorServer implements Cable, AutoCloseable {
         if (camera != null) {
             camera.close();
         }
-        try {
-            thread.join(END_LIMIT_MILLIS);
-            if (thread.isAlive()) {
-                LOG.warn("thread {} did not end within {} ms", thread.getName(), END_LIMIT_MILLIS);
-            }
-        } catch (InterruptedException stop) {
-            Thread.currentThread().interrupt();
+        if (!Threads.join(thread, END_LIMIT)) {
+            LOG.warn("thread {} did not end within {} ms", thread.getName(), END_LIMIT.toMillis());
         }
     }
 }

@@ -4,8 +4,8 @@ import org.evoloop.roomba.oi.SensorValues;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Whether the robot is at work, from its wheels and currents: no packet tells it. The thresholds are those that programs
- * for Roombas in the field use.
+ * Whether the robot is at work, from its wheels and currents: no packet tells it. The thresholds are those that other
+ * programs for Roombas use.
  *
  * <p>Threading: not thread-safe.
  */

@@ -54,11 +54,6 @@ public final class SpotWatch {
         frames = 0;
     }
 
-    /** Whether a spot cleaning was asked for and has not ended yet, as far as can be seen. */
-    public boolean isWatching() {
-        return phase != Phase.NONE;
-    }
-
     /** Forgets the spot cleaning: the robot was out of sight, or does something else. */
     public void forget() {
         phase = Phase.NONE;

@@ -118,10 +118,6 @@ public final class Body {
         return room;
     }
 
-    public boolean isLifted() {
-        return lifted;
-    }
-
     /** What the robot feels and sees at this moment. */
     public Surroundings surroundings() {
         return new Surroundings(room, pose, lifted);

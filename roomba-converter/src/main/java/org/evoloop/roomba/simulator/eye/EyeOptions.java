@@ -49,10 +49,6 @@ public record EyeOptions(
         return new EyeOptions(widthPx, heightPx, degrees, heightMm, seed, effects);
     }
 
-    public EyeOptions withHeightMm(double millimeters) {
-        return new EyeOptions(widthPx, heightPx, fieldOfViewDeg, millimeters, seed, effects);
-    }
-
     public EyeOptions withSeed(long number) {
         return new EyeOptions(widthPx, heightPx, fieldOfViewDeg, heightMm, number, effects);
     }

@@ -3,9 +3,11 @@ package org.evoloop.roomba.simulator.webcam;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.URI;
+import java.time.Duration;
 import java.util.SplittableRandom;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
+import org.evoloop.loop.Threads;
 import org.evoloop.roomba.simulator.eye.Eye;
 import org.evoloop.roomba.simulator.robot.RobotState;
 import org.evoloop.roomba.simulator.room.Pose;
@@ -25,7 +27,7 @@ public final class Webcam implements Consumer<RobotState>, AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(Webcam.class);
 
     private static final int MILLIS_PER_SECOND = 1000;
-    private static final long END_LIMIT_MILLIS = 2_000;
+    private static final Duration END_LIMIT = Duration.ofSeconds(2);
 
     /** One damaged byte in so many; enough that no picture is left as it was. */
     private static final int BYTES_PER_DAMAGE = 1_000;
@@ -193,13 +195,8 @@ public final class Webcam implements Consumer<RobotState>, AutoCloseable {
         }
         moments.close();
         pictures.close();
-        try {
-            thread.join(END_LIMIT_MILLIS);
-            if (thread.isAlive()) {
-                LOG.warn("thread {} did not end within {} ms", thread.getName(), END_LIMIT_MILLIS);
-            }
-        } catch (InterruptedException stop) {
-            Thread.currentThread().interrupt();
+        if (!Threads.join(thread, END_LIMIT)) {
+            LOG.warn("thread {} did not end within {} ms", thread.getName(), END_LIMIT.toMillis());
         }
     }
 }

@@ -1,0 +1,51 @@
+package org.evoloop.program;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.util.concurrent.Callable;
+import org.junit.jupiter.api.Test;
+import picocli.CommandLine;
+
+class UsersMistakesTest {
+    private final StringWriter told = new StringWriter();
+
+    @CommandLine.Command(name = "lamp")
+    private record Failing(Exception failure) implements Callable<Integer> {
+        @Override
+        public Integer call() throws Exception {
+            throw failure;
+        }
+    }
+
+    private int run(Exception failure, String... arguments) {
+        CommandLine commandLine = new CommandLine(new Failing(failure)).setErr(new PrintWriter(told, true));
+        return UsersMistakes.toldBy(commandLine, IllegalArgumentException.class::isInstance)
+                .execute(arguments);
+    }
+
+    @Test
+    void aWrongOptionIsOneLineThatNamesTheHelp() {
+        assertThat(run(new IllegalStateException(), "--dim")).isEqualTo(2);
+        assertThat(told.toString().lines())
+                .singleElement()
+                .asString()
+                .startsWith("error: Unknown option: '--dim'")
+                .endsWith("(see lamp --help)");
+    }
+
+    @Test
+    void whatTheUserCanMendIsItsMessage() {
+        assertThat(run(new IllegalArgumentException("there is no bulb; screw one in")))
+                .isEqualTo(2);
+        assertThat(told.toString().lines()).containsExactly("error: there is no bulb; screw one in");
+    }
+
+    @Test
+    void anyOtherFailureTellsWhereItHappened() {
+        assertThat(run(new IllegalStateException("dark"))).isEqualTo(1);
+        assertThat(told.toString())
+                .contains("IllegalStateException: dark", "\tat " + UsersMistakesTest.class.getName());
+    }
+}
