@@ -26,6 +26,9 @@ final class Carrier {
     /** Those of the loop, in the order in which they are asked. */
     private volatile List<Execute<ChangePlan>> senders = List.of();
 
+    /** Whether the execute component that returned last has left something to another one. */
+    private volatile boolean handedBack;
+
     Carrier(CoreDriver driver, Visits visits, Bindings bindings, FailureLog failures, Transcript transcript) {
         this.driver = driver;
         this.visits = visits;
@@ -50,7 +53,8 @@ final class Carrier {
         if (last == null) {
             return senderOf(firstToSend(plan), inOrder);
         }
-        Output.Directive directive = driver.toDo(plan);
+        // Without a lock in most events: all that could be done is done.
+        Output.Directive directive = handedBack ? driver.toDo(plan) : null;
         if (directive instanceof Output.Send send) {
             return senderOf(send.step().trigger(), inOrder);
         }
@@ -84,12 +88,13 @@ final class Carrier {
     /** Carries {@code plan} out as far as {@code execute} can. */
     void carryOut(ChangePlan plan, EventExecute execute) throws Exception {
         Agenda agenda = driver.takeUp(plan);
+        handedBack = false;
         long number = agenda.turn();
         Exception unsettled = null;
         for (Output.Directive next = agenda.poll(); next != null; next = agenda.poll()) {
             if (next instanceof Output.Send send) {
                 if (!canSend(send.step(), execute)) {
-                    agenda.handBack(next);
+                    handBack(agenda, next);
                     return;
                 }
                 send(number, send.step(), plan.occurrence().values(), execute);
@@ -98,7 +103,7 @@ final class Carrier {
             } else if (next instanceof Output.Locate) {
                 State state = execute.locate().map(State::new).orElse(null);
                 if (state == null && senders.indexOf(execute) < senders.size() - 1) {
-                    agenda.handBack(next);
+                    handBack(agenda, next);
                     return;
                 }
                 driver.located(number, state);
@@ -119,6 +124,11 @@ final class Carrier {
         }
     }
 
+    private void handBack(Agenda agenda, Output.Directive directive) {
+        agenda.handBack(directive);
+        handedBack = true;
+    }
+
     private boolean canSend(Step step, EventExecute execute) {
         if (sends(execute, step.trigger())) {
             return true;
@@ -136,8 +146,8 @@ final class Carrier {
         if (!driver.rules().table().isOpen(step, bindings.with(values))) {
             throw new IllegalStateException("the guards of the original model do not let " + step + " be taken now");
         }
-        if (driver.announce(number)) {
-            execute.perform(number, step, values);
+        if (driver.announce(number, execute)) {
+            execute.perform(step, values);
         }
     }
 

@@ -3,6 +3,7 @@ package org.evoloop.converter;
 import java.util.Set;
 import java.util.TreeSet;
 import org.evoloop.core.Core;
+import org.evoloop.core.Input;
 import org.evoloop.core.Output;
 import org.evoloop.core.Pending;
 import org.evoloop.core.Rules;
@@ -156,15 +157,28 @@ final class CoreDriver implements Intake<Occurrence> {
         return outputs.agenda;
     }
 
-    /** Announces that a step is about to be sent; false if it must not be, since the device has left its place. */
-    synchronized boolean announce(long number) {
+    /** Announces that {@code execute} is about to send a step; false if it must not, since the device has left its place. */
+    synchronized boolean announce(long number, EventExecute execute) {
         core.sending(number);
-        return core.maySend(number);
+        boolean may = core.maySend(number);
+        if (may) {
+            execute.sending = number;
+        }
+        return may;
     }
 
-    /** The step has had its effect; for {@code inOrder} see {@link Input.Sent}. */
-    synchronized void sent(long number, boolean inOrder) {
-        core.sent(number, inOrder, clock.nanoTime());
+    /**
+     * The step that {@code execute} was sending has had its effect. Only the first call for a step counts; the second waits
+     * for it, since its consequences must be known before the plan continues.
+     *
+     * @param inOrder see {@link Input.Sent}
+     */
+    synchronized void tookEffect(EventExecute execute, boolean inOrder) {
+        long number = execute.sending;
+        execute.sending = 0;
+        if (number != 0) {
+            core.sent(number, inOrder, clock.nanoTime());
+        }
     }
 
     /** An effect was run; {@code failure} is empty if nothing went wrong. */

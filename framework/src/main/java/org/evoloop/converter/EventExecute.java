@@ -18,10 +18,8 @@ import org.jspecify.annotations.Nullable;
  * more on the thread that starts the converter, before the loop opens, and {@link #released} on the one that stops it.
  */
 public abstract class EventExecute extends Execute<ChangePlan> {
-    private final Object effect = new Object();
-
-    /** The turn in which a step is being sent whose effect was not reported yet; 0 if none is. */
-    private long sending;
+    /** The turn in which a step is being sent whose effect was not reported yet; 0 if none is. Guarded by the driver. */
+    long sending;
 
     private volatile @Nullable Set<Event> events;
     private volatile Values values = Values.NONE;
@@ -69,15 +67,10 @@ public abstract class EventExecute extends Execute<ChangePlan> {
         report(true);
     }
 
-    /** The second caller waits until the first has reported: its consequences must be known before the plan continues. */
     private void report(boolean inOrder) {
-        synchronized (effect) {
-            CoreDriver told = driver;
-            long number = sending;
-            sending = 0;
-            if (number != 0 && told != null) {
-                told.sent(number, inOrder);
-            }
+        CoreDriver told = driver;
+        if (told != null) {
+            told.tookEffect(this, inOrder);
         }
     }
 
@@ -133,12 +126,9 @@ public abstract class EventExecute extends Execute<ChangePlan> {
         }
     }
 
-    /** Sends a step, which was announced under {@code number}. */
-    final void perform(long number, Step step, Values carried) throws Exception {
+    /** Sends a step that was announced. */
+    final void perform(Step step, Values carried) throws Exception {
         values = carried;
-        synchronized (effect) {
-            sending = number;
-        }
         send(step);
         report(false);
     }

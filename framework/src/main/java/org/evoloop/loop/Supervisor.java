@@ -53,6 +53,8 @@ final class Supervisor<O> {
             lock.release();
         }
         if (late != null) {
+            // What comes next may be about the same component: whether its step had its effect, say.
+            late.letReturn();
             sequencer.goOnAfter(late, failure);
         }
     }

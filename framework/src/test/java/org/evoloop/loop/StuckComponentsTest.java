@@ -21,7 +21,7 @@ class StuckComponentsTest {
     private final Relay relay;
 
     StuckComponentsTest(ThreadingModel threading) {
-        relay = new Relay(LoopConfig.defaults("relay", clock)
+        relay = new Relay(LoopConfig.defaults("stuck", clock)
                 .withThreading(threading)
                 .withStepLimit(LIMIT)
                 .withJoinLimit(Duration.ofMillis(50)));
@@ -58,7 +58,10 @@ class StuckComponentsTest {
             assertThat(relay.status("deaf").thread()).isEqualTo(where);
             for (String role : new String[] {"Brain", "Will"}) {
                 assertThat(relay.status(role).thread()).isNotEqualTo(where);
-                assertThat(relay.status(role).activity()).isEqualTo(Activity.WAITING);
+                // It passes on before it is done.
+                while (relay.status(role).activity() != Activity.WAITING) {
+                    Thread.onSpinWait();
+                }
             }
             relay.input.add("confusing");
             assertThat(take(relay.failures).toString()).isEqualTo("Brain.analyze: cannot think");
@@ -147,9 +150,10 @@ class StuckComponentsTest {
             assertThat(take(relay.output)).isEqualTo("deaf:too late");
             assertThat(take(relay.output)).isEqualTo("deaf:after all");
         }
-        while (Thread.getAllStackTraces().keySet().stream()
-                .anyMatch(t -> t.getName().startsWith("mapek-relay-"))) {
-            Thread.onSpinWait();
+        for (Thread thread : Thread.getAllStackTraces().keySet()) {
+            if (thread.getName().startsWith("mapek-stuck-")) {
+                thread.join();
+            }
         }
     }
 }
