@@ -53,7 +53,7 @@ final class Carrier {
         if (last == null) {
             return senderOf(firstToSend(plan), inOrder);
         }
-        // Without a lock in most events: all that could be done is done.
+        // Only what was handed back is left to do, and looking takes a lock.
         Output.Directive directive = handedBack ? driver.toDo(plan) : null;
         if (directive instanceof Output.Send send) {
             return senderOf(send.step().trigger(), inOrder);

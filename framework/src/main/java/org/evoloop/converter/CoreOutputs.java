@@ -67,7 +67,7 @@ final class CoreOutputs implements Outputs {
 
     @Override
     public void queued(Occurrence occurrence) {
-        admission = Admission.TAKEN;
+        // It counts as taken unless something else is said.
     }
 
     @Override

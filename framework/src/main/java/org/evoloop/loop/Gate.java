@@ -73,8 +73,7 @@ final class Gate<O> {
             sequencer.release();
             // Also after a change that was refused: what was given up for it must be reported, or nothing else begins.
             if (late != null) {
-                late.letReturn();
-                sequencer.goOnAfter(late, failure);
+                sequencer.goOnWithout(late, failure);
             }
             if (interrupted) {
                 Thread.currentThread().interrupt();

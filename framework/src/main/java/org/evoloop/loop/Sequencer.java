@@ -189,7 +189,7 @@ final class Sequencer<O> {
         return "is stuck in its thread " + worker.threadName() + "; exchange it";
     }
 
-    /** Takes the turn from a component that does not return; the lock is held, and {@link #goOnAfter} has to follow. */
+    /** Takes the turn from a component that does not return; the lock is held, and {@link #goOnWithout} has to follow. */
     Failure<O> giveUp(StageWorker<?> worker, String why) {
         worker.giveUp();
         return breakOff(worker, why);
@@ -205,6 +205,13 @@ final class Sequencer<O> {
         breakingOff = true;
         busy = null;
         return failure;
+    }
+
+    /** Reports that {@code late} was given up and begins with the next; the lock is not held. */
+    void goOnWithout(StageWorker<?> late, @Nullable Failure<O> failure) {
+        // What comes next may be about the same component: whether its step had its effect, say.
+        late.letReturn();
+        goOnAfter(late, failure);
     }
 
     /** Reports what was broken off and begins with the next; the lock is not held. */

@@ -53,9 +53,7 @@ final class Supervisor<O> {
             lock.release();
         }
         if (late != null) {
-            // What comes next may be about the same component: whether its step had its effect, say.
-            late.letReturn();
-            sequencer.goOnAfter(late, failure);
+            sequencer.goOnWithout(late, failure);
         }
     }
 }

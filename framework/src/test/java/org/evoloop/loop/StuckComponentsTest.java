@@ -44,13 +44,25 @@ class StuckComponentsTest {
         }
     }
 
+    private void hangs(Relay.Hand hand) throws InterruptedException {
+        hangs("hand", hand, hand.hanging);
+    }
+
+    private void hangs(Dreamer dreamer) throws InterruptedException {
+        hangs("Brain", dreamer, dreamer.hanging);
+    }
+
+    private void hangs(String name, Component next, CountDownLatch hanging) throws InterruptedException {
+        relay.loop.exchange(name, next);
+        relay.input.add("deadlock");
+        Relay.await(hanging);
+    }
+
     @Test
     void othersDoNotNotice() throws InterruptedException {
         Relay.Hand deaf = relay.new Hand("deaf");
         try (relay) {
-            relay.loop.exchange("hand", deaf);
-            relay.input.add("deadlock");
-            Relay.await(deaf.hanging);
+            hangs(deaf);
             String where = relay.status("deaf").thread();
             clock.advance(LIMIT);
             take(relay.failures);
@@ -77,14 +89,10 @@ class StuckComponentsTest {
         Relay.Hand left = relay.new Hand("left");
         Dreamer dreamer = new Dreamer();
         try (relay) {
-            relay.loop.exchange("hand", left);
-            relay.input.add("deadlock");
-            Relay.await(left.hanging);
+            hangs(left);
             clock.advance(LIMIT);
             take(relay.failures);
-            relay.loop.exchange("Brain", dreamer);
-            relay.input.add("deadlock");
-            Relay.await(dreamer.hanging);
+            hangs(dreamer);
             clock.advance(LIMIT);
             assertThat(take(relay.failures).component()).isEqualTo("Dreamer");
 
@@ -110,9 +118,7 @@ class StuckComponentsTest {
     void whateverWaitsForAnAnalyzeThatHangsFailsAtOnce() throws InterruptedException {
         Dreamer dreamer = new Dreamer();
         try (relay) {
-            relay.loop.exchange("Brain", dreamer);
-            relay.input.add("deadlock");
-            Relay.await(dreamer.hanging);
+            hangs(dreamer);
             for (int i = 0; i < 5; i++) {
                 relay.loop.offer("waiting " + i);
             }
@@ -139,9 +145,7 @@ class StuckComponentsTest {
     void theThreadInWhichOneHungEndsOrServesItAgain() throws InterruptedException {
         Relay.Hand deaf = relay.new Hand("deaf");
         try (relay) {
-            relay.loop.exchange("hand", deaf);
-            relay.input.add("deadlock");
-            Relay.await(deaf.hanging);
+            hangs(deaf);
             clock.advance(LIMIT);
             take(relay.failures);
             deaf.release.countDown();

@@ -2,13 +2,18 @@ package org.evoloop.roomba;
 
 import java.util.concurrent.CountDownLatch;
 import java.util.function.IntFunction;
+import org.evoloop.roomba.link.ForwardingLink;
 import org.evoloop.roomba.link.Link;
-import org.evoloop.roomba.link.LinkException;
-import org.evoloop.roomba.link.WakeLine;
-import org.jspecify.annotations.Nullable;
 
 /** A link on which a test can hold a command, before it leaves or when the robot has it but the send has not returned. */
-record HeldLink(Link link, Hold hold) implements Link {
+final class HeldLink extends ForwardingLink {
+    private final Hold hold;
+
+    private HeldLink(Link link, Hold hold) {
+        super(link);
+        this.hold = hold;
+    }
+
     /** Whether anything is held, by all links of one cable. */
     static final class Hold {
         private volatile int before = -1;
@@ -72,34 +77,9 @@ record HeldLink(Link link, Hold hold) implements Link {
         if (opcode >= 0 && opcode == hold.before) {
             hold.stay();
         }
-        link.send(bytes);
+        super.send(bytes);
         if (opcode >= 0 && opcode == hold.after) {
             hold.stay();
         }
-    }
-
-    @Override
-    public int receive(byte[] buffer) {
-        return link.receive(buffer);
-    }
-
-    @Override
-    public @Nullable LinkException loss() {
-        return link.loss();
-    }
-
-    @Override
-    public WakeLine wakeLine() {
-        return link.wakeLine();
-    }
-
-    @Override
-    public String description() {
-        return link.description();
-    }
-
-    @Override
-    public void close() {
-        link.close();
     }
 }

@@ -13,11 +13,11 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.IntFunction;
+import org.evoloop.roomba.link.ForwardingLink;
 import org.evoloop.roomba.link.Link;
 import org.evoloop.roomba.link.LinkException;
 import org.evoloop.roomba.link.LinkException.Fault;
 import org.evoloop.roomba.link.MemoryLink;
-import org.evoloop.roomba.link.WakeLine;
 import org.evoloop.roomba.oi.ActuatorCommand;
 import org.evoloop.roomba.oi.Command;
 import org.evoloop.roomba.oi.InputCommand;
@@ -27,7 +27,6 @@ import org.evoloop.roomba.session.connection.RobotException;
 import org.evoloop.time.Clock;
 import org.evoloop.time.ManualClock;
 import org.evoloop.time.SystemClock;
-import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
@@ -302,38 +301,22 @@ class ConnectionTest {
     }
 
     /** Notes when Safe and DriveDirect are sent. */
-    private record TimedLink(Link link, Clock clock, List<Long> sentNanos) implements Link {
+    private static final class TimedLink extends ForwardingLink {
+        private final Clock clock;
+        private final List<Long> sentNanos;
+
+        TimedLink(Link link, Clock clock, List<Long> sentNanos) {
+            super(link);
+            this.clock = clock;
+            this.sentNanos = sentNanos;
+        }
+
         @Override
         public void send(byte[] bytes) {
-            link.send(bytes);
+            super.send(bytes);
             if (bytes[0] == (byte) 131 || bytes[0] == (byte) 145) {
                 sentNanos.add(clock.nanoTime());
             }
-        }
-
-        @Override
-        public int receive(byte[] buffer) {
-            return link.receive(buffer);
-        }
-
-        @Override
-        public @Nullable LinkException loss() {
-            return link.loss();
-        }
-
-        @Override
-        public WakeLine wakeLine() {
-            return link.wakeLine();
-        }
-
-        @Override
-        public String description() {
-            return link.description();
-        }
-
-        @Override
-        public void close() {
-            link.close();
         }
     }
 }
