@@ -76,14 +76,15 @@ KNOWN = [
     typed("./evoloop lightbulb", input="start\nswitch\nstatus\nexit\n", shows="switch"),
     typed("./evoloop lightbulb --help", shows="--models"),
     typed("./evoloop setup --help", shows="apt-get"),
+    typed("./evoloop install"),
     typed("./evoloop bench --help", shows="--quick"),
     typed("java -version"),
     # Models.
     Known("./evoloop models COMMAND", run="./evoloop models --help", shows="scaffold"),
     Known("./evoloop models", run="./evoloop models --help", shows="scaffold"),
     Known(
-        "java -jar framework-tool/target/evoloop-models.jar COMMAND",
-        run="java -jar framework-tool/target/evoloop-models.jar show --help",
+        "java -jar framework/models/target/evoloop-models.jar COMMAND",
+        run="java -jar framework/models/target/evoloop-models.jar show --help",
         shows="--format",
     ),
     typed(f"./evoloop models diff {LAMP}", shows="incandescent"),

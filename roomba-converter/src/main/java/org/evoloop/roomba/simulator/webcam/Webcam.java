@@ -7,7 +7,7 @@ import java.time.Duration;
 import java.util.SplittableRandom;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
-import org.evoloop.loop.Threads;
+import org.evoloop.time.Threads;
 import org.evoloop.roomba.simulator.eye.Eye;
 import org.evoloop.roomba.simulator.robot.RobotState;
 import org.evoloop.roomba.simulator.room.Pose;

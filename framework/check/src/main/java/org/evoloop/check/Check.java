@@ -1,0 +1,54 @@
+package org.evoloop.check;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import org.evoloop.evolution.DecisionTable;
+import org.evoloop.evolution.ModelPair;
+
+/**
+ * Checks a pair of machines before it runs: all rules of {@link Rule} but {@link Rule#PROPERTY}.
+ *
+ * <p>Threading: none needed, it keeps nothing.
+ */
+public final class Check {
+    private Check() {}
+
+    /**
+     * Every breach, ordered by rule and then as drawn. What depends on pairs of states is judged only if the pair is an
+     * evolution, since otherwise no converter could run it.
+     */
+    public static List<Finding> run(CheckInput input) {
+        ModelPair pair = input.pair();
+        List<Finding> findings = new ArrayList<>();
+        MachineRules original = new MachineRules(Element.Side.ORIGINAL, pair.original());
+        MachineRules evolved = new MachineRules(Element.Side.NEW, pair.evolved());
+        findings.addAll(original.findings());
+        // What the new model has taken over from the device's is told once, there.
+        Set<Breach> known = new HashSet<>();
+        findings.forEach(finding -> known.add(Breach.of(finding)));
+        evolved.findings().stream()
+                .filter(finding -> !known.contains(Breach.of(finding)))
+                .forEach(findings::add);
+        findings.addAll(new ConverterRules(input, evolved).findings());
+        List<Finding> conditions = new Conditions(pair).findings();
+        findings.addAll(conditions);
+        if (conditions.isEmpty()) {
+            DecisionTable table = DecisionTable.compile(pair, input.device());
+            PairGraph graph = new PairGraph(pair.initial(), table);
+            findings.addAll(new PairRules(input, table, graph, original, evolved).findings());
+            findings.addAll(new PairNotes(input, graph).findings());
+        }
+        findings.sort(Comparator.comparing(Finding::rule));
+        return List.copyOf(findings);
+    }
+
+    /** A finding, whichever machine it is about. */
+    private record Breach(Rule rule, Object part) {
+        static Breach of(Finding finding) {
+            return new Breach(finding.rule(), finding.element().part());
+        }
+    }
+}

@@ -1,0 +1,85 @@
+package org.evoloop.check;
+
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.stream.Collectors;
+import org.evoloop.evolution.MissingState;
+import org.evoloop.evolution.ModelPair;
+import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.State;
+
+/** What a pair needs to be an evolution: the paper's Definition IV.1, and the same start. */
+final class Conditions {
+    private final ModelPair pair;
+    private final List<MissingState> missing = new ArrayList<>();
+    private final List<Finding> findings = new ArrayList<>();
+
+    Conditions(ModelPair pair) {
+        this.pair = pair;
+    }
+
+    List<Finding> findings() {
+        for (ModelPair.Violation violation : pair.violations()) {
+            if (violation instanceof ModelPair.Violation.MissingEvent event) {
+                missing(event.event());
+            } else if (violation instanceof MissingState state) {
+                missing.add(state);
+            }
+        }
+        List<MissingState> beside = missing.stream()
+                .filter(state -> state.matter() == MissingState.Matter.BESIDE_REGION)
+                .toList();
+        if (beside.size() > 1) {
+            // Whoever draws a region beside the device's states draws it beside all of them.
+            findings.add(besideOneRegion(beside));
+        }
+        missing.stream()
+                .filter(state -> beside.size() < 2 || !beside.contains(state))
+                .forEach(state -> findings.add(finding(state, state.message())));
+        initial();
+        return findings;
+    }
+
+    private void missing(Event event) {
+        findings.add(new Finding(
+                Rule.CONDITION_1,
+                new Element.OfEvent(Element.Side.ORIGINAL, event),
+                "event " + event + " of the original model is missing in the new model",
+                "use it there under the same name, capital letters and guards included"));
+    }
+
+    private static Finding finding(MissingState state, String message) {
+        return new Finding(
+                Rule.CONDITION_2,
+                new Element.OfState(Element.Side.ORIGINAL, state.state()),
+                message,
+                state.matter().mend());
+    }
+
+    private static Finding besideOneRegion(List<MissingState> beside) {
+        Set<State> instead = new LinkedHashSet<>();
+        beside.forEach(state -> instead.addAll(state.instead()));
+        String states = beside.stream().map(state -> state.state().name()).collect(Collectors.joining(", "));
+        return finding(
+                beside.get(0),
+                "states " + states + " of the original model stand beside another region in the new model: "
+                        + instead.stream().map(State::name).limit(4).collect(Collectors.joining(", "))
+                        + (instead.size() > 4 ? " and more" : ""));
+    }
+
+    private void initial() {
+        State device = pair.original().initial();
+        State system = pair.evolved().initial();
+        // Where the device's first state is missing, that is told already.
+        if (!pair.deviceStates(system).contains(device)
+                && missing.stream().noneMatch(state -> state.state().equals(device))) {
+            findings.add(new Finding(
+                    Rule.INITIAL_DIFFERS,
+                    new Element.OfState(Element.Side.NEW, system),
+                    "the new model starts in " + system + ", the device in " + device,
+                    "let the new model start in " + device));
+        }
+    }
+}

@@ -1,0 +1,31 @@
+package org.evoloop.check;
+
+import java.util.List;
+import org.evoloop.evolution.Turn;
+
+/**
+ * A violation of a rule.
+ *
+ * <p>Threading: immutable.
+ *
+ * @param element what it is about
+ * @param message what is wrong, one sentence without a full stop
+ * @param mend how to fix it
+ * @param example what happens, from the start, until it shows; empty where it shows in the drawing alone, or at once
+ */
+public record Finding(Rule rule, Element element, String message, String mend, List<Turn> example) {
+    public Finding {
+        example = List.copyOf(example);
+    }
+
+    /** One that shows in the drawing alone. */
+    Finding(Rule rule, Element element, String message, String mend) {
+        this(rule, element, message, mend, List.of());
+    }
+
+    /** For messages: {@code trap-state: state Wait of the new model cannot be left; draw ...}. */
+    @Override
+    public String toString() {
+        return rule.id() + ": " + message + "; " + mend;
+    }
+}

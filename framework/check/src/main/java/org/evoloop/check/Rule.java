@@ -1,0 +1,75 @@
+package org.evoloop.check;
+
+import java.util.Locale;
+
+/**
+ * What is checked; the identifier is the name in lower case with hyphens, such as {@code dead-transition}. The order is
+ * that of findings.
+ */
+public enum Rule {
+    /** An event of the device is missing in the new model (paper, Definition IV.1, Condition 1). */
+    CONDITION_1(Severity.ERROR),
+    /** A state of the device is missing in the new model (paper, Definition IV.1, Condition 2). */
+    CONDITION_2(Severity.ERROR),
+    /** The two machines start in different states. */
+    INITIAL_DIFFERS(Severity.ERROR),
+    /** Two transitions of a state count at the same time. */
+    NONDETERMINISM(Severity.ERROR),
+    /** No sequence of events leads to a state. */
+    UNREACHABLE_STATE(Severity.WARNING),
+    /** A transition can never be taken, since another one counts whenever it would. */
+    DEAD_TRANSITION(Severity.WARNING),
+    /** A state that is entered and never left. */
+    TRAP_STATE(Severity.WARNING),
+    /** An event of the device that cannot be sent and is not declared spontaneous. */
+    UNSENDABLE_EVENT(Severity.ERROR),
+    /** A new state has no function. */
+    NO_FUNCTION(Severity.ERROR),
+    /** A decision needs a way through the device's states that does not exist or cannot be sent. */
+    NO_PATH(Severity.ERROR),
+    /** The same, but only after the device has done by itself what it could have been asked for. */
+    HAZARD(Severity.NOTE),
+    /** Something that the device does can no longer be had from anywhere. */
+    DEGRADATION(Severity.WARNING),
+    /** A time trigger that never comes. */
+    TIMER_CANNOT_FIRE(Severity.WARNING),
+    /** The new model waits for an event that is never raised. */
+    UNRAISED_EVENT(Severity.WARNING),
+    /** A guard of the new model that nothing is bound to. */
+    UNBOUND_GUARD(Severity.ERROR),
+    /** An effect of the new model that nothing is bound to and that the device does not do itself. */
+    UNBOUND_EFFECT(Severity.ERROR),
+    /** Different guards of one trigger may hold at once; the one drawn first counts. */
+    GUARD_OVERLAP(Severity.NOTE),
+    /** An event of the device that does nothing in a new state, though the device would act on it. */
+    SWALLOWED_EVENT(Severity.NOTE),
+    /** A way leads through a state of the device in which the device does something by itself. */
+    PASSED_EFFECT(Severity.NOTE),
+    /** A property that was written down for the pair does not hold. */
+    PROPERTY(Severity.ERROR);
+
+    private final Severity severity;
+
+    Rule(Severity severity) {
+        this.severity = severity;
+    }
+
+    /** How bad a breach is. */
+    public enum Severity {
+        /** A converter of this pair would be refused, or would fail. */
+        ERROR,
+        /** It would run, but hardly as it was meant. */
+        WARNING,
+        /** Good to know. */
+        NOTE
+    }
+
+    public Severity severity() {
+        return severity;
+    }
+
+    /** As users read and write it: {@code dead-transition}. */
+    public String id() {
+        return name().toLowerCase(Locale.ROOT).replace('_', '-');
+    }
+}

@@ -1,0 +1,256 @@
+package org.evoloop.check;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.evoloop.Machines.machine;
+import static org.junit.jupiter.params.provider.Arguments.arguments;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Set;
+import java.util.stream.Stream;
+import org.evoloop.PaperModels;
+import org.evoloop.evolution.DeviceEvents;
+import org.evoloop.evolution.ModelPair;
+import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.StateMachine;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.MethodSource;
+
+class CheckTest {
+    private static final StateMachine LAMP = machine("original", "Off press -> On", "On press -> Off");
+
+    private static CheckInput input(StateMachine original, String... evolved) {
+        return CheckInput.of(new ModelPair(original, machine("new", evolved)));
+    }
+
+    /** A lamp as it is with something drawn into it. */
+    private static CheckInput lampWith(String... lines) {
+        return input(
+                LAMP,
+                Stream.concat(Stream.of("Off press -> On", "On press -> Off"), Arrays.stream(lines))
+                        .toArray(String[]::new));
+    }
+
+    private static CheckInput robot() {
+        return CheckInput.of(PaperModels.cleaningRobot())
+                .withOwnEvents(Set.of("endSpot"))
+                .withFunctions(Set.of("Move", "SpotWait"))
+                .withRaised(Set.of("Clean", "Spot", "endSpot", "arriveSpot", "timeout"))
+                .withGuards(Set.of())
+                .withEffects(Set.of());
+    }
+
+    static List<Arguments> pairsThatBreakOneRule() {
+        StateMachine detour = machine("original", "On go -> Clean", "Clean stop -> Spot", "Spot stop -> On");
+        DeviceEvents deaf =
+                new DeviceEvents(Set.of(new Event("go"), new Event("stop")), Set.of(new Event("go"), new Event("own")));
+        return List.of(
+                arguments(
+                        Rule.CONDITION_1,
+                        input(
+                                machine("original", "Off press -> On", "On press -> Off", "!dim"),
+                                "Off press -> On",
+                                "On press -> Off")),
+                arguments(Rule.CONDITION_2, input(detour, "On go -> Spot", "Spot stop -> On")),
+                arguments(Rule.INITIAL_DIFFERS, input(LAMP, "On press -> Off", "Off press -> On")),
+                arguments(Rule.NONDETERMINISM, lampWith("On dim [hot] [full] -> Off", "On dim [full] [hot] -> On")),
+                arguments(Rule.NONDETERMINISM, lampWith("On tm(2s) -> Off", "On after 2 s -> On")),
+                arguments(Rule.UNREACHABLE_STATE, lampWith("Warm press -> Off")),
+                arguments(Rule.DEAD_TRANSITION, lampWith("On press [hot] -> On")),
+                arguments(
+                        Rule.DEAD_TRANSITION,
+                        input(
+                                        machine("original", "Off press -> On", "On press -> Off", "On own -> Off"),
+                                        "Off press -> On",
+                                        "On press -> Off",
+                                        "On own -> Off",
+                                        "Off dim -> Warm",
+                                        "Warm press -> On",
+                                        "Warm own -> Off")
+                                .withOwnEvents(Set.of("own"))),
+                arguments(Rule.TRAP_STATE, lampWith("On dim -> Warm")),
+                arguments(
+                        Rule.UNSENDABLE_EVENT,
+                        input(
+                                        machine(
+                                                "original",
+                                                "Off press -> On",
+                                                "On press -> Off",
+                                                "On up -> Hot",
+                                                "Hot up -> On"),
+                                        "Off press -> On",
+                                        "On press -> Off",
+                                        "On up -> Hot",
+                                        "Hot up -> On",
+                                        "Hot press -> Off")
+                                .withDevice(new DeviceEvents(Set.of(new Event("press")), Set.of()))),
+                arguments(
+                        Rule.NO_FUNCTION,
+                        lampWith("On dim -> Warm", "Warm press -> Off").withFunctions(Set.of("Cold"))),
+                arguments(
+                        Rule.NO_PATH,
+                        input(
+                                        machine("original", "Off press -> On", "On own -> Off", "On press -> On"),
+                                        "Off press -> On",
+                                        "On own -> Off",
+                                        "On press -> On",
+                                        "On dim -> Warm",
+                                        "Warm up -> Off",
+                                        "Warm press -> On")
+                                .withOwnEvents(Set.of("own"))),
+                arguments(
+                        Rule.HAZARD,
+                        input(
+                                        machine(
+                                                "original",
+                                                "On go -> Clean",
+                                                "Clean own -> On",
+                                                "On stop -> On",
+                                                "Clean stop -> Clean"),
+                                        "On go -> Clean",
+                                        "Clean own -> On",
+                                        "On stop -> On",
+                                        "Clean stop -> Clean",
+                                        "On wait -> Wait",
+                                        "Wait go -> Wait",
+                                        "Wait stop -> Wait",
+                                        "Wait up -> On")
+                                .withDevice(deaf)),
+                arguments(
+                        Rule.DEGRADATION,
+                        input(
+                                detour,
+                                "On go -> Clean",
+                                "Clean stop -> Spot",
+                                "Spot wait -> Wait",
+                                "Wait stop -> Wait",
+                                "Wait go -> Spot",
+                                "Spot stop -> Spot")),
+                arguments(Rule.TIMER_CANNOT_FIRE, lampWith("On tm(2s) -> Off", "On tm(3s) -> On")),
+                arguments(Rule.TIMER_CANNOT_FIRE, lampWith("On tm_2s -> Off")),
+                arguments(Rule.UNRAISED_EVENT, lampWith("On dim -> Off").withRaised(Set.of("press"))),
+                arguments(Rule.UNBOUND_GUARD, lampWith("On dim [hot] -> Off").withGuards(Set.of("full"))),
+                arguments(Rule.UNBOUND_EFFECT, lampWith("On dim -> Off / beep").withEffects(Set.of("blink"))),
+                arguments(Rule.SWALLOWED_EVENT, lampWith("On dim -> Warm", "Warm up -> Off")),
+                arguments(
+                        Rule.PASSED_EFFECT,
+                        input(
+                                machine("original", "Off go -> On / beep", "On go -> Hot", "Hot stop -> Off"),
+                                "Off go -> On / beep",
+                                "On go -> Hot",
+                                "Hot stop -> Off",
+                                "Off boost -> Hot")),
+                arguments(Rule.GUARD_OVERLAP, lampWith("On dim [hot] -> Off", "On dim [full] -> On")));
+    }
+
+    @ParameterizedTest(name = "{0}")
+    @MethodSource("pairsThatBreakOneRule")
+    void aPairThatBreaksOneRuleIsToldOfNothingElse(Rule rule, CheckInput input) {
+        assertThat(Check.run(input)).extracting(Finding::rule).containsExactly(rule);
+    }
+
+    @ParameterizedTest
+    @EnumSource(Rule.class)
+    void everyRuleHasAPairThatBreaksItAndStandsInTheTable(Rule rule) throws IOException {
+        if (rule != Rule.PROPERTY) {
+            assertThat(pairsThatBreakOneRule()).anyMatch(arguments -> arguments.get()[0] == rule);
+        }
+        assertThat(Files.readString(Path.of(System.getProperty("evoloop.root"), "docs", "models.md")))
+                .contains(
+                        "| `" + rule.id() + "` | " + rule.severity().name().toLowerCase(java.util.Locale.ROOT) + " | ");
+    }
+
+    @Test
+    void thePapersPairsAreClean() {
+        for (CheckInput robot : List.of(robot(), CheckInput.of(PaperModels.cleaningRobot()))) {
+            assertThat(Check.run(robot))
+                    .extracting(Finding::toString)
+                    .containsExactly(
+                            "swallowed-event: new state Move swallows Clean, Spot, which the device knows in On;"
+                                    + " nothing, if such an event is to do nothing there; else draw a transition for it");
+        }
+        assertThat(Check.run(CheckInput.of(PaperModels.lightBulb())
+                        .withFunctions(Set.of("wait", "incandescentOn"))
+                        .withRaised(Set.of("switch", "timeout"))))
+                .isEmpty();
+    }
+
+    @Test
+    void aMissingPathIsShownByTheEventsThatLeadThere() {
+        CheckInput cleanOnly =
+                robot().withDevice(new DeviceEvents(Set.of(new Event("Clean")), Set.of(new Event("Spot"))));
+        Finding finding = Check.run(cleanOnly).stream()
+                .filter(found -> found.rule() == Rule.NO_PATH)
+                .findFirst()
+                .orElseThrow();
+        assertThat(finding.message())
+                .isEqualTo(
+                        "in (On, Move) event arriveSpot leads to Spot, but with the device in On no events that can be "
+                                + "sent take it there (sendable: Clean); the same holds for Clean in (Clean, SpotWait)");
+        assertThat(finding.mend()).startsWith("let the converter send Spot, or ");
+        assertThat(finding.element()).hasToString("Move --arriveSpot--> Spot");
+        assertThat(finding.example())
+                .map(turn -> turn + " -> " + turn.decision().after())
+                .containsExactly(
+                        "Clean -> (On, On)",
+                        "Spot -> (Spot, Move)",
+                        "endSpot -> (On, Move)",
+                        "arriveSpot -> (On, Move)");
+    }
+
+    @Test
+    void anythingThatTheDeviceDoesByItselfIsAHazardOnlyIfItInterferes() {
+        CheckInput withButtons = robot().withDevice(new DeviceEvents(
+                Set.of(new Event("Clean"), new Event("Spot")), Set.of(new Event("Clean"), new Event("Spot"))));
+        assertThat(Check.run(withButtons)).extracting(Finding::rule).containsOnlyOnce(Rule.HAZARD);
+        assertThat(Check.run(withButtons)).first().satisfies(finding -> {
+            assertThat(finding.rule()).isEqualTo(Rule.HAZARD);
+            assertThat(finding.example())
+                    .map(turn -> turn + " -> " + turn.decision().after())
+                    .endsWith("Spot (the device acted) -> (Spot, SpotWait)", "timeout -> (Spot, SpotWait)");
+        });
+    }
+
+    @Test
+    void aGuardOfTheDeviceThatCannotBeAskedClosesItsWay() {
+        CheckInput input = input(
+                machine("original", "Off press [dark] -> On", "On off -> Off"),
+                "Off press [dark] -> On",
+                "On off -> Off",
+                "Off glow -> Warm",
+                "Warm up -> On");
+        assertThat(Check.run(input)).extracting(Finding::rule).containsExactly(Rule.SWALLOWED_EVENT);
+        assertThat(Check.run(input.withGuards(Set.of())))
+                .anySatisfy(finding -> assertThat(finding.message())
+                        .contains("take it there (sendable: off, press; guards that cannot be asked: dark)"));
+    }
+
+    @Test
+    void anEventThatWaitsIsNotSwallowed() {
+        StateMachine waiting = StateMachine.named("new")
+                .initial("Off")
+                .transition("Off", "press", "On")
+                .transition("On", "press", "Off")
+                .transition("On", "dim", "Warm")
+                .transition("Warm", "up", "Off")
+                .defers("Warm", new Event("press"))
+                .build();
+        assertThat(Check.run(CheckInput.of(new ModelPair(LAMP, waiting)))).isEmpty();
+    }
+
+    @Test
+    void aFindingNamesMachineElementAndMend() {
+        assertThat(Check.run(lampWith("On dim -> Warm"))).singleElement().satisfies(finding -> {
+            assertThat(finding)
+                    .hasToString(
+                            "trap-state: state Warm of the new model cannot be left; draw a transition to another state");
+            assertThat(finding.element().side()).isEqualTo(Element.Side.NEW);
+        });
+    }
+}

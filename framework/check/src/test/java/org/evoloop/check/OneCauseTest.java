@@ -1,0 +1,109 @@
+package org.evoloop.check;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.evoloop.Machines.machine;
+
+import java.util.List;
+import java.util.Set;
+import java.util.stream.Stream;
+import org.evoloop.evolution.ModelPair;
+import org.evoloop.statemachine.StateMachine;
+import org.junit.jupiter.api.Test;
+
+/** One mistake is told once, whatever follows from it. */
+class OneCauseTest {
+    private static List<Finding> check(StateMachine original, StateMachine evolved) {
+        return Check.run(CheckInput.of(new ModelPair(original, evolved)));
+    }
+
+    private static String[] with(String[] lines, String... more) {
+        return Stream.of(lines, more).flatMap(Stream::of).toArray(String[]::new);
+    }
+
+    @Test
+    void statesThatOnlyAnUnreachableStateLeadsToAreToldWithIt() {
+        String[] lamp = {"Off press -> On", "On press -> Off"};
+        String[] lost = {"C up -> D", "A up -> B", "B up -> C", "D up -> B", "E up -> A"};
+
+        assertThat(check(machine("original", lamp), machine("new", with(lamp, lost))))
+                .extracting(Finding::toString)
+                .containsExactly(
+                        "unreachable-state: no sequence of events leads to state E of the new model, nor to A, B,"
+                                + " C, D that it leads to; draw a transition that leads there, or remove it");
+    }
+
+    @Test
+    void whatTheNewModelHasTakenOverIsToldOnce() {
+        String[] device = {
+            "Off press -> On",
+            "On press -> Off",
+            "On press [hot] -> On",
+            "Lost press -> Off",
+            "On dim -> Dead",
+            "On tm_3s -> Off",
+            "Off tm_3s -> On"
+        };
+
+        assertThat(check(machine("original", device), machine("new", device)))
+                .allSatisfy(finding -> assertThat(finding.element().side()).isEqualTo(Element.Side.ORIGINAL))
+                .extracting(Finding::rule)
+                .containsExactly(Rule.UNREACHABLE_STATE, Rule.DEAD_TRANSITION, Rule.TRAP_STATE, Rule.TIMER_CANNOT_FIRE);
+    }
+
+    @Test
+    void aStateThatTheNewModelNeverEntersIsNotToldAgainByWhatItsTransitionsDid() {
+        StateMachine device = machine(
+                "original",
+                "On go -> Clean",
+                "Clean stop -> On",
+                "Clean go -> Deep",
+                "Deep stop -> On",
+                "Deep go -> Clean");
+        StateMachine system = machine(
+                "new",
+                "On go -> Wait",
+                "Wait go -> On",
+                "Wait stop -> On",
+                "Clean stop -> On",
+                "Clean go -> Deep",
+                "Deep stop -> On",
+                "Deep go -> Clean");
+
+        assertThat(check(device, system))
+                .extracting(Finding::toString)
+                .singleElement()
+                .asString()
+                .startsWith(
+                        "unreachable-state: no sequence of events leads to state Clean of the new model, nor to Deep");
+    }
+
+    /** Every way begins with it. */
+    @Test
+    void anEventThatCannotBeSentIsOneCauseHoweverManyStatesItKeepsAway() {
+        String[] device = {"Off wake -> A", "A one -> B", "B two -> C", "C three -> D", "D off -> Off"};
+        String[] menu = {
+            "Off menu -> Menu", "Menu a -> A", "Menu b -> B", "Menu c -> C", "Menu d -> D", "Menu wake -> Menu"
+        };
+        CheckInput input = CheckInput.of(new ModelPair(machine("original", device), machine("new", with(device, menu))))
+                .withOwnEvents(Set.of("wake"));
+
+        assertThat(Check.run(input))
+                .filteredOn(finding -> finding.rule().severity() == Rule.Severity.ERROR)
+                .singleElement()
+                .satisfies(finding -> {
+                    assertThat(finding.rule()).isEqualTo(Rule.NO_PATH);
+                    assertThat(finding.mend()).startsWith("let the converter send wake, or ");
+                    assertThat(finding.message()).contains("the same holds for b in (Off, Menu), c in (Off, Menu)");
+                });
+    }
+
+    @Test
+    void whatWasMeantAsATimeTriggerIsNotAlsoAnEventThatNobodyRaises() {
+        StateMachine device = machine("original", "Off press -> On", "On press -> Off");
+        StateMachine system = machine("new", "Off press -> On", "On press -> Off", "On tm_3s -> Off");
+
+        assertThat(Check.run(CheckInput.of(new ModelPair(device, system)).withRaised(Set.of("press"))))
+                .extracting(Finding::rule)
+                .containsExactly(Rule.TIMER_CANNOT_FIRE);
+    }
+}

@@ -1,0 +1,12 @@
+/** What is typed at a running converter, and what it answers. */
+module org.evoloop.console {
+    requires static transitive org.jspecify;
+    requires static jdk.unsupported;
+    // Line editing, if it is there.
+    requires static org.jline.reader;
+    requires static org.jline.terminal;
+    requires transitive org.evoloop.core;
+    requires org.slf4j;
+
+    exports org.evoloop.console;
+}

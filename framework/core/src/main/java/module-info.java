@@ -1,0 +1,17 @@
+/**
+ * The MAPE-K loop and the event converter: models, decisions, the deterministic core, new functions, and the superclasses
+ * that a converter extends.
+ */
+module org.evoloop.core {
+    requires static transitive org.jspecify;
+    requires org.slf4j;
+
+    exports org.evoloop.converter;
+    exports org.evoloop.core;
+    exports org.evoloop.core.text;
+    exports org.evoloop.evolution;
+    exports org.evoloop.function;
+    exports org.evoloop.loop;
+    exports org.evoloop.statemachine;
+    exports org.evoloop.time;
+}

@@ -1,0 +1,120 @@
+package org.evoloop.converter;
+
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.function.Consumer;
+import org.evoloop.evolution.Configuration;
+import org.evoloop.evolution.Occurrence;
+import org.evoloop.loop.Failure;
+import org.evoloop.loop.LoopConfig;
+import org.evoloop.time.Threads;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * The listeners of a converter, and the thread that calls them. The thread is started with the first listener.
+ *
+ * <p>Threading: thread-safe; notifying never waits. When {@value #MOST_WAITING} calls wait, further ones are lost, which is
+ * logged.
+ */
+final class Listeners {
+    private static final Logger LOG = LoggerFactory.getLogger(SystemEventConverter.class);
+    private static final int MOST_WAITING = 1024;
+
+    private final LoopConfig config;
+    private final List<ConverterListener> all = new CopyOnWriteArrayList<>();
+    private final LinkedBlockingQueue<Consumer<ConverterListener>> waiting = new LinkedBlockingQueue<>(MOST_WAITING);
+    private @Nullable Thread thread;
+    private volatile boolean losing;
+
+    Listeners(LoopConfig config) {
+        this.config = config;
+    }
+
+    synchronized void add(ConverterListener listener) {
+        all.add(listener);
+        if (config.threads() && thread == null) {
+            Thread telling = new Thread(this::tell, "mapek-" + config.name() + "-listeners");
+            telling.setDaemon(true);
+            thread = telling;
+            telling.start();
+        }
+    }
+
+    private void tell() {
+        try {
+            while (true) {
+                call(waiting.take());
+                losing = false;
+            }
+        } catch (InterruptedException stop) {
+            // The converter was closed; what happened before is still reported.
+            for (Consumer<ConverterListener> last = waiting.poll(); last != null; last = waiting.poll()) {
+                call(last);
+            }
+        }
+    }
+
+    private void call(Consumer<ConverterListener> what) {
+        for (ConverterListener listener : all) {
+            try {
+                what.accept(listener);
+            } catch (RuntimeException cause) {
+                LOG.warn("listener {} failed", listener, cause);
+            }
+        }
+    }
+
+    private void tell(Consumer<ConverterListener> what) {
+        if (!config.threads()) {
+            call(what);
+        } else if (!waiting.offer(what) && !losing) {
+            losing = true;
+            LOG.warn("the listeners of {} are slower than its events; some are not told to them", config.name());
+        }
+    }
+
+    void ended(History history) {
+        if (!all.isEmpty()) {
+            HistoryEntry entry = history.last();
+            tell(listener -> listener.ended(entry));
+        }
+    }
+
+    void moved(Configuration before, Configuration after) {
+        if (!all.isEmpty()) {
+            tell(listener -> listener.moved(before, after));
+        }
+    }
+
+    void failed(Failure<Occurrence> failure) {
+        if (!all.isEmpty()) {
+            tell(listener -> listener.failed(failure));
+        }
+    }
+
+    void doubted(String why) {
+        if (!all.isEmpty()) {
+            tell(listener -> listener.doubted(why));
+        }
+    }
+
+    /** Makes the calls that still wait, and ends the thread. Idempotent. */
+    void close() {
+        Thread telling;
+        synchronized (this) {
+            telling = thread;
+        }
+        if (telling != null && telling != Thread.currentThread()) {
+            telling.interrupt();
+            if (!Threads.join(telling, config.joinLimit())) {
+                LOG.warn(
+                        "thread {} did not end within {} ms; a listener does not return",
+                        telling.getName(),
+                        config.joinLimit().toMillis());
+            }
+        }
+    }
+}

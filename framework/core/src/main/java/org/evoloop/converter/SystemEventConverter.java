@@ -1,0 +1,411 @@
+package org.evoloop.converter;
+
+import static java.util.Objects.requireNonNull;
+
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.Comparator;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Supplier;
+import java.util.stream.Stream;
+import org.evoloop.evolution.DecisionTable;
+import org.evoloop.evolution.Occurrence;
+import org.evoloop.loop.Component;
+import org.evoloop.loop.LoopConfig;
+import org.evoloop.loop.LoopState;
+import org.evoloop.statemachine.ModelException;
+import org.evoloop.time.Threads;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * An event converter: connects the components of a MAPE-K loop and controls them (paper, section V.A).
+ *
+ * <pre>{@code
+ * SystemEventConverter converter = new SystemEventConverter(LoopConfig.defaults("lamp", clock));
+ * converter.addMonitor(new WallSwitch());
+ * converter.addExecute(new LampExecute());
+ * converter.addKnowledge(new LampKnowledge(models));
+ * converter.build();
+ * converter.start();
+ * }</pre>
+ *
+ * <p>Lifecycle: see {@link LoopState}. {@link #stop} ends the running new function and refuses events; {@link #start}
+ * enters the current state again and continues from there.
+ *
+ * <p>Threading: all methods may be called from any thread, but those that change the converter not from its own.
+ */
+public final class SystemEventConverter implements AutoCloseable {
+    private final LoopConfig config;
+    private final Belongings belongings;
+    private final Map<String, Supplier<? extends Component>> spares = new LinkedHashMap<>();
+    private final Listeners listeners;
+    private Assembly assembly = new Assembly();
+    private @Nullable StateKnowledge knowledge;
+    private @Nullable DeviceLink link;
+    private volatile @Nullable ConverterShell shell;
+
+    /** When the loop was closed last, or built. */
+    private volatile Instant closedAt = Instant.EPOCH;
+
+    /** @param config its options; they are checked by {@link #build} */
+    public SystemEventConverter(LoopConfig config) {
+        this.config = requireNonNull(config, "the converter's config is null");
+        this.belongings = new Belongings(config.name());
+        this.listeners = new Listeners(config);
+    }
+
+    /** Adds a monitor, also while the converter runs. @throws IllegalStateException if the name is taken */
+    public synchronized void addMonitor(EventMonitor monitor) {
+        add(monitor);
+    }
+
+    /** Sets the analyze component, in place of the usual one; before {@link #build}. */
+    public synchronized void addAnalyze(EventAnalyze analyze) {
+        add(analyze);
+    }
+
+    /** Sets the plan component, in place of the usual one; before {@link #build}. */
+    public synchronized void addPlan(EventPlan plan) {
+        add(plan);
+    }
+
+    /**
+     * Adds an execute component, also while the converter runs.
+     *
+     * @throws IllegalStateException if the name is taken
+     * @throws ModelException if it sends what the device does not know
+     */
+    public synchronized void addExecute(EventExecute execute) {
+        add(execute);
+    }
+
+    /** Sets the knowledge, before {@link #build}. @throws IllegalStateException if there is one already */
+    public synchronized void addKnowledge(StateKnowledge stateKnowledge) {
+        requireNonNull(stateKnowledge, "the knowledge is null");
+        if (knowledge != null) {
+            throw new IllegalStateException("there is knowledge already, " + knowledge.name());
+        }
+        knowledge = stateKnowledge;
+    }
+
+    /** From now on {@code listener} is notified of what this converter does. */
+    public void addListener(ConverterListener listener) {
+        listeners.add(listener);
+    }
+
+    /** Registers the connection to the device, for {@link #status}. */
+    public synchronized void addLink(DeviceLink deviceLink) {
+        link = requireNonNull(deviceLink, "the link is null");
+    }
+
+    /**
+     * Keeps a component at hand for {@link #exchange(String, String)}, under a name of its own.
+     *
+     * @throws IllegalStateException if the name is taken
+     */
+    public synchronized void addSpare(String name, Supplier<? extends Component> spare) {
+        requireNonNull(name, "the name of a spare is null");
+        requireNonNull(spare, "the spare " + name + " is null");
+        if (spares.putIfAbsent(name, spare) != null) {
+            throw new IllegalStateException("there is a spare named " + name + " already");
+        }
+    }
+
+    private void add(Component component) {
+        requireNonNull(component, "the component is null");
+        ConverterShell built = shell;
+        Assembly changed = assembly.with(component);
+        if (built != null) {
+            DecisionTable table = changed.decisions(built.knowledge);
+            taking(component, () -> join(built, component));
+            built.use(table, changed.executes());
+        }
+        assembly = changed;
+    }
+
+    /** Takes {@code component} for {@code change}; gives it back if that is refused. */
+    private void taking(Component component, Runnable change) {
+        belongings.take(component);
+        try {
+            change.run();
+        } catch (RuntimeException refused) {
+            belongings.giveBack(component);
+            throw refused;
+        }
+    }
+
+    /**
+     * Checks everything, compiles the decisions of all configurations that can be reached, and gives every component its
+     * thread.
+     *
+     * @throws ModelException if models and components do not fit; the message lists all problems
+     * @throws IllegalStateException if something is missing or belongs to another converter, or this was done before
+     * @throws IllegalArgumentException if an option is out of range; the message lists all of them
+     */
+    public synchronized void build() {
+        StateKnowledge known = knowledge;
+        if (shell != null) {
+            throw new IllegalStateException("converter " + config.name() + " has been built before");
+        }
+        List<String> missing = new ArrayList<>();
+        if (known == null) {
+            missing.add("no knowledge, call addKnowledge");
+        }
+        if (!assembly.has(Component.Role.EXECUTE)) {
+            missing.add("no execute component, call addExecute");
+        }
+        if (known == null || !missing.isEmpty()) {
+            throw new IllegalStateException("converter " + config.name() + ": " + String.join("; ", missing));
+        }
+        if (!assembly.has(Component.Role.ANALYZE)) {
+            assembly.add(new EventAnalyze());
+        }
+        if (!assembly.has(Component.Role.PLAN)) {
+            assembly.add(new EventPlan());
+        }
+        takeAll(known);
+        try {
+            shell = build(known);
+        } catch (RuntimeException refused) {
+            belongings.giveBackAll(null);
+            throw refused;
+        }
+    }
+
+    private void takeAll(StateKnowledge known) {
+        List<String> problems = new ArrayList<>();
+        String another = "make one for each converter";
+        belongings.take(config.clock(), "its clock", another, problems);
+        belongings.take(known, known.name(), another, problems);
+        for (Component component : assembly.all()) {
+            belongings.take(component, component.name(), another, problems);
+        }
+        if (!problems.isEmpty()) {
+            belongings.giveBackAll(null);
+            throw new IllegalStateException("converter " + config.name() + ": " + String.join("; ", problems));
+        }
+    }
+
+    private ConverterShell build(StateKnowledge known) {
+        known.register();
+        List<String> problems = new ArrayList<>(known.problems());
+        DecisionTable table = null;
+        try {
+            table = assembly.decisions(known);
+        } catch (ModelException undecidable) {
+            problems.add(undecidable.getMessage());
+        }
+        if (table == null || !problems.isEmpty()) {
+            throw new ModelException(String.join("\n", problems));
+        }
+        ConverterShell built = new ConverterShell(config, known, table, listeners);
+        built.use(table, assembly.executes());
+        for (Component component : assembly.all()) {
+            join(built, component);
+        }
+        built.loop.build();
+        closedAt = config.clock().wallTime();
+        return built;
+    }
+
+    private void join(ConverterShell built, Component component) {
+        attach(built, component);
+        if (component instanceof EventMonitor monitor) {
+            built.loop.addMonitor(monitor);
+        } else if (component instanceof EventAnalyze analyze) {
+            built.loop.addAnalyze(analyze);
+        } else if (component instanceof EventPlan plan) {
+            built.loop.addPlan(plan);
+        } else if (component instanceof EventExecute execute) {
+            built.loop.addExecute(execute);
+        }
+    }
+
+    private void attach(ConverterShell built, Component component) {
+        if (component instanceof EventMonitor monitor) {
+            monitor.attach(config, built.loop, built.knowledge.eventNames(), built.driver::holding);
+        } else if (component instanceof EventAnalyze analyze) {
+            analyze.attach(built.driver);
+        } else if (component instanceof EventExecute execute) {
+            execute.attach(built.driver, built.carrier);
+        } else if (!(component instanceof EventPlan)) {
+            throw new IllegalArgumentException(component.name() + " is not a component of a converter");
+        }
+    }
+
+    /** Opens the loop; does nothing if it is open. @throws IllegalStateException if it is not built, or has ended */
+    public synchronized void start() {
+        ConverterShell built = built();
+        if (built.loop.state() != LoopState.RUNNING) {
+            built.start();
+        }
+    }
+
+    /**
+     * Closes the loop: the event that is in it comes to its end, those that wait are refused, and the running new function
+     * ends. Then the execute components let go of the device. Does nothing if it is closed.
+     */
+    public synchronized void stop() {
+        ConverterShell built = built();
+        if (built.loop.state() == LoopState.RUNNING) {
+            built.loop.stop();
+            closedAt = config.clock().wallTime();
+            built.release();
+        }
+    }
+
+    /**
+     * Ends the converter and its threads, see {@link org.evoloop.loop.MapeLoop#close}. Idempotent. Called by a component, a
+     * function or a task of a visit it returns at once, and the converter ends when its caller has returned.
+     */
+    @Override
+    public void close() {
+        ConverterShell built = shell;
+        if (built != null && config.threads() && built.ownsCurrentThread()) {
+            Threads.start("converter-" + config.name() + "-close", this::end);
+        } else {
+            end();
+        }
+    }
+
+    private synchronized void end() {
+        ConverterShell built = shell;
+        if (built != null) {
+            boolean wasRunning = built.loop.state() == LoopState.RUNNING;
+            built.loop.close();
+            if (wasRunning) {
+                closedAt = config.clock().wallTime();
+                built.release();
+            }
+            belongings.giveBackAll(built.knowledge);
+        }
+        listeners.close();
+    }
+
+    /**
+     * Removes a component.
+     *
+     * @throws IllegalArgumentException if there is no component of that name
+     * @throws IllegalStateException if the converter needs it
+     * @throws ModelException if a decision could then not be carried out
+     */
+    public synchronized void remove(String name) {
+        ConverterShell built = built();
+        Assembly changed = assembly.without(name);
+        DecisionTable table = changed.has(Component.Role.EXECUTE)
+                ? changed.decisions(built.knowledge)
+                : built.driver.rules().table();
+        built.loop.remove(name);
+        belongings.giveBack(assembly.require(name));
+        assembly = changed;
+        built.use(table, changed.executes());
+    }
+
+    /**
+     * Puts {@code next} in the place of the component {@code name}, between two events.
+     *
+     * @throws IllegalArgumentException if there is no component of that name, or it has another role
+     * @throws ModelException if a decision could then not be carried out
+     */
+    public synchronized void exchange(String name, Component next) {
+        ConverterShell built = built();
+        requireNonNull(next, "what shall take the place of " + name + " is null");
+        built.loop.requireExchangeable(name, next);
+        Assembly changed = assembly.with(name, next);
+        DecisionTable table = changed.decisions(built.knowledge);
+        taking(next, () -> {
+            attach(built, next);
+            built.loop.exchange(name, next, () -> built.use(table, changed.executes()));
+        });
+        belongings.giveBack(assembly.require(name));
+        assembly = changed;
+    }
+
+    /**
+     * Puts a spare in the place of the component {@code name}, between two events.
+     *
+     * @param spare as named by {@link #addSpare}
+     * @throws IllegalArgumentException if there is no such component or spare, or their roles differ
+     */
+    public synchronized void exchange(String name, String spare) {
+        Supplier<? extends Component> supplier = spares.get(spare);
+        if (supplier == null) {
+            throw new IllegalArgumentException("no spare is named " + spare + "; there are "
+                    + (spares.isEmpty() ? "none" : String.join(", ", spares.keySet())));
+        }
+        exchange(name, requireNonNull(supplier.get(), "the spare " + spare + " is null"));
+    }
+
+    /** The names of the spares, in the order in which they were added. */
+    public synchronized Set<String> spares() {
+        return Collections.unmodifiableSet(new LinkedHashSet<>(spares.keySet()));
+    }
+
+    /** Queues an occurrence as if a monitor had reported it; false if it was refused or dropped. */
+    public boolean offer(Occurrence occurrence) {
+        return built().loop.offer(occurrence);
+    }
+
+    /**
+     * The step of a monitor in a converter without threads: calls it once and queues what it returns.
+     *
+     * @throws IllegalStateException if the converter has threads, which call its monitors
+     * @throws IllegalArgumentException if {@code monitor} does not belong to this converter
+     */
+    public void observe(EventMonitor monitor) throws InterruptedException {
+        built().loop.observe(monitor);
+    }
+
+    /** The step of a converter without threads: converts one event that waits; false if none does. */
+    public boolean step() {
+        return built().loop.step();
+    }
+
+    /** What the converter knows. @throws IllegalStateException if it is not built yet */
+    public StateKnowledge knowledge() {
+        return built().knowledge;
+    }
+
+    /** A snapshot of the status. @throws IllegalStateException if the converter is not built yet */
+    public ConverterStatus status() {
+        ConverterShell built = built();
+        DeviceLink device = link;
+        return new ConverterStatus(
+                config.name(),
+                built.loop.state(),
+                built.driver.configuration(),
+                built.driver.doubt(),
+                lastKnownSince(built.loop.state(), device),
+                built.loop.queueStatus(),
+                built.counts(),
+                built.books.latency().summary(),
+                built.loop.components(),
+                built.visits.runningFunction(),
+                device == null ? null : new ConverterStatus.Link(device.isUp(), device.describe()));
+    }
+
+    private Optional<Instant> lastKnownSince(LoopState loop, @Nullable DeviceLink device) {
+        Optional<Instant> closed = loop == LoopState.RUNNING ? Optional.empty() : Optional.of(closedAt);
+        Optional<Instant> down = device == null ? Optional.empty() : device.downSince();
+        return Stream.concat(closed.stream(), down.stream()).min(Comparator.naturalOrder());
+    }
+
+    /** The last events and what became of them, oldest first. */
+    public List<HistoryEntry> history() {
+        return built().books.history().entries();
+    }
+
+    private ConverterShell built() {
+        ConverterShell built = shell;
+        if (built == null) {
+            throw new IllegalStateException("converter " + config.name() + " is not built yet");
+        }
+        return built;
+    }
+}

@@ -1,0 +1,164 @@
+package org.evoloop.converter;
+
+import java.time.Duration;
+import java.util.Map;
+import org.evoloop.core.Output;
+import org.evoloop.evolution.Occurrence;
+import org.evoloop.evolution.Source;
+import org.evoloop.evolution.Values;
+import org.evoloop.function.NewFunction;
+import org.evoloop.function.Visit;
+import org.evoloop.function.visit.FunctionRunner;
+import org.evoloop.function.visit.HostedVisit;
+import org.evoloop.function.visit.VisitHost;
+import org.evoloop.loop.Failure;
+import org.evoloop.loop.LoopConfig;
+import org.evoloop.loop.MapeLoop;
+import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.Transition;
+import org.evoloop.time.Clock;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Carries out what the core says of visits: sets their timers, runs their functions, and hands to the loop what they raise.
+ *
+ * <p>Threading: states are entered and left by one thread at a time, under this object's lock; visits and the clock call
+ * from their own threads.
+ */
+final class Visits implements VisitHost {
+    private final LoopConfig config;
+    private final StateKnowledge knowledge;
+    private final Transcript transcript;
+    private final FailureLog failures;
+    private final FunctionRunner functions;
+    private @Nullable MapeLoop<Occurrence, ?, ?> loop;
+    private @Nullable Visit current;
+    private NewFunction function = NewFunction.none();
+
+    Visits(LoopConfig config, StateKnowledge knowledge, Transcript transcript, FailureLog failures) {
+        this.config = config;
+        this.knowledge = knowledge;
+        this.transcript = transcript;
+        this.failures = failures;
+        this.functions = new FunctionRunner(this, config.joinLimit());
+    }
+
+    /** The loop that takes what is raised; before the first visit. */
+    void attach(MapeLoop<Occurrence, ?, ?> joined) {
+        loop = joined;
+    }
+
+    /** Begins a visit; one that another has followed already is not begun. */
+    synchronized void enter(Output.Enter enter) {
+        Visit before = current;
+        if (before != null && before.number() >= enter.visit()) {
+            return;
+        }
+        HostedVisit entered = new HostedVisit(enter.state(), enter.visit(), this);
+        functions.begin(entered);
+        current = entered;
+        Transition by = enter.by();
+        function = by == null ? NewFunction.none() : knowledge.action(by);
+        if (enter.deadlines().isEmpty()) {
+            return;
+        }
+        long now = config.clock().nanoTime();
+        for (Map.Entry<Event, Long> timer : enter.deadlines().entrySet()) {
+            entered.after(Duration.ofNanos(Math.max(0, timer.getValue() - now)), () -> fire(entered, timer.getKey()));
+        }
+    }
+
+    private void fire(Visit visit, Event event) {
+        offer(raised(visit, event, Source.TIMER));
+    }
+
+    /** Runs the function of the state that was entered, if it has not been left meanwhile. */
+    synchronized void start(long visit) {
+        Visit entered = current;
+        if (entered != null && entered.number() == visit) {
+            functions.run(function);
+        }
+    }
+
+    /** Ends what runs in the current visit, whose state will be left. */
+    void leave() {
+        functions.end();
+    }
+
+    boolean ownsCurrentThread() {
+        return functions.ownsCurrentThread();
+    }
+
+    ConverterStatus.RunningFunction runningFunction() {
+        Visit running = functions.running();
+        return new ConverterStatus.RunningFunction(
+                running == null ? "" : running.state().name(),
+                functions.threadName(),
+                running == null ? "" : running.progress());
+    }
+
+    @Override
+    public Clock clock() {
+        return config.clock();
+    }
+
+    @Override
+    public boolean threads() {
+        return config.threads();
+    }
+
+    @Override
+    public boolean accepts(Visit asking, Event event) {
+        return knowledge.models().evolved().hasTransition(asking.state(), event);
+    }
+
+    @Override
+    public void requireKnown(Event event) {
+        knowledge.eventNames().require(event);
+    }
+
+    @Override
+    public void raise(Visit raising, Event event) throws InterruptedException {
+        put(raised(raising, event, Source.FUNCTION));
+    }
+
+    @Override
+    public void send(Visit asking, Event event) throws InterruptedException {
+        put(new Occurrence.Asked(
+                event, Values.NONE, asking.number(), config.clock().nanoTime()));
+    }
+
+    private void put(Occurrence occurrence) throws InterruptedException {
+        MapeLoop<Occurrence, ?, ?> joined = loop;
+        if (joined != null) {
+            joined.put(occurrence);
+        }
+    }
+
+    private void offer(Occurrence occurrence) {
+        MapeLoop<Occurrence, ?, ?> joined = loop;
+        if (joined != null) {
+            joined.offer(occurrence);
+        }
+    }
+
+    @Override
+    public void finish(Visit finishing, Event event) {
+        offer(raised(finishing, event, Source.FUNCTION));
+    }
+
+    private Occurrence raised(Visit raising, Event event, Source source) {
+        return new Occurrence.Heard(
+                event, Values.NONE, source, raising.number(), config.clock().nanoTime());
+    }
+
+    @Override
+    public void notice(String line) {
+        transcript.notice(line);
+    }
+
+    @Override
+    public void failed(Visit failing, Throwable cause) {
+        failures.log(new Failure<>(failing.state().name(), "function", 0, null, cause));
+    }
+}

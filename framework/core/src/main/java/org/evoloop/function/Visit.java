@@ -1,0 +1,102 @@
+package org.evoloop.function;
+
+import java.time.Duration;
+import org.evoloop.statemachine.State;
+import org.evoloop.time.Clock;
+
+/**
+ * One stay of the evolved system in a state. What belongs to a visit ends with it: its function, its timers, and the
+ * events it has raised that were not handled yet.
+ *
+ * <p>Threading: all methods may be called from any thread.
+ */
+public interface Visit {
+    /** The state that is visited. */
+    State state();
+
+    /** The number of the visit; no two are equal. */
+    long number();
+
+    /** The converter's time; durations of a function are durations of this clock. */
+    Clock clock();
+
+    /** Whether functions have threads of their own; without, nothing may block. */
+    boolean threads();
+
+    /** Whether the state has not been left yet. */
+    boolean isActive();
+
+    /**
+     * Waits until the state is left, which a function's own thread learns by an interrupt.
+     *
+     * @throws IllegalStateException in a converter without threads, which would wait for itself
+     */
+    void awaitEnd() throws InterruptedException;
+
+    /**
+     * Waits for {@code duration}.
+     *
+     * @throws InterruptedException if the state is left first
+     * @throws IllegalStateException in a converter without threads, and in a task of the clock, which would wait for itself
+     * @throws IllegalArgumentException if {@code duration} is negative, or longer than {@link Clock#LONGEST}
+     */
+    void sleep(Duration duration) throws InterruptedException;
+
+    /**
+     * Whether the new model has a transition for {@code event} in this state: a function that can end in several ways asks
+     * which of them its owner has drawn.
+     */
+    boolean accepts(String event);
+
+    /**
+     * Raises {@code event} and continues; nothing happens if the state has been left.
+     *
+     * @throws InterruptedException if the state is left while this waits for room in the queue
+     */
+    void raise(String event) throws InterruptedException;
+
+    /**
+     * Has the device take {@code event}, which its model must know in the state in which the device is by then, and
+     * continues: the event waits for its turn like all others, and the new model stays in this state. The history shows
+     * what became of it. Nothing happens if the state has been left, or is left first.
+     *
+     * @throws InterruptedException if the state is left while this waits for room in the queue
+     */
+    void send(String event) throws InterruptedException;
+
+    /** Describes in a short line how far the function is; shown in the converter's status. */
+    void progress(String text);
+
+    /** The last text given to {@link #progress(String)}; empty if there is none. */
+    String progress();
+
+    /**
+     * Ends the function with {@code event}, its last: the event is raised when {@link NewFunction#run} has returned. Only
+     * the first call counts, and none once the state has been left.
+     */
+    void finish(String event);
+
+    /**
+     * Ends the function with {@code event} after {@code delay}, unless the state is left or it has finished before.
+     *
+     * @throws IllegalArgumentException if neither model knows the event, and as {@link #after}
+     */
+    void finishAfter(Duration delay, String event);
+
+    /**
+     * Runs {@code task} on the clock's thread, where it must not wait, after {@code delay}, unless the state is left first.
+     * What it throws is reported like what the function throws.
+     *
+     * @throws IllegalArgumentException if {@code delay} is negative, or longer than {@link Clock#LONGEST}
+     */
+    void after(Duration delay, Runnable task);
+
+    /** Writes {@code text} into the transcript. */
+    void say(String text);
+
+    /**
+     * Runs {@code ending} when the state is left, in reverse order of registration, or at once if it has been left. An
+     * ending must return by itself: nothing interrupts it.
+     */
+    void onEnd(Runnable ending);
+}

@@ -1,0 +1,247 @@
+package org.evoloop.function.visit;
+
+import static java.util.Objects.requireNonNull;
+
+import java.time.Duration;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.List;
+import org.evoloop.function.NewFunction;
+import org.evoloop.function.Visit;
+import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.State;
+import org.evoloop.time.Clock;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A visit of a converter, which takes what the visit raises.
+ *
+ * <p>Threading: all methods may be called from any thread.
+ */
+public final class HostedVisit implements Visit {
+    private final State state;
+    private final long number;
+    private final VisitHost host;
+    private final Object lock = new Object();
+    private volatile boolean ended;
+    private volatile String progress = "";
+
+    // Made when they are needed: most visits need neither.
+    private @Nullable List<Clock.Timer> timers;
+    private @Nullable Deque<Runnable> endings;
+    private boolean running;
+    private @Nullable Event last;
+    private boolean finished;
+
+    /** @param number counts the visits of all states, from 1 */
+    public HostedVisit(State state, long number, VisitHost host) {
+        this.state = state;
+        this.number = number;
+        this.host = host;
+    }
+
+    @Override
+    public State state() {
+        return state;
+    }
+
+    @Override
+    public long number() {
+        return number;
+    }
+
+    @Override
+    public Clock clock() {
+        return host.clock();
+    }
+
+    @Override
+    public boolean threads() {
+        return host.threads();
+    }
+
+    @Override
+    public boolean isActive() {
+        return !ended;
+    }
+
+    @Override
+    public void awaitEnd() throws InterruptedException {
+        requireThreads("awaitEnd", "onEnd");
+        synchronized (lock) {
+            while (!ended) {
+                lock.wait();
+            }
+        }
+    }
+
+    @Override
+    public void sleep(Duration duration) throws InterruptedException {
+        requireThreads("sleep", "after or finishAfter");
+        host.clock().sleep(duration);
+    }
+
+    private void requireThreads(String method, String instead) {
+        if (!threads()) {
+            throw new IllegalStateException(
+                    "visit." + method + " would wait for ever: the converter has no threads; use " + instead);
+        }
+    }
+
+    @Override
+    public boolean accepts(String event) {
+        return host.accepts(this, new Event(event));
+    }
+
+    @Override
+    public void raise(String event) throws InterruptedException {
+        if (isActive()) {
+            host.raise(this, new Event(event));
+        }
+    }
+
+    @Override
+    public void send(String event) throws InterruptedException {
+        if (isActive()) {
+            host.send(this, new Event(event));
+        }
+    }
+
+    @Override
+    public void progress(String text) {
+        progress = text;
+    }
+
+    @Override
+    public String progress() {
+        return progress;
+    }
+
+    @Override
+    public void finish(String event) {
+        synchronized (lock) {
+            if (finished || !isActive()) {
+                return;
+            }
+            finished = true;
+            last = new Event(event);
+            if (running) {
+                return;
+            }
+        }
+        deliverLast();
+    }
+
+    @Override
+    public void finishAfter(Duration delay, String event) {
+        host.requireKnown(new Event(event));
+        after(delay, () -> finish(event));
+    }
+
+    @Override
+    public void after(Duration delay, Runnable task) {
+        Clock.requireDelay(requireNonNull(delay, "the delay is null"));
+        requireNonNull(task, "the task is null");
+        synchronized (lock) {
+            if (isActive()) {
+                List<Clock.Timer> all = timers == null ? new ArrayList<>() : timers;
+                timers = all;
+                all.add(host.clock().schedule(delay, () -> {
+                    if (isActive()) {
+                        contained(task);
+                    }
+                }));
+            }
+        }
+    }
+
+    @Override
+    public void say(String text) {
+        if (isActive()) {
+            host.notice("***  " + text + "  ***  ");
+        }
+    }
+
+    @Override
+    public void onEnd(Runnable ending) {
+        requireNonNull(ending, "the ending is null");
+        synchronized (lock) {
+            if (isActive()) {
+                Deque<Runnable> all = endings == null ? new ArrayDeque<>() : endings;
+                endings = all;
+                all.push(ending);
+                return;
+            }
+        }
+        contained(ending);
+    }
+
+    /** Calls {@code function} and delivers its last event. */
+    void run(NewFunction function) {
+        synchronized (lock) {
+            running = true;
+        }
+        try {
+            function.run(this);
+        } catch (InterruptedException stop) {
+            if (isActive()) {
+                host.failed(this, stop);
+            }
+        } catch (Throwable cause) {
+            host.failed(this, cause);
+        }
+        synchronized (lock) {
+            running = false;
+        }
+        deliverLast();
+    }
+
+    private void deliverLast() {
+        Event event;
+        synchronized (lock) {
+            event = last;
+            last = null;
+        }
+        if (event != null && isActive()) {
+            host.notice("***  Send " + event + " event to EventConverter.  ***  ");
+            host.notice("***  Stop new functions  ***");
+            host.finish(this, event);
+        }
+    }
+
+    /** The state is left: timers are called off and endings run. Idempotent. */
+    void end() {
+        List<Clock.Timer> toCancel;
+        Deque<Runnable> toRun;
+        synchronized (lock) {
+            ended = true;
+            lock.notifyAll();
+            toCancel = timers;
+            timers = null;
+            toRun = endings;
+            endings = null;
+        }
+        if (toCancel != null) {
+            toCancel.forEach(Clock.Timer::cancel);
+        }
+        if (toRun != null) {
+            toRun.forEach(this::contained);
+        }
+    }
+
+    /** A task that throws must not disturb the clock's thread, nor the thread that leaves the state. */
+    private void contained(Runnable task) {
+        try {
+            task.run();
+        } catch (Throwable cause) {
+            host.failed(this, cause);
+        }
+    }
+
+    /** For messages: {@code visit 3 of Move}. */
+    @Override
+    public String toString() {
+        return "visit " + number + " of " + state;
+    }
+}

@@ -1,0 +1,55 @@
+package org.evoloop.function.visit;
+
+import org.evoloop.function.Visit;
+import org.evoloop.statemachine.Event;
+import org.evoloop.time.Clock;
+
+/**
+ * What a visit needs of the converter that it belongs to.
+ *
+ * <p>Threading: called from any thread.
+ */
+public interface VisitHost {
+
+    /** The converter's time. */
+    Clock clock();
+
+    /** Whether functions have threads of their own. */
+    boolean threads();
+
+    /** Whether the new model has a transition for the event in the state that is visited. */
+    boolean accepts(Visit visit, Event event);
+
+    /**
+     * Refuses an event that nobody could hear.
+     *
+     * @throws IllegalArgumentException if neither model knows the event; the message tells the nearest names
+     */
+    void requireKnown(Event event);
+
+    /**
+     * Queues an event that the visit raises; waits while the queue is full.
+     *
+     * @throws InterruptedException if the thread is told to stop while it waits
+     */
+    void raise(Visit visit, Event event) throws InterruptedException;
+
+    /**
+     * Queues an event that the device shall do; waits while the queue is full.
+     *
+     * @throws InterruptedException if the thread is told to stop while it waits
+     */
+    void send(Visit visit, Event event) throws InterruptedException;
+
+    /**
+     * Queues the last event of a visit, however full the queue: it comes once, maybe on the clock's thread, which must not
+     * wait.
+     */
+    void finish(Visit visit, Event event);
+
+    /** A line of the transcript. */
+    void notice(String line);
+
+    /** The function failed. */
+    void failed(Visit visit, Throwable cause);
+}

@@ -1,0 +1,84 @@
+package org.evoloop.loop;
+
+import java.time.Duration;
+import java.util.concurrent.locks.LockSupport;
+import org.evoloop.time.Threads;
+
+/** A thread of the loop: one round after the other, until it is retired. */
+abstract class LoopThread implements Runnable {
+    private final Thread thread;
+    private volatile boolean retired;
+
+    LoopThread(String name) {
+        thread = new Thread(this, name);
+        // A component that cannot be stopped must not keep the program alive.
+        thread.setDaemon(true);
+    }
+
+    /** One round on this thread; returns when it is time to look whether the thread is still wanted. */
+    abstract void round() throws InterruptedException;
+
+    /** The last that happens on this thread. */
+    void ended() {}
+
+    @Override
+    public final void run() {
+        while (!retired) {
+            try {
+                round();
+            } catch (InterruptedException stop) {
+                // Whoever interrupts the thread retires it or gives its work up; the condition above tells which.
+            }
+        }
+        ended();
+    }
+
+    @SuppressWarnings("ThreadPriorityCheck") // a hint only: nothing is wrong if the scheduler ignores it
+    static void giveWay() {
+        Thread.yield();
+    }
+
+    final String name() {
+        return thread.getName();
+    }
+
+    final void start() {
+        thread.start();
+    }
+
+    final void interrupt() {
+        thread.interrupt();
+    }
+
+    final void unpark() {
+        LockSupport.unpark(thread);
+    }
+
+    final boolean isAlive() {
+        return thread.isAlive();
+    }
+
+    final boolean isCurrent() {
+        return thread == Thread.currentThread();
+    }
+
+    final boolean isRetired() {
+        return retired;
+    }
+
+    /** Has the thread end after the round that it is in, which is interrupted. */
+    final void retire() {
+        retired = true;
+        interrupt();
+    }
+
+    /**
+     * Waits for the thread to end, unless it is the caller's. An interrupt of the caller does not cut the wait short; its
+     * flag is restored.
+     *
+     * @return whether it has ended, or is the caller's
+     */
+    final boolean join(Duration limit) {
+        return isCurrent() || Threads.join(thread, limit);
+    }
+}

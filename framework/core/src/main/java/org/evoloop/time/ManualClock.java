@@ -1,0 +1,99 @@
+package org.evoloop.time;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.Comparator;
+import java.util.Optional;
+import java.util.PriorityQueue;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A clock that stands still until it is told to advance. {@link #advance} returns after all work that became due has
+ * run, in the order of its times, on the caller's thread.
+ *
+ * <p>Threading: thread-safe; one thread at a time should advance it.
+ */
+public final class ManualClock implements Clock {
+    private final PriorityQueue<Task> tasks =
+            new PriorityQueue<>(Comparator.comparingLong(Task::dueNanos).thenComparingLong(Task::order));
+    private long nowNanos;
+    private long scheduled;
+
+    /** On which a task runs. */
+    private volatile @Nullable Thread working;
+
+    /** @param order counts what was scheduled; of tasks that are due at one time the first one runs first */
+    private record Task(long dueNanos, long order, Runnable action) {}
+
+    /** A clock that stands at zero. */
+    public ManualClock() {}
+
+    @Override
+    public synchronized long nanoTime() {
+        return nowNanos;
+    }
+
+    @Override
+    public Instant wallTime() {
+        return Instant.EPOCH.plusNanos(nanoTime());
+    }
+
+    @Override
+    public synchronized Timer schedule(Duration delay, Runnable action) {
+        Task task = new Task(nowNanos + Clock.requireDelay(delay).toNanos(), scheduled++, action);
+        tasks.add(task);
+        return () -> cancel(task);
+    }
+
+    private synchronized void cancel(Task task) {
+        tasks.remove(task);
+    }
+
+    /** Lets {@code duration} pass and runs what falls due meanwhile, tasks that those tasks schedule included. */
+    public void advance(Duration duration) {
+        long until = nanoTime() + duration.toNanos();
+        for (Task due = pollDue(until); due != null; due = pollDue(until)) {
+            Thread before = working;
+            working = Thread.currentThread();
+            try {
+                due.action().run();
+            } finally {
+                working = before;
+            }
+        }
+        synchronized (this) {
+            nowNanos = until;
+        }
+    }
+
+    private synchronized @Nullable Task pollDue(long until) {
+        Task next = tasks.peek();
+        if (next == null || next.dueNanos() > until) {
+            return null;
+        }
+        nowNanos = Math.max(nowNanos, next.dueNanos());
+        return tasks.poll();
+    }
+
+    /** How long it is until the next task is due; empty if none waits. */
+    public synchronized Optional<Duration> untilNext() {
+        Task next = tasks.peek();
+        return next == null ? Optional.empty() : Optional.of(Duration.ofNanos(Math.max(0, next.dueNanos() - nowNanos)));
+    }
+
+    /** How many tasks wait for their time; for tests that look for timers left behind. */
+    public synchronized int pendingTasks() {
+        return tasks.size();
+    }
+
+    @Override
+    public boolean ownsCurrentThread() {
+        return working == Thread.currentThread();
+    }
+
+    /** Forgets all tasks. */
+    @Override
+    public synchronized void close() {
+        tasks.clear();
+    }
+}

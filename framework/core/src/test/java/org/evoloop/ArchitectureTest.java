@@ -1,0 +1,163 @@
+package org.evoloop;
+
+import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAPackage;
+import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAnyPackage;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
+
+import com.tngtech.archunit.core.domain.JavaClass;
+import com.tngtech.archunit.core.domain.JavaField;
+import com.tngtech.archunit.core.domain.JavaModifier;
+import com.tngtech.archunit.core.importer.ImportOption;
+import com.tngtech.archunit.junit.AnalyzeClasses;
+import com.tngtech.archunit.junit.ArchTest;
+import com.tngtech.archunit.lang.ArchCondition;
+import com.tngtech.archunit.lang.ArchRule;
+import com.tngtech.archunit.lang.ConditionEvents;
+import com.tngtech.archunit.lang.SimpleConditionEvent;
+import com.tngtech.archunit.library.Architectures;
+import com.tngtech.archunit.library.dependencies.SlicesRuleDefinition;
+import java.time.Clock;
+import java.time.Instant;
+import java.time.LocalDate;
+import java.time.LocalDateTime;
+import java.time.LocalTime;
+import java.time.ZonedDateTime;
+import java.util.Random;
+import java.util.Timer;
+import java.util.UUID;
+
+/** The rooms of the core module and the arrows between them; what the modules may use of each other is in their module-info. */
+@AnalyzeClasses(packages = "org.evoloop", importOptions = ImportOption.DoNotIncludeTests.class)
+class ArchitectureTest {
+    private static final String CONVERTER = "org.evoloop.converter..";
+
+    @ArchTest
+    static final ArchRule arrowsRunDown = Architectures.layeredArchitecture()
+            .consideringOnlyDependenciesInLayers()
+            .layer("statemachine")
+            .definedBy("org.evoloop.statemachine..")
+            .layer("time")
+            .definedBy("org.evoloop.time..")
+            .layer("evolution")
+            .definedBy("org.evoloop.evolution..")
+            .layer("core")
+            .definedBy("org.evoloop.core..")
+            .layer("loop")
+            .definedBy("org.evoloop.loop..")
+            .layer("function")
+            .definedBy("org.evoloop.function..")
+            .layer("converter")
+            .definedBy("org.evoloop.converter..")
+            .whereLayer("statemachine")
+            .mayNotAccessAnyLayer()
+            .whereLayer("time")
+            .mayNotAccessAnyLayer()
+            .whereLayer("evolution")
+            .mayOnlyAccessLayers("statemachine")
+            .whereLayer("core")
+            .mayOnlyAccessLayers("evolution", "statemachine")
+            .whereLayer("loop")
+            .mayOnlyAccessLayers("time")
+            .whereLayer("function")
+            .mayOnlyAccessLayers("loop", "time", "statemachine")
+            .whereLayer("converter")
+            .mayOnlyAccessLayers("core", "loop", "function", "evolution", "time", "statemachine");
+
+    @ArchTest
+    static final ArchRule noRoomsLeadInACircle =
+            SlicesRuleDefinition.slices().matching("org.evoloop.(**)").should().beFreeOfCycles();
+
+    @ArchTest
+    static final ArchRule threadsBeginInTheirRooms = noClasses()
+            .that()
+            .resideOutsideOfPackages("org.evoloop.loop..", "org.evoloop.time..", "org.evoloop.function..", CONVERTER)
+            .should()
+            .dependOnClassesThat()
+            .areAssignableTo(Thread.class)
+            .orShould()
+            .dependOnClassesThat()
+            .resideInAPackage("java.util.concurrent..");
+
+    @ArchTest
+    static final ArchRule decisionsArePure = noClasses()
+            .that(resideInAnyPackage("org.evoloop.statemachine..", "org.evoloop.evolution.."))
+            .should()
+            .dependOnClassesThat()
+            .resideInAnyPackage("java.io..", "java.nio..", "java.net..", "org.slf4j..")
+            .orShould()
+            .dependOnClassesThat()
+            .areAssignableTo(Thread.class);
+
+    /** The same inputs give the same outputs: nothing in it waits, looks at a clock, throws dice or tells anybody. */
+    @ArchTest
+    static final ArchRule theCoreIsDeterministic = noClasses()
+            .that(resideInAPackage("org.evoloop.core.."))
+            .should()
+            .dependOnClassesThat()
+            .resideInAnyPackage(
+                    "java.util.concurrent..",
+                    "java.io..",
+                    "java.nio..",
+                    "java.net..",
+                    "java.util.random..",
+                    "java.lang.ref..",
+                    "org.slf4j..")
+            .orShould()
+            .dependOnClassesThat()
+            .belongToAnyOf(
+                    Thread.class,
+                    ThreadLocal.class,
+                    Timer.class,
+                    Random.class,
+                    UUID.class,
+                    Clock.class,
+                    Instant.class,
+                    LocalDate.class,
+                    LocalTime.class,
+                    LocalDateTime.class,
+                    ZonedDateTime.class)
+            .orShould()
+            .callMethod(System.class, "nanoTime")
+            .orShould()
+            .callMethod(Math.class, "random")
+            .orShould()
+            .callMethod(System.class, "identityHashCode", Object.class)
+            .orShould(haveStaticState());
+
+    /** Static state would make two cores side by side one. */
+    private static ArchCondition<JavaClass> haveStaticState() {
+        return new ArchCondition<>("have static fields that are not final") {
+            @Override
+            public void check(JavaClass item, ConditionEvents events) {
+                for (JavaField field : item.getFields()) {
+                    boolean constant = field.getModifiers().contains(JavaModifier.FINAL);
+                    boolean shared = field.getModifiers().contains(JavaModifier.STATIC) && !constant;
+                    events.add(new SimpleConditionEvent(field, shared, field.getFullName() + " is static, not final"));
+                }
+            }
+        };
+    }
+
+    /** How long a thread really waits is no time of the converter, and has the loop's own room. */
+    @ArchTest
+    static final ArchRule timeIsInjected = noClasses()
+            .that(resideInAPackage("org.evoloop..")
+                    .and(com.tngtech.archunit.base.DescribedPredicate.not(resideInAPackage("org.evoloop.time.."))))
+            .should()
+            .callMethod(System.class, "currentTimeMillis")
+            .orShould()
+            .callMethod(Thread.class, "sleep", long.class)
+            .orShould()
+            .callMethod(java.time.Instant.class, "now");
+
+    @ArchTest
+    static final ArchRule onlyTheLoopAndTheClockLookAtTheMachinesTime = noClasses()
+            .that()
+            .resideOutsideOfPackages("org.evoloop.time..", "org.evoloop.loop..")
+            .should()
+            .callMethod(System.class, "nanoTime");
+
+    @ArchTest
+    static final ArchRule nothingIsPrinted =
+            noClasses().should().accessField(System.class, "out").orShould().accessField(System.class, "err");
+}

@@ -1,0 +1,87 @@
+package org.evoloop.function.visit;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.time.Duration;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.atomic.AtomicBoolean;
+import org.evoloop.function.Visit;
+import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.State;
+import org.evoloop.time.Clock;
+import org.evoloop.time.ManualClock;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+class FunctionRunnerTest {
+    private final ManualClock clock = new ManualClock();
+
+    private final VisitHost host = new VisitHost() {
+        @Override
+        public Clock clock() {
+            return clock;
+        }
+
+        @Override
+        public boolean threads() {
+            return true;
+        }
+
+        @Override
+        public boolean accepts(Visit visit, Event event) {
+            return false;
+        }
+
+        @Override
+        public void send(Visit visit, Event event) {
+            throw new AssertionError(visit + " asks for " + event);
+        }
+
+        @Override
+        public void requireKnown(Event event) {}
+
+        @Override
+        public void raise(Visit visit, Event event) {}
+
+        @Override
+        public void finish(Visit visit, Event event) {}
+
+        @Override
+        public void notice(String line) {}
+
+        @Override
+        public void failed(Visit visit, Throwable cause) {}
+    };
+
+    @Test
+    @Timeout(60)
+    void anInterruptOfWhoeverEndsAFunctionDoesNotCutTheWaitShort() throws Exception {
+        FunctionRunner runner = new FunctionRunner(host, Duration.ofSeconds(20));
+        Thread caller = Thread.currentThread();
+        CountDownLatch started = new CountDownLatch(1);
+        AtomicBoolean cleanedUp = new AtomicBoolean();
+        AtomicBoolean over = new AtomicBoolean();
+        runner.begin(new HostedVisit(new State("Move"), 1, host));
+        runner.run(visit -> {
+            started.countDown();
+            try {
+                visit.awaitEnd();
+            } finally {
+                while (caller.getState() != Thread.State.TIMED_WAITING && !over.get()) {
+                    Thread.onSpinWait();
+                }
+                cleanedUp.set(true);
+            }
+        });
+        started.await();
+
+        caller.interrupt();
+        runner.end();
+
+        boolean ended = cleanedUp.get();
+        over.set(true);
+        assertThat(Thread.interrupted()).as("the caller's flag").isTrue();
+        assertThat(ended).isTrue();
+        assertThat(runner.threadName()).isEmpty();
+    }
+}

@@ -1,0 +1,87 @@
+package org.evoloop.function.visit;
+
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import org.evoloop.function.Visit;
+import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.State;
+import org.evoloop.time.ManualClock;
+
+/** Stands in for the converter of a visit and notes what the visit tells it. */
+public final class VisitLog implements VisitHost {
+    private static final int PATIENCE_SECONDS = 20;
+
+    public final ManualClock clock = new ManualClock();
+    public final BlockingQueue<String> events = new LinkedBlockingQueue<>();
+    public final List<String> notices = new CopyOnWriteArrayList<>();
+    public final BlockingQueue<Throwable> failures = new LinkedBlockingQueue<>();
+    public final Set<String> accepted = new HashSet<>();
+    private final boolean threads;
+    private long visits;
+
+    public VisitLog(boolean threads) {
+        this.threads = threads;
+    }
+
+    public HostedVisit visit() {
+        return new HostedVisit(new State("Move"), ++visits, this);
+    }
+
+    @Override
+    public ManualClock clock() {
+        return clock;
+    }
+
+    @Override
+    public boolean threads() {
+        return threads;
+    }
+
+    @Override
+    public boolean accepts(Visit visit, Event event) {
+        return accepted.contains(event.name());
+    }
+
+    @Override
+    public void send(Visit visit, Event event) {
+        throw new AssertionError(visit + " asks for " + event);
+    }
+
+    @Override
+    public void requireKnown(Event event) {
+        // Everything is known here.
+    }
+
+    @Override
+    public void raise(Visit visit, Event event) throws InterruptedException {
+        events.put("raised " + event);
+    }
+
+    @Override
+    public void finish(Visit visit, Event event) {
+        events.add("finished " + event);
+    }
+
+    @Override
+    public void notice(String line) {
+        notices.add(line);
+    }
+
+    @Override
+    public void failed(Visit visit, Throwable cause) {
+        failures.add(cause);
+    }
+
+    public static <T> T take(BlockingQueue<T> queue) throws InterruptedException {
+        T taken = queue.poll(PATIENCE_SECONDS, TimeUnit.SECONDS);
+        if (taken == null) {
+            throw new AssertionError("nothing came");
+        }
+        return taken;
+    }
+}

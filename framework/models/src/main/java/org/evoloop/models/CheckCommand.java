@@ -1,0 +1,104 @@
+package org.evoloop.models;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.Callable;
+import org.evoloop.check.Check;
+import org.evoloop.check.CheckInput;
+import org.evoloop.check.Finding;
+import org.evoloop.check.Rule;
+import org.evoloop.evolution.ModelPair;
+import org.evoloop.models.checking.Drawings;
+import org.evoloop.models.checking.FindingDiagram;
+import org.evoloop.models.checking.FindingsJson;
+import org.evoloop.models.checking.FindingsText;
+import org.evoloop.models.checking.RuleSwitches;
+import org.evoloop.models.checking.RuleSwitches.SwitchedOff;
+import org.evoloop.models.checking.SamePlace;
+import org.evoloop.models.diagram.Diagram;
+import org.evoloop.models.diagram.SvgWriter;
+import org.evoloop.models.temporal.PropertyCheck;
+import org.evoloop.xmi.ModelReference;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** Checks an evolution before it runs. */
+@Command(
+        name = "check",
+        description = "Checks an evolution by the rules that docs/models.md lists; exit status 1 if one is broken.",
+        mixinStandardHelpOptions = true)
+@SuppressWarnings("NullAway.Init") // picocli sets the fields
+final class CheckCommand implements Callable<Integer> {
+    /** How findings can be told. */
+    enum Format {
+        TEXT,
+        JSON,
+        SVG
+    }
+
+    @Spec
+    private CommandSpec spec;
+
+    @Mixin
+    private PairOptions options;
+
+    @Option(
+            names = "--format",
+            defaultValue = "TEXT",
+            description = "One of ${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE}); svg draws the ways that lead to"
+                    + " findings.")
+    private Format format;
+
+    @Mixin
+    private ConverterOptions converter;
+
+    @Mixin
+    private PropertiesFile properties;
+
+    @Override
+    public Integer call() throws IOException {
+        ModelPair pair = options.read();
+        CheckInput input = converter.tell(CheckInput.of(pair).withDevice(options.device(pair.original())));
+        List<Finding> all = new ArrayList<>(Check.run(input));
+        RuleSwitches switches = RuleSwitches.none();
+        ModelReference evolved = options.evolved();
+        if (all.stream().noneMatch(CheckCommand::isNoEvolution) && properties.isThere(evolved)) {
+            Path file = properties.path(evolved);
+            switches = RuleSwitches.parse(file.toString(), PropertiesFile.read(file), pair);
+            all.addAll(PropertyCheck.run(input, file.toString(), switches.properties()));
+            switches.useless(all).forEach(useless -> spec.commandLine().getErr().println("note: " + useless));
+        }
+        Drawings drawings = options.drawings(pair);
+        List<Finding> findings = SamePlace.merge(switches.left(all), drawings);
+        List<SwitchedOff> off = switches.off(all);
+        Output.print(
+                spec,
+                switch (format) {
+                    case TEXT -> FindingsText.write(findings, off, drawings::place);
+                    case JSON -> FindingsJson.write(findings, off, drawings::place);
+                    case SVG -> picture(pair, findings);
+                });
+        return findings.stream().allMatch(finding -> finding.rule().severity() == Rule.Severity.NOTE) ? 0 : 1;
+    }
+
+    /** Where the pair is none, nothing can happen in it. */
+    private static boolean isNoEvolution(Finding finding) {
+        return switch (finding.rule()) {
+            case CONDITION_1, CONDITION_2, INITIAL_DIFFERS -> true;
+            default -> false;
+        };
+    }
+
+    private static String picture(ModelPair pair, List<Finding> findings) {
+        List<Diagram> diagrams = findings.stream()
+                .flatMap(finding -> FindingDiagram.of(pair, finding).stream())
+                .toList();
+        return SvgWriter.write(
+                "Check of " + pair.original().name() + " and " + pair.evolved().name(), diagrams);
+    }
+}

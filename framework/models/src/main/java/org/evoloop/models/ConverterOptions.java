@@ -1,0 +1,89 @@
+package org.evoloop.models;
+
+import java.util.Collection;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.function.Function;
+import java.util.stream.Collectors;
+import org.evoloop.check.CheckInput;
+import org.evoloop.evolution.ModelPair;
+import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.StateMachine;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Option;
+
+/** What the author of a converter says that it has; what is not said is not judged. */
+@SuppressWarnings("NullAway.Init") // picocli sets the fields
+final class ConverterOptions {
+    @Option(
+            names = "--functions",
+            split = ",",
+            paramLabel = "STATE",
+            description = "New states for which a function is registered; judged only if given.")
+    private @Nullable List<String> functions;
+
+    @Option(
+            names = "--raised",
+            split = ",",
+            paramLabel = "EVENT",
+            description = "Events that monitors and functions raise; judged only if given.")
+    private @Nullable List<String> raised;
+
+    @Option(
+            names = "--guards",
+            split = ",",
+            paramLabel = "GUARD",
+            description = "Guards that something is bound to; judged only if given.")
+    private @Nullable List<String> guards;
+
+    @Option(
+            names = "--effects",
+            split = ",",
+            paramLabel = "EFFECT",
+            description = "Effects that something is bound to; judged only if given.")
+    private @Nullable List<String> effects;
+
+    /**
+     * What is checked, with what these options say.
+     *
+     * @throws IllegalArgumentException for a name that no model has
+     */
+    CheckInput tell(CheckInput models) {
+        ModelPair pair = models.pair();
+        CheckInput input = models;
+        if (functions != null) {
+            Set<String> states = KnownNames.states(pair.evolved());
+            input = input.withFunctions(KnownNames.resolve("--functions", functions, states, "state of the new model"));
+        }
+        if (raised != null) {
+            Set<String> events = ofBoth(pair, machine -> names(machine.triggers(), Event::name));
+            input = input.withRaised(KnownNames.resolve("--raised", raised, events, "event of either model"));
+        }
+        if (guards != null) {
+            Set<String> texts = ofBoth(pair, StateMachine::guards);
+            input = input.withGuards(KnownNames.resolve("--guards", guards, texts, "guard of either model"));
+        }
+        if (effects != null) {
+            Set<String> texts = ofBoth(pair, ConverterOptions::effects);
+            input = input.withEffects(KnownNames.resolve("--effects", effects, texts, "effect of either model"));
+        }
+        return input;
+    }
+
+    private static Set<String> ofBoth(ModelPair pair, Function<StateMachine, Set<String>> names) {
+        Set<String> all = new LinkedHashSet<>(names.apply(pair.evolved()));
+        all.addAll(names.apply(pair.original()));
+        return all;
+    }
+
+    private static Set<String> effects(StateMachine machine) {
+        Set<String> effects = new LinkedHashSet<>();
+        machine.transitions().forEach(transition -> effects.addAll(transition.effects()));
+        return effects;
+    }
+
+    private static <T> Set<String> names(Collection<T> parts, Function<T, String> name) {
+        return parts.stream().map(name).collect(Collectors.toCollection(LinkedHashSet::new));
+    }
+}

@@ -1,0 +1,90 @@
+package org.evoloop.models;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.Callable;
+import org.evoloop.check.Check;
+import org.evoloop.check.CheckInput;
+import org.evoloop.check.Finding;
+import org.evoloop.check.Rule;
+import org.evoloop.evolution.DeviceEvents;
+import org.evoloop.evolution.ModelPair;
+import org.evoloop.models.checking.FindingsText;
+import org.evoloop.models.checking.RuleSwitches;
+import org.evoloop.models.scaffold.Scaffold;
+import org.evoloop.xmi.ModelReference;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** A converter's project to begin with. */
+@Command(
+        name = "scaffold",
+        description = "Starts the Maven project of a converter, which builds, is tested and runs at once.",
+        mixinStandardHelpOptions = true)
+@SuppressWarnings("NullAway.Init") // picocli sets the fields
+final class ScaffoldCommand implements Callable<Integer> {
+    @Spec
+    private CommandSpec spec;
+
+    @Mixin
+    private PairOptions options;
+
+    @Option(names = "--package", required = true, paramLabel = "P", description = "The Java package of its classes.")
+    private String javaPackage;
+
+    @Option(
+            names = "--out",
+            required = true,
+            paramLabel = "DIR",
+            description = "The directory of the project; it must not exist, or be empty, unless --update is given.")
+    private Path directory;
+
+    @Option(
+            names = "--update",
+            description =
+                    "Brings the project in DIR up to date with the models; what its owner wrote is kept, and what is"
+                            + " new is told.")
+    private boolean update;
+
+    @Mixin
+    private PropertiesFile properties;
+
+    @Override
+    public Integer call() throws IOException {
+        Scaffold.requirePackage(javaPackage);
+        Scaffold.requireDirectory(directory, update);
+        ModelPair pair = options.read();
+        DeviceEvents device = options.device(pair.original());
+        List<Finding> errors = Check.run(CheckInput.of(pair).withDevice(device)).stream()
+                .filter(finding -> finding.rule().severity() == Rule.Severity.ERROR)
+                .toList();
+        if (!errors.isEmpty()) {
+            spec.commandLine().getErr().print(FindingsText.write(errors, List.of(), options.drawings(pair)::place));
+            spec.commandLine().getErr().println("error: no converter of this pair could run; mend the models first");
+            return 1;
+        }
+        List<String> report = Scaffold.write(new Scaffold.Request(
+                pair, device, options.original(), options.evolved(), javaPackage, directory, propertiesFile(pair)));
+        return Output.print(
+                spec,
+                update
+                        ? report.isEmpty() ? "nothing is new\n" : String.join("\n", report) + "\n"
+                        : "wrote " + directory + "; go on with: cd " + directory + " && ./mvnw -q verify\n");
+    }
+
+    /** The file that goes along, if there is one; it must be understood. */
+    private @Nullable Path propertiesFile(ModelPair pair) throws IOException {
+        ModelReference evolved = options.evolved();
+        if (!properties.isThere(evolved)) {
+            return null;
+        }
+        Path file = properties.path(evolved);
+        RuleSwitches.parse(file.toString(), PropertiesFile.read(file), pair);
+        return file;
+    }
+}

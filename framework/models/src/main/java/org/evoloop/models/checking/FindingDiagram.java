@@ -1,0 +1,61 @@
+package org.evoloop.models.checking;
+
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.stream.Stream;
+import org.evoloop.check.Element;
+import org.evoloop.check.Finding;
+import org.evoloop.evolution.ModelPair;
+import org.evoloop.evolution.Step;
+import org.evoloop.evolution.Turn;
+import org.evoloop.models.chart.FlatChart;
+import org.evoloop.models.diagram.ChartDiagram;
+import org.evoloop.models.diagram.Diagram;
+import org.evoloop.models.diagram.Diagram.Tone;
+import org.evoloop.statechart.Arc;
+import org.evoloop.statemachine.StateMachine;
+import org.evoloop.statemachine.Transition;
+
+/** Findings as pictures: the machines with the way that leads there, and the element that is concerned, in colour. */
+public final class FindingDiagram {
+    private FindingDiagram() {}
+
+    /** Both machines where something happens in both; else the one that is concerned. */
+    public static List<Diagram> of(ModelPair pair, Finding finding) {
+        Stream<Diagram> original = Stream.of(draw(pair.original(), Element.Side.ORIGINAL, finding));
+        Stream<Diagram> evolved = Stream.of(draw(pair.evolved(), Element.Side.NEW, finding));
+        if (!finding.example().isEmpty()) {
+            return Stream.concat(original, evolved).toList();
+        }
+        return (finding.element().side() == Element.Side.ORIGINAL ? original : evolved).toList();
+    }
+
+    private static Diagram draw(StateMachine machine, Element.Side side, Finding finding) {
+        Set<Arc> arcs = new HashSet<>();
+        Set<String> vertices = new HashSet<>();
+        for (Turn turn : finding.example()) {
+            taken(turn, side).forEach(transition -> arcs.add(FlatChart.arc(transition)));
+        }
+        if (finding.element().side() == side) {
+            if (finding.element() instanceof Element.OfState of) {
+                vertices.add(FlatChart.key(of.state()));
+            } else if (finding.element() instanceof Element.OfTransition of) {
+                arcs.add(FlatChart.arc(of.transition()));
+            }
+        }
+        return ChartDiagram.of(
+                FlatChart.of(
+                        machine.withName(machine.name() + ": " + finding.rule().id())),
+                vertex -> vertices.contains(vertex.key()) ? Tone.MARKED : Tone.PLAIN,
+                arc -> arcs.contains(arc) ? Tone.MARKED : Tone.PLAIN);
+    }
+
+    private static List<Transition> taken(Turn turn, Element.Side side) {
+        if (side == Element.Side.ORIGINAL) {
+            return turn.decision().steps().stream().map(Step::transition).toList();
+        }
+        Transition transition = turn.decision().transition();
+        return transition == null ? List.of() : List.of(transition);
+    }
+}

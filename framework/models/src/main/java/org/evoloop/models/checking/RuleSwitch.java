@@ -1,0 +1,76 @@
+package org.evoloop.models.checking;
+
+import java.util.Arrays;
+import java.util.Optional;
+import java.util.function.Predicate;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import org.evoloop.check.Finding;
+import org.evoloop.check.Rule;
+import org.evoloop.statemachine.ModelException;
+
+/**
+ * A rule that its author has switched off for one element: {@code off trap-state Warm: it is unplugged there}.
+ *
+ * <p>Threading: immutable.
+ *
+ * @param element as findings call it
+ * @param line where it stands in its file, from 1
+ */
+public record RuleSwitch(Rule rule, String element, String reason, int line) {
+    private static final Pattern FORM =
+            Pattern.compile("off\\s+(\\S+?)(?:\\s+(?:\"([^\"]*)\"|([^:]*?)))?\\s*(?::(.*))?");
+
+    /**
+     * Reads one line with all that goes on with it.
+     *
+     * @param isElement whether a model has something of this name
+     * @return empty if it is no switch
+     * @throws ModelException if it is one, and not understood
+     */
+    static Optional<RuleSwitch> parse(String text, int line, Predicate<String> isElement) {
+        Matcher form = FORM.matcher(text);
+        if (!form.matches()) {
+            return Optional.empty();
+        }
+        String id = form.group(1);
+        Optional<Rule> rule = Arrays.stream(Rule.values())
+                .filter(each -> each.id().equals(id))
+                .findFirst();
+        if (rule.isEmpty() && !id.contains("-")) {
+            return Optional.empty();
+        }
+        String element = form.group(2) != null ? form.group(2) : form.group(3) == null ? "" : form.group(3);
+        String reason = form.group(4) == null ? "" : form.group(4).strip();
+        if (rule.isEmpty()) {
+            throw new ModelException("there is no rule " + id + "; choose from: "
+                    + Arrays.stream(Rule.values()).map(Rule::id).collect(Collectors.joining(", ")));
+        }
+        if (rule.get() == Rule.PROPERTY) {
+            throw new ModelException("a property is switched off by removing it");
+        }
+        if (!isElement.test(element)) {
+            throw new ModelException("no model has "
+                    + (element.isEmpty() ? "an element without a name" : "'" + element + "'")
+                    + "; write the state, event or transition as check tells it, such as On --press--> Off");
+        }
+        if (reason.isEmpty()) {
+            throw new ModelException("say why " + id + " does not matter for " + element + ", behind a colon: off " + id
+                    + " " + element + ": REASON");
+        }
+        return Optional.of(new RuleSwitch(rule.get(), element, reason, line));
+    }
+
+    boolean concerns(Finding finding) {
+        return finding.rule() == rule && finding.element().toString().equals(element);
+    }
+
+    /** Whether it is known to be of no use where no finding was switched off: not for what may not have been judged. */
+    boolean isAlwaysJudged() {
+        return switch (rule) {
+            case NO_FUNCTION, UNRAISED_EVENT, UNBOUND_GUARD, UNBOUND_EFFECT -> false;
+            default -> true;
+        };
+    }
+}

@@ -1,0 +1,260 @@
+package org.evoloop.models.scaffold;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import javax.lang.model.SourceVersion;
+import org.evoloop.evolution.DecisionTable;
+import org.evoloop.evolution.DeviceEvents;
+import org.evoloop.evolution.ModelPair;
+import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.State;
+import org.evoloop.xmi.ModelReference;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A converter's project to begin with.
+ *
+ * <p>Threading: one thread.
+ */
+public final class Scaffold {
+    private static final List<String> CLASSES = List.of(
+            "Main", "Models", "Conditions", "MonitorEvent", "ExecuteCommand", "SimulatedDevice", "KnowledgeState");
+
+    /** Which class belongs to which new state. */
+    private static final String FUNCTIONS = "functions.txt";
+
+    private final ProjectDirectory.Content content = new ProjectDirectory.Content();
+    private final Request request;
+    private final ModelPair pair;
+    private final Map<String, String> values = new LinkedHashMap<>(Versions.all());
+
+    /**
+     * What is wanted.
+     *
+     * @param pair without anything that keeps a converter from being built
+     * @param original where its original model was read
+     * @param evolved where its new model was read
+     * @param javaPackage see {@link #requirePackage}
+     * @param directory see {@link #requireDirectory}
+     * @param properties file of the properties that the evolution must keep to; null if there is none
+     */
+    public record Request(
+            ModelPair pair,
+            DeviceEvents device,
+            ModelReference original,
+            ModelReference evolved,
+            String javaPackage,
+            Path directory,
+            @Nullable Path properties) {}
+
+    private Scaffold(Request request) {
+        this.request = request;
+        this.pair = request.pair();
+    }
+
+    /**
+     * Checks the name of a package.
+     *
+     * @throws IllegalArgumentException if it cannot be one, or not one of everybody's machine
+     */
+    public static void requirePackage(String javaPackage) {
+        boolean good = SourceVersion.isName(javaPackage, SourceVersion.RELEASE_17)
+                && javaPackage.chars().allMatch(next -> next < 128)
+                && !javaPackage.startsWith("java.")
+                && !javaPackage.equals("java");
+        if (!good) {
+            throw new IllegalArgumentException("--package: " + javaPackage
+                    + " is no name for a Java package; write words of ASCII letters and digits with dots between, none of"
+                    + " them a word of the language, such as com.example.lamp");
+        }
+    }
+
+    /**
+     * Checks the directory.
+     *
+     * @param update whether it holds a project already
+     * @throws IllegalArgumentException if there is no project to be updated, or anything where one is to begin
+     * @throws IOException if nobody can tell
+     */
+    public static void requireDirectory(Path directory, boolean update) throws IOException {
+        if (Files.exists(directory) && !Files.isDirectory(directory)) {
+            throw new IllegalArgumentException("--out: " + directory + " is a file; name a new directory");
+        }
+        if (update) {
+            if (!ProjectDirectory.isProject(directory)) {
+                throw new IllegalArgumentException("--update: " + directory + " holds no project of scaffold (no "
+                        + ProjectDirectory.GENERATED + " in it); name the one it was written to");
+            }
+        } else if (Files.isDirectory(directory)) {
+            try (Stream<Path> inside = Files.list(directory)) {
+                if (inside.findAny().isPresent()) {
+                    throw new IllegalArgumentException("--out: " + directory
+                            + " is not empty; name a new directory, or add --update to bring a project up to date");
+                }
+            }
+        }
+    }
+
+    /**
+     * Writes the project, or brings it up to date. What its owner has written stays.
+     *
+     * @return what its owner has to know of each file
+     * @throws IllegalArgumentException if it is there in another package, or a model was changed there
+     * @throws IOException if it cannot be written
+     */
+    public static List<String> write(Request request) throws IOException {
+        return new Scaffold(request).write();
+    }
+
+    private List<String> write() throws IOException {
+        ProjectDirectory project = new ProjectDirectory(request.directory());
+        FunctionNames names = FunctionNames.parse(project.generated(FUNCTIONS));
+        names.requirePackage(request.javaPackage());
+        String javaPackage = request.javaPackage();
+        values.put("package", javaPackage);
+        values.put(
+                "artifact",
+                javaPackage.substring(javaPackage.lastIndexOf('.') + 1).toLowerCase(Locale.ROOT));
+        values.put("original", pair.original().name());
+        values.put("evolved", pair.evolved().name());
+        values.put("sendable", names(request.device().sendable()));
+        values.put("spontaneous", names(request.device().spontaneous()));
+        models();
+        wrapper();
+        String packageFolder = javaPackage.replace('.', '/') + "/";
+        String sources = "src/main/java/" + packageFolder;
+        values.put("registrations", functions(sources, names) + bindings());
+        content.text(ProjectDirectory.GENERATED + "/" + FUNCTIONS, names.text(javaPackage));
+        file("pom.xml", "pom.xml.txt");
+        file("README.md", "README.md.txt");
+        file("src/main/resources/logback.xml", "logback.xml.txt");
+        for (String name : CLASSES) {
+            file(sources + name + ".java", name + ".java.txt");
+        }
+        file("src/test/resources/logback-test.xml", "logback-test.xml.txt");
+        boolean guarded =
+                !pair.original().guards().isEmpty() || !pair.evolved().guards().isEmpty();
+        values.put("tests", new TestText(new Scenarios(pair, request.device()).all(), guarded).methods(pair.evolved()));
+        file("src/test/java/" + packageFolder + "TransitionsTest.java", "TransitionsTest.java.txt");
+        return project.write(content.files());
+    }
+
+    private void file(String path, String template) {
+        content.text(path, Template.fill(template, values));
+    }
+
+    private static String names(Set<Event> events) {
+        return events.stream()
+                .sorted()
+                .map(event -> JavaText.literal(event.name()))
+                .collect(Collectors.joining(", "));
+    }
+
+    /** Copies the models under names that every machine can have. */
+    private void models() throws IOException {
+        boolean oneFile =
+                Files.isSameFile(request.original().file(), request.evolved().file());
+        String original = oneFile ? "models" : "original";
+        String evolved = oneFile ? "models" : "new";
+        values.put("originalFile", JavaText.literal(copy(request.original().file(), original)));
+        values.put("evolvedFile", JavaText.literal(copy(request.evolved().file(), evolved)));
+        values.put(
+                "timeUnit",
+                request.original()
+                        .timeUnit()
+                        .map(unit -> "Optional.of(ChronoUnit." + unit.name() + ")")
+                        .orElse("Optional.empty()"));
+        values.put("originalMachine", machine(request.original()));
+        values.put("evolvedMachine", machine(request.evolved()));
+        if (request.properties() != null) {
+            // Called like the new model, where a check looks for it.
+            content.bytes("models/" + evolved + ".properties.txt", Files.readAllBytes(request.properties()));
+        }
+    }
+
+    private String copy(Path file, String name) throws IOException {
+        String given = file.toString();
+        String ending = given.substring(Math.max(given.lastIndexOf('.'), 0));
+        String copied = name + (ending.matches("\\.[A-Za-z0-9]{1,8}") ? ending : ".xml");
+        content.bytes("models/" + copied, Files.readAllBytes(file));
+        return copied;
+    }
+
+    private static String machine(ModelReference reference) {
+        return reference
+                .machine()
+                .map(name -> "Optional.of(" + JavaText.literal(name) + ")")
+                .orElse("Optional.empty()");
+    }
+
+    private void wrapper() {
+        content.bytes("mvnw", Template.bytes("wrapper/mvnw"));
+        content.text(
+                ".mvn/wrapper/maven-wrapper.properties",
+                Template.text("wrapper/.mvn/wrapper/maven-wrapper.properties"));
+        content.text(".gitignore", "target/\n");
+    }
+
+    /** A class for each new state, and the lines that register them. */
+    private String functions(String sources, FunctionNames names) {
+        StringBuilder registrations = new StringBuilder();
+        for (State state : pair.evolved().states()) {
+            if (pair.isNew(state)) {
+                String name = names.of(state);
+                values.put("className", name);
+                values.put("stateComment", JavaText.comment(state.name()));
+                values.put("leftBy", JavaText.comment(leftBy(state)));
+                values.put("say", JavaText.literal(state.name()));
+                values.put("ending", ending(state));
+                file(sources + name + ".java", "Function.java.txt");
+                registrations.append("        function(").append(JavaText.literal(state.name()));
+                registrations.append(", new ").append(name).append("());\n");
+            }
+        }
+        return registrations.toString();
+    }
+
+    private String leftBy(State state) {
+        String events = pair.evolved().transitionsFrom(state).stream()
+                .map(transition ->
+                        transition.event() + (transition.event().timeTrigger().isPresent() ? " (by itself)" : ""))
+                .collect(Collectors.joining(", "));
+        return events.isEmpty() ? "no event" : events;
+    }
+
+    /** How the function of a new state can raise an event that nobody else does; empty if there is none. */
+    private String ending(State state) {
+        return pair.evolved().transitionsFrom(state).stream()
+                .map(transition -> transition.event().trigger())
+                .filter(event -> event.timeTrigger().isEmpty()
+                        && !pair.original().triggers().contains(event))
+                .findFirst()
+                .map(event -> "        // When it is done: visit.finish("
+                        + JavaText.comment(JavaText.literal(event.name())) + ");\n")
+                .orElse("");
+    }
+
+    private String bindings() {
+        StringBuilder lines = new StringBuilder();
+        Stream.concat(pair.original().guards().stream(), pair.evolved().guards().stream())
+                .distinct()
+                .map(JavaText::literal)
+                .forEach(guard ->
+                        lines.append("        guard(" + guard + ", () -> conditions.holds(" + guard + "));\n"));
+        for (String effect : DecisionTable.compile(pair, request.device()).effects()) {
+            lines.append("        effect(").append(JavaText.literal(effect));
+            lines.append(", () -> System.out.println(")
+                    .append(JavaText.literal("effect " + effect))
+                    .append("));\n");
+        }
+        return lines.toString();
+    }
+}

@@ -1,0 +1,152 @@
+package org.evoloop.models.temporal;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Random;
+import java.util.Set;
+import java.util.function.UnaryOperator;
+import java.util.stream.LongStream;
+import org.evoloop.check.CheckInput;
+import org.evoloop.check.PairGraph;
+import org.evoloop.evolution.DecisionTable;
+import org.evoloop.evolution.ModelPair;
+import org.evoloop.models.temporal.Formula.Atom;
+import org.evoloop.models.temporal.Formula.Kind;
+import org.evoloop.statemachine.StateMachine;
+import org.evoloop.statemachine.StateMachineBuilder;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** Random formulas over random machines: M3C and the textbook's fixed points say the same of every moment. */
+class ModelCheckerTest {
+    private static final int STATES = 5;
+
+    static LongStream seeds() {
+        return LongStream.concat(LongStream.rangeClosed(1, 30), LongStream.of(new Random().nextLong()));
+    }
+
+    @ParameterizedTest(name = "seed {0}")
+    @MethodSource("seeds")
+    void agreesWithTheTextbook(long seed) {
+        Random random = new Random(seed);
+        StateMachine machine = machine(random);
+        ModelPair pair = new ModelPair(machine, machine);
+        MomentGraph graph = new MomentGraph(new PairGraph(
+                pair.initial(), DecisionTable.compile(pair, CheckInput.of(pair).device())));
+        ModelChecker checker = new ModelChecker(pair, graph);
+        for (int number = 0; number < 10; number++) {
+            Formula formula = formula(random, 3);
+            Set<Moment> satisfying = satisfying(formula, graph, pair);
+            for (Moment moment : graph.moments()) {
+                assertThat(checker.holds(formula, moment))
+                        .as("%s in %s of %s, seed %d", formula, moment, machine.transitions(), seed)
+                        .isEqualTo(satisfying.contains(moment));
+            }
+        }
+    }
+
+    private static StateMachine machine(Random random) {
+        StateMachineBuilder builder = StateMachine.named("random").initial("S0");
+        for (int state = 0; state < STATES; state++) {
+            builder.state("S" + state);
+            for (String event : List.of("a", "b")) {
+                if (random.nextInt(3) > 0) {
+                    builder.transition("S" + state, event, "S" + random.nextInt(STATES));
+                }
+            }
+        }
+        builder.event("a").event("b");
+        return builder.build();
+    }
+
+    private static Formula formula(Random random, int depth) {
+        if (depth == 0) {
+            return random.nextInt(4) == 0
+                    ? new Atom(Kind.EVENT, random.nextBoolean() ? "a" : "b")
+                    : new Atom(Kind.STATE, "S" + random.nextInt(STATES));
+        }
+        Formula left = formula(random, depth - 1);
+        Formula right = formula(random, random.nextInt(depth));
+        return switch (random.nextInt(9)) {
+            case 0 -> new Formula.Not(left);
+            case 1 -> new Formula.And(left, right);
+            case 2 -> new Formula.Or(left, right);
+            case 3 -> new Formula.Always(left);
+            case 4 -> new Formula.Can(left);
+            case 5 -> new Formula.Eventually(left);
+            case 6 -> new Formula.Next(left);
+            case 7 -> new Formula.Unless(left, right);
+            default -> new Formula.Until(left, right);
+        };
+    }
+
+    private static Set<Moment> satisfying(Formula formula, MomentGraph graph, ModelPair pair) {
+        List<Set<Moment>> parts = new ArrayList<>();
+        formula.operands().forEach(operand -> parts.add(satisfying(operand, graph, pair)));
+        if (formula instanceof Atom atom) {
+            return only(graph, moment -> moment.shows(atom, pair));
+        } else if (formula instanceof Formula.Not) {
+            return only(graph, moment -> !parts.get(0).contains(moment));
+        } else if (formula instanceof Formula.And) {
+            return only(graph, moment -> parts.stream().allMatch(part -> part.contains(moment)));
+        } else if (formula instanceof Formula.Or) {
+            return only(graph, moment -> parts.stream().anyMatch(part -> part.contains(moment)));
+        } else if (formula instanceof Formula.Next) {
+            return only(graph, moment -> allNext(graph, moment, parts.get(0)));
+        } else if (formula instanceof Formula.Always) {
+            return fixedPoint(
+                    graph.moments(),
+                    known -> only(graph, moment -> parts.get(0).contains(moment) && allNext(graph, moment, known)));
+        } else if (formula instanceof Formula.Can) {
+            return fixedPoint(
+                    Set.of(),
+                    known -> only(
+                            graph,
+                            moment -> parts.get(0).contains(moment)
+                                    || graph.from(moment).stream().anyMatch(edge -> known.contains(edge.target()))));
+        } else if (formula instanceof Formula.Unless) {
+            return fixedPoint(graph.moments(), known -> weakly(graph, parts, known));
+        } else if (formula instanceof Formula.Until) {
+            return fixedPoint(Set.of(), known -> strongly(graph, parts.get(0), parts.get(1), known));
+        } else if (formula instanceof Formula.Eventually) {
+            return fixedPoint(Set.of(), known -> strongly(graph, graph.moments(), parts.get(0), known));
+        }
+        throw new AssertionError(formula);
+    }
+
+    private static Set<Moment> weakly(MomentGraph graph, List<Set<Moment>> parts, Set<Moment> known) {
+        return only(
+                graph,
+                moment -> parts.get(1).contains(moment)
+                        || (parts.get(0).contains(moment) && allNext(graph, moment, known)));
+    }
+
+    /** What has no next moment does not come to anything. */
+    private static Set<Moment> strongly(MomentGraph graph, Set<Moment> left, Set<Moment> right, Set<Moment> known) {
+        return only(
+                graph,
+                moment -> right.contains(moment)
+                        || (left.contains(moment) && !graph.from(moment).isEmpty() && allNext(graph, moment, known)));
+    }
+
+    private static boolean allNext(MomentGraph graph, Moment moment, Set<Moment> wanted) {
+        return graph.from(moment).stream().allMatch(edge -> wanted.contains(edge.target()));
+    }
+
+    private static Set<Moment> only(MomentGraph graph, java.util.function.Predicate<Moment> test) {
+        Set<Moment> found = new HashSet<>(graph.moments());
+        found.removeIf(test.negate());
+        return found;
+    }
+
+    private static Set<Moment> fixedPoint(Set<Moment> start, UnaryOperator<Set<Moment>> step) {
+        Set<Moment> known = start;
+        for (Set<Moment> next = step.apply(known); !next.equals(known); next = step.apply(known)) {
+            known = next;
+        }
+        return known;
+    }
+}
