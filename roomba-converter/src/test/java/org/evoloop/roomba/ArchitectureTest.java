@@ -52,7 +52,7 @@ class ArchitectureTest {
 
     @ArchTest
     static final ArchRule theSimulatorKnowsNothingOfTheConverter =
-            room(SIMULATOR, or(resideInAnyPackage(OI, NATIVES, TIME), type(Threads.class)));
+            room(SIMULATOR, resideInAnyPackage(OI, NATIVES, TIME));
 
     @ArchTest
     static final ArchRule theSessionKnowsTheRobotOnly =

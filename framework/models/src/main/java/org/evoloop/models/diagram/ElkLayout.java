@@ -55,13 +55,15 @@ final class ElkLayout {
 
     private final Diagram diagram;
     private final Direction direction;
+    private final LayerConstraint forInitial;
     private final Map<String, ElkNode> nodes = new HashMap<>();
     private final Map<ElkNode, Node> drawn = new LinkedHashMap<>();
     private final Map<ElkEdge, Edge> edges = new LinkedHashMap<>();
 
-    private ElkLayout(Diagram diagram, Direction direction) {
+    private ElkLayout(Diagram diagram, Direction direction, LayerConstraint forInitial) {
         this.diagram = diagram;
         this.direction = direction;
+        this.forInitial = forInitial;
     }
 
     /**
@@ -71,9 +73,18 @@ final class ElkLayout {
     static Layout of(Diagram diagram) {
         boolean flat = diagram.nodes().stream().allMatch(node -> node.children().isEmpty());
         return (flat ? Stream.of(Direction.RIGHT, Direction.DOWN) : Stream.of(Direction.RIGHT))
-                .map(direction -> new ElkLayout(diagram, direction).arrange())
+                .map(direction -> arrange(diagram, direction))
                 .min(Comparator.comparingDouble(ElkLayout::badness))
                 .orElseThrow();
+    }
+
+    /** Nodes that must come first are too much for ELK in some cyclic graphs in graphs; then they stand anywhere. */
+    private static Layout arrange(Diagram diagram, Direction direction) {
+        try {
+            return new ElkLayout(diagram, direction, LayerConstraint.FIRST).arrange();
+        } catch (IndexOutOfBoundsException tooMuch) {
+            return new ElkLayout(diagram, direction, LayerConstraint.NONE).arrange();
+        }
     }
 
     private static double badness(Layout layout) {
@@ -142,7 +153,7 @@ final class ElkLayout {
                 LayeredOptions.EDGE_ROUTING_SELF_LOOP_DISTRIBUTION, SelfLoopDistributionStrategy.NORTH_SOUTH);
         placed.setProperty(LayeredOptions.EDGE_ROUTING_SELF_LOOP_ORDERING, SelfLoopOrderingStrategy.SEQUENCED);
         if (node.shape() == Shape.INITIAL) {
-            placed.setProperty(LayeredOptions.LAYERING_LAYER_CONSTRAINT, LayerConstraint.FIRST);
+            placed.setProperty(LayeredOptions.LAYERING_LAYER_CONSTRAINT, forInitial);
         }
         if (hasNameBelow(node)) {
             List<String> name = NodeSize.name(node);

@@ -87,10 +87,10 @@ class LayoutTest {
         qt().withExamples(60).forAll(longs().all()).checkAssert(LayoutTest::assertThatNothingLiesOnALabel);
     }
 
-    /** Charts for which assertions inside ELK do not hold. */
+    /** Charts for which ELK fails while initial pseudostates have to come first. */
     @ParameterizedTest
     @ValueSource(longs = {-67404428, -1963360})
-    void whereElkDoubtsItselfThePictureIsGoodAllTheSame(long seed) {
+    void whereNothingCanComeFirstThePictureIsGoodAllTheSame(long seed) {
         assertThatNothingLiesOnALabel(seed);
     }
 
