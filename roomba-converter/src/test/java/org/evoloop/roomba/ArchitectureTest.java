@@ -15,7 +15,6 @@ import com.tngtech.archunit.junit.AnalyzeClasses;
 import com.tngtech.archunit.junit.ArchTest;
 import com.tngtech.archunit.lang.ArchRule;
 import org.evoloop.converter.DeviceLink;
-import org.evoloop.time.Threads;
 import org.evoloop.roomba.link.LinkException;
 import org.evoloop.roomba.simulator.SimulatorCommand;
 
