@@ -15,13 +15,11 @@ final class Row {
     /** So many are looked through sooner than hashed, and most states have no more. */
     private static final int FEW = 8;
 
-    private final List<Transition> transitions;
+    private List<Transition> transitions = List.of();
     /** Null while there are few. */
     private @Nullable Map<Event, Transition> byEvent;
 
-    Row() {
-        this.transitions = new ArrayList<>(4);
-    }
+    Row() {}
 
     /** What {@code same} holds now. */
     Row(Row same) {
@@ -34,6 +32,9 @@ final class Row {
     Transition putIfAbsent(Transition transition) {
         Transition present = find(transition.event());
         if (present == null) {
+            if (transitions.isEmpty()) {
+                transitions = new ArrayList<>(FEW);
+            }
             transitions.add(transition);
             if (byEvent != null) {
                 byEvent.put(transition.event(), transition);
