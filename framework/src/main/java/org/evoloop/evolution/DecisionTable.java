@@ -203,8 +203,10 @@ public final class DecisionTable {
         if (asked.get(situation, number) == null) {
             Transition same = conversion.originalTransition(at.original(), event);
             asked.put(situation, number, conversion.decide(at, event, false, transition, same));
-            // Where the device itself has no transition, it makes no difference whether it has acted already.
-            if (same != null) {
+            // Where the device itself has no transition, it makes no difference whether it has acted already; where it
+            // is
+            // not said to act by itself, what its doing so means is decided when that happens.
+            if (same != null && device.spontaneous().contains(event.trigger())) {
                 acted.put(situation, number, conversion.decide(at, event, true, transition, same));
             }
         }
@@ -280,7 +282,13 @@ public final class DecisionTable {
             return decideNow(at, event, deviceActed);
         }
         int number = number(event);
-        Decision own = deviceActed && number >= 0 ? acted.get(situation, number) : null;
+        if (!deviceActed || number < 0) {
+            return decide(situation, number);
+        }
+        Decision own = acted.get(situation, number);
+        if (own == null && conversion.originalTransition(at.original(), event) != null) {
+            return decideNow(at, event, true);
+        }
         return own == null ? decide(situation, number) : own;
     }
 

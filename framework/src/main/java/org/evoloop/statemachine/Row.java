@@ -15,14 +15,18 @@ final class Row {
     /** So many are looked through sooner than hashed, and most states have no more. */
     private static final int FEW = 8;
 
+    private final List<State> alone;
     private List<Transition> transitions = List.of();
     /** Null while there are few. */
     private @Nullable Map<Event, Transition> byEvent;
 
-    Row() {}
+    Row(State state) {
+        this.alone = List.of(state);
+    }
 
     /** What {@code same} holds now. */
     Row(Row same) {
+        this.alone = same.alone;
         this.transitions = List.copyOf(same.transitions);
         this.byEvent = same.byEvent == null ? null : new HashMap<>(same.byEvent);
     }
@@ -61,6 +65,11 @@ final class Row {
             }
         }
         return null;
+    }
+
+    /** The state, as the machine names it, and no other. */
+    List<State> alone() {
+        return alone;
     }
 
     /** All of them; of a copy the list cannot be changed. */

@@ -194,14 +194,19 @@ public final class StateMachine {
     }
 
     /**
-     * The states that differ from {@code state} at most in what the machine remembers, itself included, in order.
+     * The states, as this machine names them, that differ from {@code state} at most in what the machine remembers, itself
+     * included, in order.
      *
      * @param state with its memory or without, see {@link #withoutMemory}
      * @return empty if this machine has none
      */
     public List<State> alike(State state) {
-        List<State> several = alike.get(withoutMemory(state));
-        return several != null ? several : hasState(state) ? List.of(state) : List.of();
+        List<State> several = alike.isEmpty() ? null : alike.get(withoutMemory(state));
+        if (several != null) {
+            return several;
+        }
+        Row row = rows.get(state);
+        return row == null ? List.of() : row.alone();
     }
 
     /** Whether any state differs from {@code state} at most in what the machine remembers, see {@link #alike}. */
@@ -216,6 +221,11 @@ public final class StateMachine {
     public List<String> paths(State state) {
         List<String> known = traitsOf(state).paths();
         return known.isEmpty() ? List.of(state.name()) : known;
+    }
+
+    /** Whether every state is drawn where its name says, inside no other and with nothing remembered. */
+    public boolean isDrawnFlat() {
+        return traits.values().stream().allMatch(some -> some.paths().isEmpty() && some.withoutMemory() == null);
     }
 
     /** Whether {@code state} is where the machine ends: nothing but final states, or a terminate pseudostate. */

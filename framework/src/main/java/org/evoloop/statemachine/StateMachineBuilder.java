@@ -54,7 +54,7 @@ public final class StateMachineBuilder {
     private Row row(State state) {
         Row row = rows.get(state);
         if (row == null) {
-            row = new Row();
+            row = new Row(state);
             rows.put(state, row);
         }
         return row;
@@ -147,20 +147,35 @@ public final class StateMachineBuilder {
      * @param place as above
      */
     public StateMachineBuilder transition(Transition transition, String place) {
-        State source = transition.source();
-        Event event = transition.event();
-        Row row = row(source);
+        Row row = row(transition.source());
         row(transition.target());
+        add(transition, row, place);
+        return this;
+    }
+
+    /**
+     * Adds the transitions that leave a state, in order, between states that have all been added: a hundred thousand
+     * transitions need not ask for each of their ends.
+     */
+    public StateMachineBuilder transitions(State source, List<Transition> leaving) {
+        Row row = row(source);
+        for (Transition transition : leaving) {
+            add(transition, row, "");
+        }
+        return this;
+    }
+
+    private void add(Transition transition, Row row, String place) {
+        Event event = transition.event();
         addEvent(event, place);
         Transition present = row.putIfAbsent(transition);
         if (present != null) {
-            problems.add("two transitions leave state " + source + " on event " + event + ": "
+            problems.add("two transitions leave state " + transition.source() + " on event " + event + ": "
                     + placed(present, places.getOrDefault(present, "")) + " and " + placed(transition, place)
                     + "; remove one of them or give it another event");
         } else if (!place.isEmpty()) {
             places.put(transition, place);
         }
-        return this;
     }
 
     private static String placed(Transition transition, String place) {
