@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.StringTokenizer;
+import java.util.function.Supplier;
 import org.evoloop.xmi.dialect.Problems;
 import org.evoloop.xmi.dialect.XmlNode;
 import org.jspecify.annotations.Nullable;
@@ -109,7 +110,7 @@ final class ScxmlTree {
      *
      * @param ids with white space between them
      */
-    List<ScxmlVertex> targets(String ids, int line, String what) {
+    List<ScxmlVertex> targets(String ids, int line, Supplier<String> what) {
         StringTokenizer words = new StringTokenizer(ids);
         List<ScxmlVertex> found = new ArrayList<>(1);
         while (words.hasMoreTokens()) {
@@ -118,7 +119,8 @@ final class ScxmlTree {
             if (target != null) {
                 found.add(target);
             } else {
-                problems.add(line, what + " leads to " + Problems.quote(id) + ", which is no state; correct the id");
+                problems.add(
+                        line, what.get() + " leads to " + Problems.quote(id) + ", which is no state; correct the id");
             }
         }
         return found;
