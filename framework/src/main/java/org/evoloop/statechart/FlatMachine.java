@@ -91,6 +91,7 @@ final class FlatMachine {
             builder.drawn(flat.state(), flat.plain(), activities, paths(drawn), isEnd(drawn));
         }
         builder.initial(flat(start).state().name()).initialEffects(effects);
+        List<Transition> leaving = new ArrayList<>();
         for (Flat flat : flats) {
             for (Move move : flat.reached().moves) {
                 if (move.deferred()) {
@@ -98,9 +99,11 @@ final class FlatMachine {
                 }
                 // Under guards it must stand in the way of the transitions behind it.
                 if (!move.deferred() || !move.guards().isEmpty()) {
-                    builder.transition(transition(flat, move), "");
+                    leaving.add(transition(flat, move));
                 }
             }
+            builder.transitions(flat.state(), leaving);
+            leaving.clear();
         }
         net.spontaneous().forEach(builder::spontaneous);
         net.chart().events().stream().filter(event -> !event.isBlank()).forEach(builder::event);

@@ -66,8 +66,9 @@ final class Node {
                 rivals |= !completion.isEmpty();
                 completion.add(link);
             }
-            for (String trigger : link.arc.triggers()) {
-                rivals |= named.put(trigger, this) == this;
+            List<String> all = link.arc.triggers();
+            for (int i = 0; i < all.size(); i++) {
+                rivals |= named.put(all.get(i), this) == this;
                 triggers++;
             }
         }
