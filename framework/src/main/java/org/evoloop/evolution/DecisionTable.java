@@ -81,7 +81,7 @@ public final class DecisionTable {
         table.explore(false, table.problems);
         int expected = table.reached.size();
         for (int situation = 0; situation < expected; situation++) {
-            table.follow(situation, table.interference(table.reached.get(situation)), table.hazards);
+            table.follow(situation, table.interference(table.reached.get(situation), situation), table.hazards);
         }
         table.explore(true, table.hazards);
         table.asked.link(decision -> table.situation(decision.after()));
@@ -102,9 +102,9 @@ public final class DecisionTable {
         for (; explored < reached.size(); explored++) {
             Configuration at = reached.get(explored);
             fill(at, explored);
-            follow(explored, expected(at), impossible);
+            follow(explored, expected(at, explored), impossible);
             if (withInterference) {
-                follow(explored, interference(at), impossible);
+                follow(explored, interference(at, explored), impossible);
             }
         }
     }
@@ -130,8 +130,11 @@ public final class DecisionTable {
      * own accord.
      */
     public List<Turn> expected(Configuration at) {
+        return expected(at, situation(at));
+    }
+
+    private List<Turn> expected(Configuration at, int situation) {
         List<Turn> turns = new ArrayList<>();
-        int situation = situation(at);
         for (Transition transition : pair.evolved().transitionsFrom(at.evolved())) {
             if (evolvedGuards.shadowOf(transition) == null) {
                 turns.add(turn(at, situation, transition.event(), false));
@@ -147,11 +150,14 @@ public final class DecisionTable {
 
     /** What can happen in {@code at} when the device does by itself what it could have been asked for. */
     public List<Turn> interference(Configuration at) {
+        return interference(at, situation(at));
+    }
+
+    private List<Turn> interference(Configuration at, int situation) {
         List<Turn> turns = new ArrayList<>();
         if (!interferes) {
             return turns;
         }
-        int situation = situation(at);
         for (Transition transition : pair.evolved().transitionsFrom(at.evolved())) {
             if (isSpontaneous(transition)
                     && evolvedGuards.shadowOf(transition) == null

@@ -30,14 +30,16 @@ final class EventConversion {
     private final PathPlanner planner;
     private final Set<Event> unsendable;
     /** By the new model's states. */
-    private final Map<State, Target> targets = new HashMap<>();
+    private final Map<State, Target> targets;
 
     EventConversion(ModelPair pair, DeviceEvents device) {
         this.pair = pair;
         this.device = device;
         this.planner = new PathPlanner(pair.original(), device);
         this.unsendable = device.unsendable(pair.original());
-        for (State state : pair.evolved().states()) {
+        Set<State> states = pair.evolved().states();
+        this.targets = new HashMap<>(2 * states.size());
+        for (State state : states) {
             targets.put(state, Target.of(state, pair));
         }
     }

@@ -46,8 +46,8 @@ public final class StateMachine {
             Map<State, StateTraits> traits) {
         this.name = name;
         this.initial = initial;
-        this.rows = new LinkedHashMap<>();
-        rows.forEach((state, row) -> this.rows.put(state, new Row(row)));
+        this.rows = new LinkedHashMap<>(rows);
+        this.rows.replaceAll((state, row) -> new Row(row));
         this.events = Collections.unmodifiableSet(new LinkedHashSet<>(events));
         this.spontaneous = Collections.unmodifiableSet(new LinkedHashSet<>(spontaneous));
         this.guards = guardsOf(this.events);

@@ -176,8 +176,11 @@ final class ScxmlArcs {
 
     /** @param label made only where it is needed: there are a hundred thousand transitions */
     private void read(XmlNode transition, ScxmlVertex state, Supplier<String> label) {
-        for (String attribute : transition.attributeNames()) {
-            if (attribute.indexOf(':') < 0 && !ATTRIBUTES.contains(attribute)) {
+        // Here and below without iterators, which for a hundred thousand transitions would be most of what is made.
+        List<String> attributes = transition.attributeNames();
+        for (int i = 0; i < attributes.size(); i++) {
+            String attribute = attributes.get(i);
+            if (!ATTRIBUTES.contains(attribute) && attribute.indexOf(':') < 0) {
                 problems.add(
                         transition.line(),
                         "attribute " + attribute + " of " + label.get() + " is not supported; remove it");
@@ -217,16 +220,16 @@ final class ScxmlArcs {
     /** What no earlier transition of the state takes in any case: of several that hold, SCXML takes the first. */
     private <T> List<T> free(List<T> causes, String condition, ScxmlVertex state) {
         boolean all = true;
-        for (T cause : causes) {
-            all &= isFree(cause, condition, state);
+        for (int i = 0; i < causes.size(); i++) {
+            all &= isFree(causes.get(i), condition, state);
         }
         List<T> free = all
                 ? causes
                 : causes.stream()
                         .filter(cause -> isFree(cause, condition, state))
                         .toList();
-        for (T cause : causes) {
-            taken.put(condition.isEmpty() ? cause : List.of(cause, condition), state);
+        for (int i = 0; i < causes.size(); i++) {
+            taken.put(condition.isEmpty() ? causes.get(i) : List.of(causes.get(i), condition), state);
         }
         return free;
     }
@@ -320,9 +323,10 @@ final class ScxmlArcs {
 
     /** SCXML has no keywords, but lets attributes of other namespaces be. */
     private static boolean isSpontaneous(XmlNode transition) {
-        for (String name : transition.attributeNames()) {
-            if (name.endsWith(":spontaneous")
-                    && transition.attribute(name).strip().equals("true")) {
+        List<String> names = transition.attributeNames();
+        for (int i = 0; i < names.size(); i++) {
+            if (names.get(i).endsWith(":spontaneous")
+                    && transition.attribute(names.get(i)).strip().equals("true")) {
                 return true;
             }
         }

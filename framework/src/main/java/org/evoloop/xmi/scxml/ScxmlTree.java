@@ -112,17 +112,24 @@ final class ScxmlTree {
      */
     List<ScxmlVertex> targets(String ids, int line, Supplier<String> what) {
         StringTokenizer words = new StringTokenizer(ids);
-        List<ScxmlVertex> found = new ArrayList<>(1);
+        List<ScxmlVertex> found = List.of();
         while (words.hasMoreTokens()) {
             String id = words.nextToken();
             ScxmlVertex target = byId.get(id);
             if (target != null) {
-                found.add(target);
+                // Hardly ever more than one.
+                found = found.isEmpty() ? List.of(target) : joined(found, target);
             } else {
                 problems.add(
                         line, what.get() + " leads to " + Problems.quote(id) + ", which is no state; correct the id");
             }
         }
         return found;
+    }
+
+    private static List<ScxmlVertex> joined(List<ScxmlVertex> some, ScxmlVertex another) {
+        List<ScxmlVertex> all = new ArrayList<>(some);
+        all.add(another);
+        return all;
     }
 }
