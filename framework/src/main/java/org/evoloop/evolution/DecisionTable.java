@@ -288,14 +288,15 @@ public final class DecisionTable {
             return decideNow(at, event, deviceActed);
         }
         int number = number(event);
-        if (!deviceActed || number < 0) {
+        Decision expected = number < 0 ? null : asked.get(situation, number);
+        if (!deviceActed || expected == null) {
             return decide(situation, number);
         }
         Decision own = acted.get(situation, number);
-        if (own == null && conversion.originalTransition(at.original(), event) != null) {
-            return decideNow(at, event, true);
+        if (own != null) {
+            return own;
         }
-        return own == null ? decide(situation, number) : own;
+        return conversion.originalTransition(at.original(), event) == null ? expected : decideNow(at, event, true);
     }
 
     /** The conversion remembers its searches, which is not thread-safe. */
