@@ -7,26 +7,45 @@ import org.jspecify.annotations.Nullable;
  * Where an evolved device stands: the current states of both models (the paper's oState and nState).
  *
  * <p>Threading: immutable.
- *
- * @param original where the device is
- * @param evolved where the evolved system is
  */
-public record Configuration(State original, State evolved) {
+public final class Configuration {
+    private final State original;
+    private final State evolved;
+    /** Kept, as that of a {@link State}. It tells apart those whose two states have the same name, as most have. */
+    private final int hash;
 
-    // By hand, see State.
+    /**
+     * @param original where the device is
+     * @param evolved where the evolved system is
+     */
+    public Configuration(State original, State evolved) {
+        this.original = original;
+        this.evolved = evolved;
+        this.hash = 30 * original.hashCode() + evolved.hashCode();
+    }
+
+    /** Where the device is. */
+    public State original() {
+        return original;
+    }
+
+    /** Where the evolved system is. */
+    public State evolved() {
+        return evolved;
+    }
 
     @Override
     public boolean equals(@Nullable Object other) {
         return this == other
                 || (other instanceof Configuration configuration
+                        && hash == configuration.hash
                         && original.equals(configuration.original)
                         && evolved.equals(configuration.evolved));
     }
 
-    /** Tells configurations apart whose two states have the same name, as most have. */
     @Override
     public int hashCode() {
-        return 30 * original.hashCode() + evolved.hashCode();
+        return hash;
     }
 
     /** The same with the device moved to {@code state}. */

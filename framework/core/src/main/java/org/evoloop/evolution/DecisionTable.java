@@ -81,7 +81,7 @@ public final class DecisionTable {
         table.explore(false, table.problems);
         int expected = table.reached.size();
         for (int situation = 0; situation < expected; situation++) {
-            table.follow(situation, table.interference(table.reached.get(situation)), table.hazards);
+            table.follow(situation, table.interference(table.reached.get(situation), situation), table.hazards);
         }
         table.explore(true, table.hazards);
         table.asked.link(decision -> table.situation(decision.after()));
@@ -102,9 +102,9 @@ public final class DecisionTable {
         for (; explored < reached.size(); explored++) {
             Configuration at = reached.get(explored);
             fill(at, explored);
-            follow(explored, expected(at), impossible);
+            follow(explored, expected(at, explored), impossible);
             if (withInterference) {
-                follow(explored, interference(at), impossible);
+                follow(explored, interference(at, explored), impossible);
             }
         }
     }
@@ -130,8 +130,11 @@ public final class DecisionTable {
      * own accord.
      */
     public List<Turn> expected(Configuration at) {
+        return expected(at, situation(at));
+    }
+
+    private List<Turn> expected(Configuration at, int situation) {
         List<Turn> turns = new ArrayList<>();
-        int situation = situation(at);
         for (Transition transition : pair.evolved().transitionsFrom(at.evolved())) {
             if (evolvedGuards.shadowOf(transition) == null) {
                 turns.add(turn(at, situation, transition.event(), false));
@@ -147,11 +150,14 @@ public final class DecisionTable {
 
     /** What can happen in {@code at} when the device does by itself what it could have been asked for. */
     public List<Turn> interference(Configuration at) {
+        return interference(at, situation(at));
+    }
+
+    private List<Turn> interference(Configuration at, int situation) {
         List<Turn> turns = new ArrayList<>();
         if (!interferes) {
             return turns;
         }
-        int situation = situation(at);
         for (Transition transition : pair.evolved().transitionsFrom(at.evolved())) {
             if (isSpontaneous(transition)
                     && evolvedGuards.shadowOf(transition) == null
@@ -203,8 +209,10 @@ public final class DecisionTable {
         if (asked.get(situation, number) == null) {
             Transition same = conversion.originalTransition(at.original(), event);
             asked.put(situation, number, conversion.decide(at, event, false, transition, same));
-            // Where the device itself has no transition, it makes no difference whether it has acted already.
-            if (same != null) {
+            // Where the device itself has no transition, it makes no difference whether it has acted already; where it
+            // is
+            // not said to act by itself, what its doing so means is decided when that happens.
+            if (same != null && device.spontaneous().contains(event.trigger())) {
                 acted.put(situation, number, conversion.decide(at, event, true, transition, same));
             }
         }
@@ -280,8 +288,15 @@ public final class DecisionTable {
             return decideNow(at, event, deviceActed);
         }
         int number = number(event);
-        Decision own = deviceActed && number >= 0 ? acted.get(situation, number) : null;
-        return own == null ? decide(situation, number) : own;
+        Decision expected = number < 0 ? null : asked.get(situation, number);
+        if (!deviceActed || expected == null) {
+            return decide(situation, number);
+        }
+        Decision own = acted.get(situation, number);
+        if (own != null) {
+            return own;
+        }
+        return conversion.originalTransition(at.original(), event) == null ? expected : decideNow(at, event, true);
     }
 
     /** The conversion remembers its searches, which is not thread-safe. */

@@ -29,27 +29,50 @@ final class EventConversion {
     private final DeviceEvents device;
     private final PathPlanner planner;
     private final Set<Event> unsendable;
-    /** By the new model's states the device's that they are; none for a new one. */
-    private final Map<State, List<State>> deviceStates = new HashMap<>();
+    /** By the new model's states. */
+    private final Map<State, Target> targets;
 
     EventConversion(ModelPair pair, DeviceEvents device) {
         this.pair = pair;
         this.device = device;
         this.planner = new PathPlanner(pair.original(), device);
         this.unsendable = device.unsendable(pair.original());
-        for (State state : pair.evolved().states()) {
-            deviceStates.put(state, pair.deviceStates(state));
+        Set<State> states = pair.evolved().states();
+        this.targets = new HashMap<>(2 * states.size());
+        for (State state : states) {
+            targets.put(state, Target.of(state, pair));
+        }
+    }
+
+    /**
+     * What a state of the new model is to the device.
+     *
+     * @param goals the device's states that it is; none for a new state
+     * @param together where both models stand once the device is in the first goal: most decisions end in it, and one
+     *     object for all of them is found sooner than equal ones; null for a new state
+     */
+    private record Target(
+            State state, List<State> goals, @Nullable Configuration together) {
+        static Target of(State state, ModelPair pair) {
+            List<State> goals = pair.deviceStates(state);
+            return new Target(state, goals, goals.isEmpty() ? null : new Configuration(goals.get(0), state));
+        }
+
+        Configuration with(State original) {
+            return together != null && together.original().equals(original)
+                    ? together
+                    : new Configuration(original, state);
         }
     }
 
     /** Whether {@code state} is one that only the new model has. */
     boolean isNew(State state) {
-        return goalsOf(state).isEmpty();
+        return target(state).goals().isEmpty();
     }
 
-    /** The device's states that {@code state} of the new model is; empty for a new state. */
-    private List<State> goalsOf(State state) {
-        return deviceStates.getOrDefault(state, List.of());
+    private Target target(State state) {
+        Target known = targets.get(state);
+        return known == null ? new Target(state, List.of(), null) : known;
     }
 
     /** Whether {@code trigger} is an event of the device that nobody sends and that is not declared to be its own. */
@@ -96,18 +119,18 @@ final class EventConversion {
                     "event " + event.trigger()
                             + " is the device's, but can neither be sent nor is it declared to be the device's own");
         }
-        State target = transition.target();
-        List<State> goals = goalsOf(target);
+        Target target = target(transition.target());
+        List<State> goals = target.goals();
         if (goals.isEmpty()) {
             return new Decision.NewFunction(
-                    before, new Configuration(original, target), steps, transition, effectsLeft(transition, steps));
+                    before, target.with(original), steps, transition, effectsLeft(transition, steps));
         }
         Optional<List<Step>> way = taken ? planner.shortestPath(original, goals) : wayFor(original, same, goals);
         if (way.isEmpty()) {
             return new Decision.Impossible(
-                    before, before.withOriginal(original), steps, transition, noWay(original, event, target));
+                    before, before.withOriginal(original), steps, transition, noWay(original, event, target.state()));
         }
-        return existing(before, steps, steps, way.get(), transition);
+        return existing(before, steps, steps, way.get(), transition, target);
     }
 
     /**
@@ -115,16 +138,17 @@ final class EventConversion {
      * @param done all that the device has done about the event by itself, whose effects need not be run
      */
     private static Decision existing(
-            Configuration before, List<Step> steps, List<Step> done, List<Step> way, Transition transition) {
+            Configuration before,
+            List<Step> steps,
+            List<Step> done,
+            List<Step> way,
+            Transition transition,
+            Target target) {
         List<Step> all = joined(steps, way);
         State reached =
                 all.isEmpty() ? before.original() : all.get(all.size() - 1).target();
         return new Decision.ExistingFunction(
-                before,
-                new Configuration(reached, transition.target()),
-                all,
-                transition,
-                effectsLeft(transition, joined(done, way)));
+                before, target.with(reached), all, transition, effectsLeft(transition, joined(done, way)));
     }
 
     /** See {@link DecisionTable#react}. */
@@ -133,20 +157,20 @@ final class EventConversion {
         if (transition == null) {
             return new Decision.NotAcceptable(at, at, List.of());
         }
-        State target = transition.target();
+        Target target = target(transition.target());
         List<Step> done = own == null ? List.of() : List.of(own);
-        List<State> goals = goalsOf(target);
+        List<State> goals = target.goals();
         if (goals.isEmpty()) {
             return new Decision.NewFunction(
-                    at, at.withEvolved(target), List.of(), transition, effectsLeft(transition, done));
+                    at, target.with(at.original()), List.of(), transition, effectsLeft(transition, done));
         }
         if (follow && own != null && goals.contains(own.target())) {
-            return existing(at, List.of(), done, List.of(), transition);
+            return existing(at, List.of(), done, List.of(), transition, target);
         }
         List<Step> way = planner.shortestPath(at.original(), goals).orElse(null);
         return way == null
-                ? new Decision.Impossible(at, at, List.of(), transition, noWay(at.original(), event, target))
-                : existing(at, List.of(), done, way, transition);
+                ? new Decision.Impossible(at, at, List.of(), transition, noWay(at.original(), event, target.state()))
+                : existing(at, List.of(), done, way, transition, target);
     }
 
     private static List<Step> joined(List<Step> first, List<Step> then) {

@@ -21,6 +21,9 @@ final class Namesakes {
     Namesakes(StateMachine original, StateMachine evolved) {
         this.original = original;
         this.evolved = evolved;
+        if (original.isDrawnFlat() && evolved.isDrawnFlat()) {
+            return;
+        }
         Map<List<String>, List<State>> sameInEvolved = byPaths(evolved);
         byPaths(original).forEach((paths, states) -> {
             List<State> same = sameInEvolved.getOrDefault(paths, List.of());

@@ -14,23 +14,40 @@ import org.jspecify.annotations.Nullable;
  * states and events. What a monitor tells is the name alone; which of the guarded events it is, is decided when it comes.
  *
  * <p>Threading: immutable.
- *
- * @param name as drawn, not blank; a name such as {@code tm(2s)} is a time trigger
- * @param guards the conditions that must all hold, as drawn; empty for an event that always counts
  */
-public record Event(String name, List<String> guards) implements Comparable<Event> {
+public final class Event implements Comparable<Event> {
+    private final String name;
+    private final List<String> guards;
+    /** Kept, as that of a {@link State}. */
+    private final int hash;
 
-    /** @throws ModelException if {@code name} is blank */
-    public Event {
+    /**
+     * @param name as drawn, not blank; a name such as {@code tm(2s)} is a time trigger
+     * @param guards the conditions that must all hold, as drawn; empty for an event that always counts
+     * @throws ModelException if {@code name} is blank
+     */
+    public Event(String name, List<String> guards) {
         if (Objects.requireNonNull(name, "the name of an event is null").isBlank()) {
             throw new ModelException("an event has no name; give it one");
         }
-        guards = List.copyOf(guards);
+        this.name = name;
+        this.guards = List.copyOf(guards);
+        this.hash = 31 * name.hashCode() + this.guards.hashCode();
     }
 
     /** An event without guards. */
     public Event(String name) {
         this(name, List.of());
+    }
+
+    /** As drawn, not blank. */
+    public String name() {
+        return name;
+    }
+
+    /** The conditions that must all hold, as drawn; empty for an event that always counts. */
+    public List<String> guards() {
+        return guards;
     }
 
     /** The same event without its guards: what a monitor tells and what can be sent. */
@@ -63,17 +80,18 @@ public record Event(String name, List<String> guards) implements Comparable<Even
                 });
     }
 
-    // By hand, see State.
-
     @Override
     public boolean equals(@Nullable Object other) {
         return this == other
-                || (other instanceof Event event && name.equals(event.name) && guards.equals(event.guards));
+                || (other instanceof Event event
+                        && hash == event.hash
+                        && name.equals(event.name)
+                        && guards.equals(event.guards));
     }
 
     @Override
     public int hashCode() {
-        return 31 * name.hashCode() + guards.hashCode();
+        return hash;
     }
 
     /** Orders by name, then by guards. */

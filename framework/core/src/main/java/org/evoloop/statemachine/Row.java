@@ -15,16 +15,18 @@ final class Row {
     /** So many are looked through sooner than hashed, and most states have no more. */
     private static final int FEW = 8;
 
-    private final List<Transition> transitions;
+    private final List<State> alone;
+    private List<Transition> transitions = List.of();
     /** Null while there are few. */
     private @Nullable Map<Event, Transition> byEvent;
 
-    Row() {
-        this.transitions = new ArrayList<>(4);
+    Row(State state) {
+        this.alone = List.of(state);
     }
 
     /** What {@code same} holds now. */
     Row(Row same) {
+        this.alone = same.alone;
         this.transitions = List.copyOf(same.transitions);
         this.byEvent = same.byEvent == null ? null : new HashMap<>(same.byEvent);
     }
@@ -34,6 +36,9 @@ final class Row {
     Transition putIfAbsent(Transition transition) {
         Transition present = find(transition.event());
         if (present == null) {
+            if (transitions.isEmpty()) {
+                transitions = new ArrayList<>(FEW);
+            }
             transitions.add(transition);
             if (byEvent != null) {
                 byEvent.put(transition.event(), transition);
@@ -60,6 +65,11 @@ final class Row {
             }
         }
         return null;
+    }
+
+    /** The state, as the machine names it, and no other. */
+    List<State> alone() {
+        return alone;
     }
 
     /** All of them; of a copy the list cannot be changed. */

@@ -8,29 +8,37 @@ import org.jspecify.annotations.Nullable;
  * in the new model are equal (the paper's Condition 2 speaks of names).
  *
  * <p>Threading: immutable.
- *
- * @param name as drawn, not blank
  */
-public record State(String name) implements Comparable<State> {
+public final class State implements Comparable<State> {
+    private final String name;
+    /** Kept, since the states of a large pair are looked up a million times before anything runs. */
+    private final int hash;
 
-    /** @throws ModelException if {@code name} is blank */
-    public State {
+    /**
+     * @param name as drawn, not blank
+     * @throws ModelException if {@code name} is blank
+     */
+    public State(String name) {
         if (Objects.requireNonNull(name, "the name of a state is null").isBlank()) {
             throw new ModelException("a state has no name; give it one");
         }
+        this.name = name;
+        this.hash = name.hashCode();
     }
 
-    // By hand: a record's own go through method handles, which cost some 10 us a call wherever the last of the JVM's
-    // compilers has not been, and that one is left out on small computers.
+    /** As drawn, not blank. */
+    public String name() {
+        return name;
+    }
 
     @Override
     public boolean equals(@Nullable Object other) {
-        return this == other || (other instanceof State state && name.equals(state.name));
+        return this == other || (other instanceof State state && hash == state.hash && name.equals(state.name));
     }
 
     @Override
     public int hashCode() {
-        return name.hashCode();
+        return hash;
     }
 
     /** Orders by name. */

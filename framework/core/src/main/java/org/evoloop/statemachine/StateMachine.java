@@ -24,11 +24,12 @@ import org.jspecify.annotations.Nullable;
 public final class StateMachine {
     private final String name;
     private final State initial;
-    private final Set<State> states;
+    /** By the states, in their order. */
+    private final Map<State, Row> rows;
+
     private final Set<Event> events;
     private final Set<Event> spontaneous;
     private final Set<String> guards;
-    private final Map<State, Row> outgoing;
     private final List<String> initialEffects;
     /** Only of states that have any. */
     private final Map<State, StateTraits> traits;
@@ -38,20 +39,18 @@ public final class StateMachine {
     StateMachine(
             String name,
             State initial,
-            Set<State> states,
+            Map<State, Row> rows,
             Set<Event> events,
             Set<Event> spontaneous,
-            Map<State, Row> outgoing,
             List<String> initialEffects,
             Map<State, StateTraits> traits) {
         this.name = name;
         this.initial = initial;
-        this.states = Collections.unmodifiableSet(new LinkedHashSet<>(states));
+        this.rows = new LinkedHashMap<>(rows);
+        this.rows.replaceAll((state, row) -> new Row(row));
         this.events = Collections.unmodifiableSet(new LinkedHashSet<>(events));
         this.spontaneous = Collections.unmodifiableSet(new LinkedHashSet<>(spontaneous));
         this.guards = guardsOf(this.events);
-        this.outgoing = new LinkedHashMap<>();
-        outgoing.forEach((state, row) -> this.outgoing.put(state, new Row(row)));
         this.initialEffects = List.copyOf(initialEffects);
         this.traits = Map.copyOf(traits);
         this.alike = findAlike();
@@ -60,11 +59,10 @@ public final class StateMachine {
     private StateMachine(StateMachine same, String name) {
         this.name = name;
         this.initial = same.initial;
-        this.states = same.states;
+        this.rows = same.rows;
         this.events = same.events;
         this.spontaneous = same.spontaneous;
         this.guards = same.guards;
-        this.outgoing = same.outgoing;
         this.initialEffects = same.initialEffects;
         this.traits = same.traits;
         this.alike = same.alike;
@@ -86,7 +84,7 @@ public final class StateMachine {
             }
         });
         if (!found.isEmpty()) {
-            for (State state : states) {
+            for (State state : rows.keySet()) {
                 List<State> several = found.get(withoutMemory(state));
                 if (several != null) {
                     several.add(state);
@@ -112,14 +110,12 @@ public final class StateMachine {
         UnaryOperator<State> renamed = state -> names.containsKey(state) ? new State(names.get(state)) : state;
         StateMachineBuilder builder = new StateMachineBuilder(name);
         Set<State> all = new LinkedHashSet<>();
-        for (State state : states) {
+        for (State state : rows.keySet()) {
             State same = renamed.apply(state);
             if (!all.add(same)) {
                 throw new ModelException("state machine '" + name + "' has two states named " + same + "; rename one");
             }
-            builder.remembering(same.name(), renamed.apply(withoutMemory(state)).name())
-                    .activities(same.name(), activities(state))
-                    .drawn(same.name(), paths(state), isEnd(state));
+            builder.drawn(same, renamed.apply(withoutMemory(state)), activities(state), paths(state), isEnd(state));
             deferred(state).forEach(event -> builder.defers(same.name(), event));
         }
         builder.initial(renamed.apply(initial).name()).initialEffects(initialEffects);
@@ -198,14 +194,19 @@ public final class StateMachine {
     }
 
     /**
-     * The states that differ from {@code state} at most in what the machine remembers, itself included, in order.
+     * The states, as this machine names them, that differ from {@code state} at most in what the machine remembers, itself
+     * included, in order.
      *
      * @param state with its memory or without, see {@link #withoutMemory}
      * @return empty if this machine has none
      */
     public List<State> alike(State state) {
-        List<State> several = alike.get(withoutMemory(state));
-        return several != null ? several : hasState(state) ? List.of(state) : List.of();
+        List<State> several = alike.isEmpty() ? null : alike.get(withoutMemory(state));
+        if (several != null) {
+            return several;
+        }
+        Row row = rows.get(state);
+        return row == null ? List.of() : row.alone();
     }
 
     /** Whether any state differs from {@code state} at most in what the machine remembers, see {@link #alike}. */
@@ -222,6 +223,11 @@ public final class StateMachine {
         return known.isEmpty() ? List.of(state.name()) : known;
     }
 
+    /** Whether every state is drawn where its name says, inside no other and with nothing remembered. */
+    public boolean isDrawnFlat() {
+        return traits.values().stream().allMatch(some -> some.paths().isEmpty() && some.withoutMemory() == null);
+    }
+
     /** Whether {@code state} is where the machine ends: nothing but final states, or a terminate pseudostate. */
     public boolean isEnd(State state) {
         return traitsOf(state).end();
@@ -229,7 +235,7 @@ public final class StateMachine {
 
     /** S, never empty. */
     public Set<State> states() {
-        return states;
+        return Collections.unmodifiableSet(rows.keySet());
     }
 
     /** E. */
@@ -259,7 +265,7 @@ public final class StateMachine {
     /** T, ordered by source state. */
     public List<Transition> transitions() {
         List<Transition> all = new ArrayList<>();
-        for (Row row : outgoing.values()) {
+        for (Row row : rows.values()) {
             all.addAll(row.transitions());
         }
         return Collections.unmodifiableList(all);
@@ -267,13 +273,13 @@ public final class StateMachine {
 
     /** The transitions that leave {@code source}; empty for a state that is not of this machine. */
     public List<Transition> transitionsFrom(State source) {
-        Row row = outgoing.get(source);
+        Row row = rows.get(source);
         return row == null ? List.of() : row.transitions();
     }
 
     /** Whether {@code state} is a member of S (the paper's {@code existState}). */
     public boolean hasState(State state) {
-        return states.contains(state);
+        return rows.containsKey(state);
     }
 
     /** Whether {@code event} is acceptable in {@code source} (the paper's {@code existTransition}). */
@@ -303,14 +309,14 @@ public final class StateMachine {
     }
 
     private @Nullable Transition find(State source, Event event) {
-        Row row = outgoing.get(source);
+        Row row = rows.get(source);
         return row == null ? null : row.find(event);
     }
 
     /** For messages: the name and the sizes of S, E and T. */
     @Override
     public String toString() {
-        return name + " (" + states.size() + " states, " + events.size() + " events, "
+        return name + " (" + rows.size() + " states, " + events.size() + " events, "
                 + transitions().size() + " transitions)";
     }
 }

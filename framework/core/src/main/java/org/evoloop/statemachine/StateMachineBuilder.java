@@ -17,9 +17,10 @@ import org.jspecify.annotations.Nullable;
  */
 public final class StateMachineBuilder {
     private final String name;
-    private final Set<State> states = new LinkedHashSet<>();
+    /** By the states, in their order. */
+    private final Map<State, Row> rows = new LinkedHashMap<>();
+
     private final Set<Event> events = new LinkedHashSet<>();
-    private final Map<State, Row> outgoing = new LinkedHashMap<>();
     /** Only of transitions that stand somewhere. */
     private final IdentityHashMap<Transition, String> places = new IdentityHashMap<>();
 
@@ -40,14 +41,23 @@ public final class StateMachineBuilder {
             problems.add("two initial states, " + initial + " and " + candidate + "; keep one");
         }
         initial = candidate;
-        states.add(candidate);
+        row(candidate);
         return this;
     }
 
     /** Adds a state; states that a transition or {@link #initial} names need no call of their own. */
     public StateMachineBuilder state(String state) {
-        states.add(new State(state));
+        row(new State(state));
         return this;
+    }
+
+    private Row row(State state) {
+        Row row = rows.get(state);
+        if (row == null) {
+            row = new Row(state);
+            rows.put(state, row);
+        }
+        return row;
     }
 
     /** Adds behaviors that run when the machine starts. */
@@ -71,32 +81,33 @@ public final class StateMachineBuilder {
         return traits(state, known -> known.withDeferred(event));
     }
 
-    /**
-     * Adds a state that differs from others only in what the machine remembers.
-     *
-     * @param plain what it is without that, see {@link StateMachine#withoutMemory}
-     */
-    public StateMachineBuilder remembering(String state, String plain) {
-        return state.equals(plain) ? state(state) : traits(state, known -> known.withWithoutMemory(new State(plain)));
-    }
-
     private StateMachineBuilder traits(String state, UnaryOperator<StateTraits> change) {
         State owner = new State(state);
-        states.add(owner);
+        row(owner);
         traits.put(owner, change.apply(traits.getOrDefault(owner, StateTraits.NONE)));
         return this;
     }
 
     /**
-     * Adds a state of a machine that was drawn with states inside others.
+     * Adds a state of a machine that was drawn with states inside others, or with histories.
      *
+     * @param withoutMemory see {@link StateMachine#withoutMemory}
+     * @param activities see {@link StateMachine#activities}
      * @param paths see {@link StateMachine#paths}
      * @param end see {@link StateMachine#isEnd}
      */
-    public StateMachineBuilder drawn(String state, List<String> paths, boolean end) {
-        return end || !paths.equals(List.of(state))
-                ? traits(state, known -> known.withPlace(paths, end))
-                : state(state);
+    public StateMachineBuilder drawn(
+            State state, State withoutMemory, List<String> activities, List<String> paths, boolean end) {
+        row(state);
+        boolean itself = withoutMemory.equals(state);
+        boolean inPlace = paths.size() == 1 && paths.get(0).equals(state.name());
+        if (end || !itself || !inPlace || !activities.isEmpty()) {
+            traits.put(
+                    state,
+                    new StateTraits(
+                            activities, Set.of(), itself ? null : withoutMemory, inPlace ? List.of() : paths, end));
+        }
+        return this;
     }
 
     /** Adds an event that no transition needs to carry. */
@@ -136,25 +147,35 @@ public final class StateMachineBuilder {
      * @param place as above
      */
     public StateMachineBuilder transition(Transition transition, String place) {
-        State source = transition.source();
-        Event event = transition.event();
-        Row row = outgoing.get(source);
-        if (row == null) {
-            states.add(source);
-            row = new Row();
-            outgoing.put(source, row);
+        Row row = row(transition.source());
+        row(transition.target());
+        add(transition, row, place);
+        return this;
+    }
+
+    /**
+     * Adds the transitions that leave a state, in order, between states that have all been added: a hundred thousand
+     * transitions need not ask for each of their ends.
+     */
+    public StateMachineBuilder transitions(State source, List<Transition> leaving) {
+        Row row = row(source);
+        for (Transition transition : leaving) {
+            add(transition, row, "");
         }
-        states.add(transition.target());
+        return this;
+    }
+
+    private void add(Transition transition, Row row, String place) {
+        Event event = transition.event();
         addEvent(event, place);
         Transition present = row.putIfAbsent(transition);
         if (present != null) {
-            problems.add("two transitions leave state " + source + " on event " + event + ": "
+            problems.add("two transitions leave state " + transition.source() + " on event " + event + ": "
                     + placed(present, places.getOrDefault(present, "")) + " and " + placed(transition, place)
                     + "; remove one of them or give it another event");
         } else if (!place.isEmpty()) {
             places.put(transition, place);
         }
-        return this;
     }
 
     private static String placed(Transition transition, String place) {
@@ -190,6 +211,6 @@ public final class StateMachineBuilder {
         if (start == null || !problems.isEmpty()) {
             throw new ModelException("state machine '" + name + "': " + String.join("; ", problems));
         }
-        return new StateMachine(name, start, states, events, spontaneous, outgoing, initialEffects, traits);
+        return new StateMachine(name, start, rows, events, spontaneous, initialEffects, traits);
     }
 }

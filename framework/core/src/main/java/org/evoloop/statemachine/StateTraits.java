@@ -38,12 +38,4 @@ record StateTraits(
         all.add(event);
         return new StateTraits(activities, all, withoutMemory, paths, end);
     }
-
-    StateTraits withWithoutMemory(State plain) {
-        return new StateTraits(activities, deferred, plain, paths, end);
-    }
-
-    StateTraits withPlace(List<String> drawn, boolean isEnd) {
-        return new StateTraits(activities, deferred, withoutMemory, drawn, isEnd);
-    }
 }

@@ -3,15 +3,19 @@ package org.evoloop.statechart;
 import static java.util.Objects.requireNonNull;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.BitSet;
+import java.util.Comparator;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 import java.util.function.Function;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
 /** Finds every state in which a machine can rest, and what each event does there. */
@@ -87,6 +91,14 @@ final class Explorer {
     /** Every state in which the machine can rest, by number. */
     List<Reached> reached() {
         return reached;
+    }
+
+    /** The same in document order. */
+    List<Reached> inOrder() {
+        // Those of one vertex are in order already, which the sort makes use of.
+        return Stream.concat(Arrays.stream(alone).filter(Objects::nonNull), others.values().stream())
+                .sorted(Comparator.comparing(state -> state.snapshot))
+                .toList();
     }
 
     /** The state in which the machine rests like this. */

@@ -2,7 +2,6 @@ package org.evoloop.statechart;
 
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Comparator;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
@@ -25,20 +24,21 @@ final class FlatMachine {
     /** What the states that were found have become, by their numbers. */
     private final Flat[] byNumber;
 
-    private final Map<Integer, String> paths = new HashMap<>();
     private final Map<String, Event> unguarded = new HashMap<>();
     private final Map<Event, Event> guarded = new HashMap<>();
     /** Time triggers and activities that several active states have at once. */
     private final Set<String> ambiguous = new HashSet<>();
 
-    /** @param reached every state in which the machine can rest, by number */
-    FlatMachine(Net net, List<Reached> reached) {
+    /**
+     * @param reached every state in which the machine can rest, by number
+     * @param inOrder the same in document order
+     */
+    FlatMachine(Net net, List<Reached> reached, List<Reached> inOrder) {
         this.net = net;
         this.byNumber = new Flat[reached.size()];
         List<Reached> representatives = Histories.merge(reached);
-        List<Reached> ordered = representatives.stream()
-                .distinct()
-                .sorted(Comparator.comparing(state -> state.snapshot))
+        List<Reached> ordered = inOrder.stream()
+                .filter(state -> representatives.get(state.index) == state)
                 .toList();
         this.naming =
                 new FlatNames(net, ordered.stream().map(state -> state.snapshot).toList());
@@ -46,7 +46,9 @@ final class FlatMachine {
         List<String> plain = naming.withoutMemory(names);
         for (Reached state : ordered) {
             int number = flats.size();
-            Flat flat = new Flat(state, new State(names.get(number)), plain.get(number), goingOn(state.snapshot));
+            State named = new State(names.get(number));
+            boolean itself = plain.get(number).equals(named.name());
+            Flat flat = new Flat(state, named, itself ? named : new State(plain.get(number)), goingOn(state.snapshot));
             flats.add(flat);
             byNumber[state.index] = flat;
             findAmbiguous(flat);
@@ -56,8 +58,8 @@ final class FlatMachine {
         }
     }
 
-    /** @param plain the name without what is remembered */
-    private record Flat(Reached reached, State state, String plain, Set<Owned> goingOn) {}
+    /** @param plain the state without what is remembered */
+    private record Flat(Reached reached, State state, State plain, Set<Owned> goingOn) {}
 
     /** What goes on while a state as drawn is active. */
     private record Owned(Node owner, String name, boolean activity) {}
@@ -85,11 +87,11 @@ final class FlatMachine {
                     activities.add(name(owned));
                 }
             }
-            builder.remembering(flat.state().name(), flat.plain())
-                    .activities(flat.state().name(), activities)
-                    .drawn(flat.state().name(), paths(flat.reached().snapshot), isEnd(flat.reached().snapshot));
+            Snapshot drawn = flat.reached().snapshot;
+            builder.drawn(flat.state(), flat.plain(), activities, paths(drawn), isEnd(drawn));
         }
         builder.initial(flat(start).state().name()).initialEffects(effects);
+        List<Transition> leaving = new ArrayList<>();
         for (Flat flat : flats) {
             for (Move move : flat.reached().moves) {
                 if (move.deferred()) {
@@ -97,9 +99,11 @@ final class FlatMachine {
                 }
                 // Under guards it must stand in the way of the transitions behind it.
                 if (!move.deferred() || !move.guards().isEmpty()) {
-                    builder.transition(transition(flat, move), "");
+                    leaving.add(transition(flat, move));
                 }
             }
+            builder.transitions(flat.state(), leaving);
+            leaving.clear();
         }
         net.spontaneous().forEach(builder::spontaneous);
         net.chart().events().stream().filter(event -> !event.isBlank()).forEach(builder::event);
@@ -109,13 +113,9 @@ final class FlatMachine {
     private List<String> paths(Snapshot state) {
         int[] leaves = state.leaves();
         if (leaves.length == 1) {
-            return List.of(path(leaves[0]));
+            return List.of(net.node(leaves[0]).path());
         }
-        return Arrays.stream(leaves).mapToObj(this::path).toList();
-    }
-
-    private String path(int leaf) {
-        return paths.computeIfAbsent(leaf, index -> net.node(index).path());
+        return Arrays.stream(leaves).mapToObj(leaf -> net.node(leaf).path()).toList();
     }
 
     private boolean isEnd(Snapshot state) {

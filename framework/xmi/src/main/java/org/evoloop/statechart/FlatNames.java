@@ -22,6 +22,8 @@ final class FlatNames {
     private final Net net;
     private final List<Snapshot> states;
     private final Set<String> ambiguousLeaves;
+    /** The states by their innermost vertices alone. */
+    private final List<String> leaves = new ArrayList<>();
     /** Null until somebody asks: seldom. */
     private @Nullable Set<String> ambiguousStates;
 
@@ -29,13 +31,14 @@ final class FlatNames {
     FlatNames(Net net, List<Snapshot> states) {
         this.net = net;
         this.states = states;
-        BitSet leaves = new BitSet();
+        BitSet visited = new BitSet();
         for (Snapshot state : states) {
             for (int leaf : state.leaves()) {
-                leaves.set(leaf);
+                visited.set(leaf);
             }
         }
-        this.ambiguousLeaves = ambiguous(leaves.stream().mapToObj(net::node));
+        this.ambiguousLeaves = ambiguous(visited.stream().mapToObj(net::node));
+        states.forEach(state -> leaves.add(leaves(state)));
     }
 
     private static Set<String> ambiguous(Stream<Node> nodes) {
@@ -53,11 +56,10 @@ final class FlatNames {
 
     /** Of all flat states, in their order; no two are equal. */
     List<String> all() {
-        List<String> names = new ArrayList<>(states.size());
-        states.forEach(state -> names.add(leaves(state)));
-        if (areDifferent(names)) {
-            return names;
+        if (areDifferent(leaves)) {
+            return leaves;
         }
+        List<String> names = new ArrayList<>(leaves);
         tellApart(names, this::done);
         tellApart(names, this::remembered);
         int[] number = {1};
@@ -73,17 +75,19 @@ final class FlatNames {
      * @param names as {@link #all} gives them
      */
     List<String> withoutMemory(List<String> names) {
+        if (names.equals(leaves)) {
+            return names;
+        }
         Map<String, int[]> leavesOf = new HashMap<>();
         Set<String> ambiguous = new HashSet<>();
-        List<String> plain = new ArrayList<>(states.size());
-        for (Snapshot state : states) {
-            String name = leaves(state);
-            int[] others = leavesOf.putIfAbsent(name, state.leaves());
-            if (others != null && !Arrays.equals(others, state.leaves())) {
-                ambiguous.add(name);
+        for (int i = 0; i < names.size(); i++) {
+            int[] vertices = states.get(i).leaves();
+            int[] others = leavesOf.putIfAbsent(leaves.get(i), vertices);
+            if (others != null && !Arrays.equals(others, vertices)) {
+                ambiguous.add(leaves.get(i));
             }
-            plain.add(name);
         }
+        List<String> plain = new ArrayList<>(leaves);
         for (int i = 0; i < names.size(); i++) {
             if (ambiguous.contains(plain.get(i))) {
                 plain.set(i, names.get(i));

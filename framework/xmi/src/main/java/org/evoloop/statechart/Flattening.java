@@ -77,7 +77,7 @@ public final class Flattening {
             return failed(problems);
         }
         try {
-            FlatMachine flat = new FlatMachine(net, explorer.reached());
+            FlatMachine flat = new FlatMachine(net, explorer.reached(), explorer.inOrder());
             StateMachine machine = flat.machine(explorer.reached(start.target()), start.effects());
             return new Flattening(problems, machine, flat, unused(net, explorer));
         } catch (ModelException refused) {

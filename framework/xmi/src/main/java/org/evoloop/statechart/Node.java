@@ -39,6 +39,9 @@ final class Node {
     /** Null until somebody asks: seldom. */
     private @Nullable Map<String, List<Link>> byTrigger;
 
+    /** Null until somebody asks. */
+    private @Nullable String path;
+
     private boolean rivals;
     private int triggers;
 
@@ -63,8 +66,9 @@ final class Node {
                 rivals |= !completion.isEmpty();
                 completion.add(link);
             }
-            for (String trigger : link.arc.triggers()) {
-                rivals |= named.put(trigger, this) == this;
+            List<String> all = link.arc.triggers();
+            for (int i = 0; i < all.size(); i++) {
+                rivals |= named.put(all.get(i), this) == this;
                 triggers++;
             }
         }
@@ -168,11 +172,11 @@ final class Node {
 
     /** {@code Outer.Inner}. */
     String path() {
-        StringBuilder path = new StringBuilder(simpleName());
-        for (Node outer = border == null ? zone.owner : border; outer != null; outer = outer.zone.owner) {
-            path.insert(0, outer.simpleName() + ".");
+        if (path == null) {
+            Node outer = border == null ? zone.owner : border;
+            path = outer == null ? simpleName() : outer.path() + "." + simpleName();
         }
-        return path.toString();
+        return path;
     }
 
     String simpleName() {

@@ -55,7 +55,7 @@ final class Rules {
     }
 
     private void names(Zone zone) {
-        Map<String, Node> byName = new HashMap<>();
+        Map<String, Node> byName = new HashMap<>(2 * zone.nodes.size());
         for (Node node : zone.nodes) {
             Node namesake = node.isState() ? byName.putIfAbsent(node.vertex.name(), node) : null;
             if (namesake != null && !node.vertex.name().isEmpty()) {

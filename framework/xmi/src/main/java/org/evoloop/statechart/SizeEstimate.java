@@ -44,12 +44,20 @@ final class SizeEstimate {
     private Size size(Zone zone) {
         Size sum = new Size(BigInteger.ZERO, BigInteger.ZERO);
         long kept = 1;
+        long simple = 0;
+        long ofSimple = 0;
         for (Node node : zone.nodes) {
             if (!node.isPseudostate() || node.is(Kind.TERMINATE)) {
-                sum = sum.or(size(node));
                 kept++;
+                if (node.zones.isEmpty() && node.activities().isEmpty()) {
+                    simple++;
+                    ofSimple += node.triggerCount();
+                } else {
+                    sum = sum.or(size(node));
+                }
             }
         }
+        sum = sum.or(new Size(BigInteger.valueOf(simple), BigInteger.valueOf(ofSimple)));
         if (zone.hasHistory) {
             boolean deep = zone.nodes.stream().anyMatch(node -> node.is(Kind.DEEP_HISTORY));
             memories = memories.multiply(deep ? sum.states().add(BigInteger.ONE) : BigInteger.valueOf(kept));

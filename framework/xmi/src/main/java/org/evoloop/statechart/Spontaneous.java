@@ -45,8 +45,8 @@ public final class Spontaneous {
 
     /** Hardly any is: of a hundred thousand transitions none should cost a list of its own. */
     private static boolean anyIsMarked(List<String> names) {
-        for (String name : names) {
-            if (isMarked(name)) {
+        for (int i = 0; i < names.size(); i++) {
+            if (isMarked(names.get(i))) {
                 return true;
             }
         }

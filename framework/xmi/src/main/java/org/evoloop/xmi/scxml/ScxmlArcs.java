@@ -4,10 +4,10 @@ import static java.util.Objects.requireNonNull;
 
 import java.util.ArrayList;
 import java.util.HashMap;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.evoloop.statechart.Arc;
@@ -40,6 +40,8 @@ final class ScxmlArcs {
 
     private final Map<String, List<Vertex>> forks = new HashMap<>();
     private final Map<ScxmlVertex, List<Arc>> internal = new HashMap<>();
+    /** By what some transition takes in any case, with or without a condition, the last state that has one. */
+    private final Map<Object, ScxmlVertex> taken = new HashMap<>();
 
     ScxmlArcs(ScxmlTree tree, Problems problems) {
         this.tree = tree;
@@ -82,9 +84,8 @@ final class ScxmlArcs {
                         .forEach(transition ->
                                 unconditional(transition, vertex.key(), region(vertex), ScxmlActions.in(transition)));
             } else {
-                Set<Object> taken = new HashSet<>();
-                String label = "transition of " + vertex.label();
-                vertex.transitions().forEach(transition -> read(transition, vertex, label, taken));
+                Supplier<String> label = () -> "transition of " + vertex.label();
+                vertex.transitions().forEach(transition -> read(transition, vertex, label));
             }
             readAll(vertex);
         }
@@ -102,7 +103,7 @@ final class ScxmlArcs {
         forks.computeIfAbsent(region, any -> new ArrayList<>())
                 .add(new Pseudostate(history.key(), "", place, Kind.FORK));
         List<XmlNode> transitions = history.transitions();
-        String label = "default of " + history.label();
+        Supplier<String> label = () -> "default of " + history.label();
         List<ScxmlVertex> defaults = transitions.stream()
                 .flatMap(transition -> tree.targets(ids(transition), transition.line(), label).stream())
                 .toList();
@@ -126,9 +127,9 @@ final class ScxmlArcs {
 
     /** The default of a history or the way to an initial state. */
     void unconditional(XmlNode transition, String source, String region, List<String> effects) {
-        String label = "transition in line " + transition.line();
+        Supplier<String> label = () -> "transition in line " + transition.line();
         if (!transition.attribute("event").isEmpty()) {
-            problems.add(transition.line(), label + " of an initial or history has an event; remove it");
+            problems.add(transition.line(), label.get() + " of an initial or history has an event; remove it");
         }
         String condition = transition.attribute("cond").strip();
         List<ScxmlVertex> targets = tree.targets(ids(transition), transition.line(), label);
@@ -141,11 +142,11 @@ final class ScxmlArcs {
             String region,
             List<ScxmlVertex> targets,
             String condition,
-            String label,
+            Supplier<String> label,
             List<String> effects,
             Place place) {
         if (targets.isEmpty()) {
-            problems.add(place.line(), label + " has no target; give it one");
+            problems.add(place.line(), label.get() + " has no target; give it one");
             return;
         }
         add(
@@ -173,12 +174,16 @@ final class ScxmlArcs {
                         .strip();
     }
 
-    /** @param taken what earlier transitions of the state take in any case */
-    private void read(XmlNode transition, ScxmlVertex state, String label, Set<Object> taken) {
-        for (String attribute : transition.attributeNames()) {
-            if (attribute.indexOf(':') < 0 && !ATTRIBUTES.contains(attribute)) {
+    /** @param label made only where it is needed: there are a hundred thousand transitions */
+    private void read(XmlNode transition, ScxmlVertex state, Supplier<String> label) {
+        // Here and below without iterators, which for a hundred thousand transitions would be most of what is made.
+        List<String> attributes = transition.attributeNames();
+        for (int i = 0; i < attributes.size(); i++) {
+            String attribute = attributes.get(i);
+            if (!ATTRIBUTES.contains(attribute) && attribute.indexOf(':') < 0) {
                 problems.add(
-                        transition.line(), "attribute " + attribute + " of " + label + " is not supported; remove it");
+                        transition.line(),
+                        "attribute " + attribute + " of " + label.get() + " is not supported; remove it");
             }
         }
         String ids = ids(transition);
@@ -188,11 +193,13 @@ final class ScxmlArcs {
         }
         String condition = transition.attribute("cond").strip();
         if (!transition.attribute("event").isBlank()) {
-            List<ScxmlVertex> done = free(events.doneStates(transition), condition, taken);
+            ScxmlEvents.Matched matched = events.matched(transition);
+            List<ScxmlVertex> done = free(matched.done(), condition, state);
             for (ScxmlVertex inner : done) {
                 done(transition, state, inner, targets, label);
             }
-            List<String> triggers = free(events.triggers(transition, state, label), condition, taken);
+            events.requireNamed(matched, transition, state, label);
+            List<String> triggers = free(matched.triggers(), condition, state);
             if (!triggers.isEmpty()) {
                 arc(transition, state, state, targets, triggers, condition, label);
             } else if (done.isEmpty()) {
@@ -200,7 +207,7 @@ final class ScxmlArcs {
             }
         } else if (alwaysLeaves(state)) {
             requireLasting(transition, state, targets, label);
-            if (free(List.of(""), condition, taken).isEmpty()) {
+            if (free(List.of(""), condition, state).isEmpty()) {
                 never(transition, label);
             } else {
                 arc(transition, state, state, targets, List.of(), condition, label);
@@ -211,40 +218,40 @@ final class ScxmlArcs {
     }
 
     /** What no earlier transition of the state takes in any case: of several that hold, SCXML takes the first. */
-    private static <T> List<T> free(List<T> causes, String condition, Set<Object> taken) {
-        if (causes.isEmpty()) {
-            return causes;
-        }
+    private <T> List<T> free(List<T> causes, String condition, ScxmlVertex state) {
         boolean all = true;
-        for (T cause : causes) {
-            all &= isFree(cause, condition, taken);
+        for (int i = 0; i < causes.size(); i++) {
+            all &= isFree(causes.get(i), condition, state);
         }
         List<T> free = all
                 ? causes
                 : causes.stream()
-                        .filter(cause -> isFree(cause, condition, taken))
+                        .filter(cause -> isFree(cause, condition, state))
                         .toList();
-        for (T cause : causes) {
-            taken.add(condition.isEmpty() ? cause : List.of(cause, condition));
+        for (int i = 0; i < causes.size(); i++) {
+            taken.put(condition.isEmpty() ? causes.get(i) : List.of(causes.get(i), condition), state);
         }
         return free;
     }
 
-    private static boolean isFree(Object cause, String condition, Set<Object> taken) {
-        return !taken.contains(cause) && (condition.isEmpty() || !taken.contains(List.of(cause, condition)));
+    private boolean isFree(Object cause, String condition, ScxmlVertex state) {
+        return taken.get(cause) != state && (condition.isEmpty() || taken.get(List.of(cause, condition)) != state);
     }
 
-    private void never(XmlNode transition, String label) {
+    private void never(XmlNode transition, Supplier<String> label) {
         problems.note(
                 transition.line(),
-                label + " is never taken, since earlier ones always take its events, and is passed over; remove it");
+                label.get()
+                        + " is never taken, since earlier ones always take its events, and is passed over; remove it");
     }
 
-    private void requireLasting(XmlNode transition, ScxmlVertex state, List<ScxmlVertex> targets, String label) {
+    private void requireLasting(
+            XmlNode transition, ScxmlVertex state, List<ScxmlVertex> targets, Supplier<String> label) {
         if (state.isComposite() || targets.isEmpty()) {
             problems.add(
                     transition.line(),
-                    label + " has no event and leads " + (targets.isEmpty() ? "nowhere" : "out of a composite state")
+                    label.get() + " has no event and leads "
+                            + (targets.isEmpty() ? "nowhere" : "out of a composite state")
                             + ", so that the state never lasts; give it an event");
         }
     }
@@ -257,7 +264,11 @@ final class ScxmlArcs {
 
     /** @param done whose being done triggers the transition */
     private void done(
-            XmlNode transition, ScxmlVertex state, ScxmlVertex done, List<ScxmlVertex> targets, String label) {
+            XmlNode transition,
+            ScxmlVertex state,
+            ScxmlVertex done,
+            List<ScxmlVertex> targets,
+            Supplier<String> label) {
         boolean own = done == state;
         boolean outer = done.isInside(state)
                 && (isLocal(transition, state, targets)
@@ -265,7 +276,7 @@ final class ScxmlArcs {
         if (targets.isEmpty() || !(own || outer)) {
             problems.add(
                     transition.line(),
-                    label + " waits for " + done.label()
+                    label.get() + " waits for " + done.label()
                             + " to be done, which is supported only for leaving that state; "
                             + "draw the transition from that state");
             return;
@@ -287,7 +298,7 @@ final class ScxmlArcs {
             List<ScxmlVertex> targets,
             List<String> names,
             String guard,
-            String label) {
+            Supplier<String> label) {
         List<String> triggers = isSpontaneous(transition)
                 ? names.stream().map(Spontaneous::mark).toList()
                 : names;
@@ -312,9 +323,10 @@ final class ScxmlArcs {
 
     /** SCXML has no keywords, but lets attributes of other namespaces be. */
     private static boolean isSpontaneous(XmlNode transition) {
-        for (String name : transition.attributeNames()) {
-            if (name.endsWith(":spontaneous")
-                    && transition.attribute(name).strip().equals("true")) {
+        List<String> names = transition.attributeNames();
+        for (int i = 0; i < names.size(); i++) {
+            if (names.get(i).endsWith(":spontaneous")
+                    && transition.attribute(names.get(i)).strip().equals("true")) {
                 return true;
             }
         }
@@ -329,7 +341,8 @@ final class ScxmlArcs {
     }
 
     /** SCXML leaves a parallel state even for a transition within one child of it; UML does not. */
-    private void requireSameExits(XmlNode transition, ScxmlVertex source, List<ScxmlVertex> targets, String label) {
+    private void requireSameExits(
+            XmlNode transition, ScxmlVertex source, List<ScxmlVertex> targets, Supplier<String> label) {
         if (source.parent() == null) {
             return;
         }
@@ -341,7 +354,7 @@ final class ScxmlArcs {
                 && ends.stream().map(end -> childOf(common, end)).distinct().count() == 1) {
             problems.add(
                     transition.line(),
-                    label + " leaves and enters " + common.label()
+                    label.get() + " leaves and enters " + common.label()
                             + " as a whole, which is not supported; give it type=\"internal\", or draw it from "
                             + common.node().attribute("id"));
         }
@@ -358,7 +371,7 @@ final class ScxmlArcs {
     }
 
     /** The key of the only target, or of a fork to all of them. */
-    private String target(List<ScxmlVertex> targets, String label, Place place) {
+    private String target(List<ScxmlVertex> targets, Supplier<String> label, Place place) {
         if (targets.size() == 1) {
             return targets.get(0).key();
         }
@@ -366,7 +379,8 @@ final class ScxmlArcs {
         String fork = tree.madeUpKey();
         if (common == null || !ScxmlTree.isParallel(common)) {
             problems.add(
-                    place.line(), label + " has targets that do not stand in different children of one parallel state");
+                    place.line(),
+                    label.get() + " has targets that do not stand in different children of one parallel state");
             return fork;
         }
         String region = region(common);

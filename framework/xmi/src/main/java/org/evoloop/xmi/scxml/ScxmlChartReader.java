@@ -93,8 +93,8 @@ final class ScxmlChartReader {
                             + " is not one transition; write one");
         } else {
             List<ScxmlVertex> targets =
-                    ids.isBlank() ? firstState(container) : tree.targets(ids, place.line(), "initial");
-            arcs.lead(key, region, targets, "", "initial", effects, place);
+                    ids.isBlank() ? firstState(container) : tree.targets(ids, place.line(), () -> "initial");
+            arcs.lead(key, region, targets, "", () -> "initial", effects, place);
         }
         return new Pseudostate(key, "", place, Kind.INITIAL);
     }

@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.NavigableSet;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.function.Supplier;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.evoloop.xmi.dialect.Problems;
@@ -43,7 +44,7 @@ final class ScxmlEvents {
      * @param triggers names of all other events
      * @param anyDone whether they match the events of all states that can be done
      */
-    private record Matched(List<ScxmlVertex> done, List<String> triggers, boolean anyDone) {}
+    record Matched(List<ScxmlVertex> done, List<String> triggers, boolean anyDone) {}
 
     ScxmlEvents(ScxmlTree tree, Problems problems) {
         this.tree = tree;
@@ -58,8 +59,9 @@ final class ScxmlEvents {
                 descriptors.computeIfAbsent(node.attribute("event"), ScxmlEvents::split);
             default -> {}
         }
-        for (XmlNode child : node.children()) {
-            collect(child);
+        // Most hold none, and an iterator for each would be thrown away.
+        if (!node.children().isEmpty()) {
+            node.children().forEach(this::collect);
         }
     }
 
@@ -104,7 +106,8 @@ final class ScxmlEvents {
         return state != null && state.canBeDone() ? state : null;
     }
 
-    private Matched matched(XmlNode transition) {
+    /** What triggers a transition. */
+    Matched matched(XmlNode transition) {
         String attribute = transition.attribute("event");
         Matched known = matched.get(attribute);
         if (known == null) {
@@ -137,20 +140,13 @@ final class ScxmlEvents {
         return new Matched(List.copyOf(done), List.copyOf(triggers), anyDone);
     }
 
-    /** States whose being done triggers the transition. */
-    List<ScxmlVertex> doneStates(XmlNode transition) {
-        return matched(transition).done();
-    }
-
-    /** Names of all other events that trigger it. */
-    List<String> triggers(XmlNode transition, ScxmlVertex state, String label) {
-        Matched found = matched(transition);
-        if (found.anyDone() && tree.mayHearOfDone(state)) {
+    /** Refuses descriptors that match the end of any state, if one can end while the transition's state is active. */
+    void requireNamed(Matched matched, XmlNode transition, ScxmlVertex state, Supplier<String> label) {
+        if (matched.anyDone() && tree.mayHearOfDone(state)) {
             problems.add(
                     transition.line(),
-                    label + " matches the events of all states that can be done, which is not supported; "
+                    label.get() + " matches the events of all states that can be done, which is not supported; "
                             + "name the events");
         }
-        return found.triggers();
     }
 }

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.StringTokenizer;
+import java.util.function.Supplier;
 import org.evoloop.xmi.dialect.Problems;
 import org.evoloop.xmi.dialect.XmlNode;
 import org.jspecify.annotations.Nullable;
@@ -109,18 +110,26 @@ final class ScxmlTree {
      *
      * @param ids with white space between them
      */
-    List<ScxmlVertex> targets(String ids, int line, String what) {
+    List<ScxmlVertex> targets(String ids, int line, Supplier<String> what) {
         StringTokenizer words = new StringTokenizer(ids);
-        List<ScxmlVertex> found = new ArrayList<>(1);
+        List<ScxmlVertex> found = List.of();
         while (words.hasMoreTokens()) {
             String id = words.nextToken();
             ScxmlVertex target = byId.get(id);
             if (target != null) {
-                found.add(target);
+                // Hardly ever more than one.
+                found = found.isEmpty() ? List.of(target) : joined(found, target);
             } else {
-                problems.add(line, what + " leads to " + Problems.quote(id) + ", which is no state; correct the id");
+                problems.add(
+                        line, what.get() + " leads to " + Problems.quote(id) + ", which is no state; correct the id");
             }
         }
         return found;
+    }
+
+    private static List<ScxmlVertex> joined(List<ScxmlVertex> some, ScxmlVertex another) {
+        List<ScxmlVertex> all = new ArrayList<>(some);
+        all.add(another);
+        return all;
     }
 }

@@ -17,11 +17,9 @@ final class ScxmlVertex {
     private final String id;
     private final String key;
     private final @Nullable ScxmlVertex parent;
-    /** Most have nothing in them. */
-    private final List<ScxmlVertex> inner = new ArrayList<>(0);
-
-    private final List<XmlNode> transitions = new ArrayList<>(0);
-    private final List<XmlNode> rest = new ArrayList<>(0);
+    private final List<ScxmlVertex> inner = new ArrayList<>();
+    private final List<XmlNode> transitions = new ArrayList<>();
+    private final List<XmlNode> rest = new ArrayList<>();
 
     /**
      * @param key its id, or one made up for it if it has none
