@@ -26,9 +26,8 @@ class UndeclaredStepsTest {
                 assertThat(undeclared.decide(at, button, true)).isEqualTo(declared.decide(at, button, true));
             }
         });
-        Configuration on = robot.initial();
-        assertThat(undeclared.decide(on, new Event("Clean"), true).deviceStart())
-                .isEqualTo(new State("Clean"));
+        assertThat(undeclared.decide(robot.initial(), new Event("Clean"), true).deviceStart())
+                .isEqualTo(new State("On"));
     }
 
     @Test
