@@ -88,12 +88,16 @@ final class CarrierThread extends LoopThread {
         }
     }
 
-    /** Runs what is in the slot, if anything is. */
+    /** Runs what is in the slot, if anything is, and whatever goes on on this thread. */
     void runGiven() {
         StageWorker<?> stage = slot.get();
         if (stage != null) {
             slot.setRelease(null);
-            stage.runGiven();
+        }
+        while (stage != null) {
+            stage = stage.runGiven();
+            // One component's interrupt is none of the next one's.
+            Thread.interrupted();
         }
     }
 

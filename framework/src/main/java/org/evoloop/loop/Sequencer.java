@@ -2,14 +2,16 @@ package org.evoloop.loop;
 
 import java.time.Duration;
 import java.util.concurrent.TimeoutException;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.concurrent.locks.Condition;
 import org.jspecify.annotations.Nullable;
 
 /**
  * The order of the loop: the queue before it, the one occurrence that is in it, and whose turn it is.
  *
- * <p>All of it is guarded by the loop's lock. A cycle that was given up has another number than the current one, so whatever
- * its component still returns is ignored.
+ * <p>All of it is guarded by the loop's lock, but for one move: the component that has the turn hands it to the next without.
+ * Whoever takes the turn away replaces it in the same way, so one of the two comes too late and does nothing: what a component
+ * still returns that was given up is ignored.
  */
 final class Sequencer<O> {
     private final LoopConfig config;
@@ -27,8 +29,7 @@ final class Sequencer<O> {
     private @Nullable StageWorker<O> analyze;
     private long cycle;
     private @Nullable O occurrence;
-    /** Changed under the lock; whose turn it is may be read without. */
-    private volatile @Nullable StageWorker<?> busy;
+    private final AtomicReference<@Nullable StageWorker<?>> busy = new AtomicReference<>();
 
     /** What came to an analyze component that is stuck; told when the lock has been given back. */
     private @Nullable Failure<O> refused;
@@ -84,8 +85,11 @@ final class Sequencer<O> {
     /** Starts the next cycle if there is something to do and nothing in the way; the lock is held. */
     private void begin() {
         StageWorker<O> first = analyze;
-        boolean mayBegin =
-                busy == null && !breakingOff && !held && state == LoopState.RUNNING && (config.threads() || stepping);
+        boolean mayBegin = busy.get() == null
+                && !breakingOff
+                && !held
+                && state == LoopState.RUNNING
+                && (config.threads() || stepping);
         O next = mayBegin && first != null ? intake.next() : null;
         if (next == null || first == null) {
             return;
@@ -95,88 +99,102 @@ final class Sequencer<O> {
         occurrence = next;
         if (first.isStuck()) {
             refused = breakOff(first, stuck(first));
-        } else {
-            hand(first, next);
+            return;
         }
-    }
-
-    private <I> void hand(StageWorker<I> stage, I input) {
-        busy = stage;
-        CarrierThread carrier = stage.give(cycle, input);
+        busy.set(first);
+        CarrierThread carrier = first.give(cycle, next);
         if (carrier != null) {
-            lock.wakeAfterRelease(carrier);
             supervisor.begun();
+            lock.wakeAfterRelease(carrier);
         }
     }
 
-    /** Hands the result of a stage on; a null result or nobody to take it ends the cycle. */
-    <I> void passOn(long fromCycle, @Nullable I result, @Nullable StageWorker<I> next) {
+    /**
+     * Hands the result of a stage on; a null result or nobody to take it ends the cycle.
+     *
+     * @return who goes on on the caller's thread; null if nobody does
+     */
+    <I> @Nullable StageWorker<I> passOn(StageWorker<?> from, @Nullable I result, @Nullable StageWorker<I> next) {
+        if (result == null || next == null || next.isStuck()) {
+            end(from, result == null ? null : next);
+            return null;
+        }
+        supervisor.goesOn();
+        if (busy.compareAndSet(from, next)) {
+            return next.goOn(from.cycle(), result);
+        }
+        // Whoever gave it up marks it as stuck under the lock, and it must know that before it returns.
+        lock.acquire();
+        lock.release();
+        return null;
+    }
+
+    /** Ends the cycle, by a failure if the next component is stuck. */
+    private void end(StageWorker<?> from, @Nullable StageWorker<?> stuck) {
         Failure<O> failure = null;
         lock.acquire();
         try {
-            if (fromCycle != cycle || busy == null) {
+            if (!busy.compareAndSet(from, null)) {
                 return;
             }
-            if (result == null || next == null) {
+            if (stuck == null) {
                 endCycle();
-            } else if (next.isStuck()) {
-                failure = breakOff(next, stuck(next));
             } else {
-                hand(next, result);
+                failure = breakOff(stuck, stuck(stuck));
             }
         } finally {
             release();
         }
-        if (next != null) {
-            goOnAfter(next, failure);
+        if (stuck != null) {
+            goOnAfter(stuck, failure);
         }
     }
 
     private void endCycle() {
-        busy = null;
         occurrence = null;
         intake.ended();
         ended.signalAll();
         begin();
-        if (busy == null) {
+        if (busy.get() == null) {
             room.signal();
         }
     }
 
     /** Runs one cycle on the caller's thread; false if nothing waited. */
     boolean step() {
+        StageWorker<?> first;
         lock.acquire();
         try {
-            stepping = true;
+            stepping = busy.get() == null;
             begin();
+            first = stepping ? busy.get() : null;
         } finally {
             stepping = false;
             release();
         }
-        boolean worked = false;
-        for (StageWorker<?> turn = busy; turn != null; turn = busy) {
-            turn.runGiven();
-            worked = true;
+        StageWorker<?> turn = first;
+        while (turn != null) {
+            turn = turn.runGiven();
         }
-        return worked;
+        return first != null;
     }
 
     // What goes wrong
 
     /** A stage threw; the cycle ends unless it was given up before. */
-    void failed(Worker worker, long inCycle, Throwable cause) {
+    void failed(StageWorker<?> worker, Throwable cause) {
         O about;
         lock.acquire();
         try {
-            if (inCycle != cycle || busy == null) {
+            if (busy.get() != worker) {
                 return;
             }
             about = occurrence;
         } finally {
             release();
         }
-        report(worker, worker.roleName(), inCycle, about, cause);
-        passOn(inCycle, null, null);
+        report(worker, worker.roleName(), worker.cycle(), about, cause);
+        end(worker, null);
     }
 
     void report(Worker worker, String phase, long inCycle, @Nullable O about, Throwable cause) {
@@ -189,21 +207,27 @@ final class Sequencer<O> {
         return "is stuck in its thread " + worker.threadName() + "; exchange it";
     }
 
-    /** Takes the turn from a component that does not return; the lock is held, and {@link #goOnWithout} has to follow. */
+    /**
+     * Takes the turn from a component that does not return; the lock is held, and {@link #goOnWithout} has to follow. Null if it
+     * does not have the turn any more.
+     */
+    @Nullable
     Failure<O> giveUp(StageWorker<?> worker, String why) {
-        worker.giveUp();
+        if (!busy.compareAndSet(worker, null)) {
+            return null;
+        }
+        worker.giveUp(cycle);
         return breakOff(worker, why);
     }
 
     /**
-     * Takes the occurrence out of the loop, from whatever component has it. The next one does not begin before the
-     * failure was reported, see {@link #goOnAfter}: the listener may have to put things in order first.
+     * Takes the occurrence out of the loop. The next one does not begin before the failure was reported, see
+     * {@link #goOnAfter}: the listener may have to put things in order first.
      */
     private Failure<O> breakOff(Worker worker, String what) {
         Failure<O> failure = new Failure<>(
                 worker.component().name(), worker.roleName(), cycle, occurrence, new TimeoutException(what));
         breakingOff = true;
-        busy = null;
         return failure;
     }
 
@@ -254,14 +278,14 @@ final class Sequencer<O> {
     /** Whose turn it is; null if it is nobody's. May be read without the lock. */
     @Nullable
     StageWorker<?> busy() {
-        return busy;
+        return busy.get();
     }
 
     /** Waits until no occurrence is in the loop. Returns whether the caller was interrupted meanwhile. */
     boolean awaitQuiet(Duration limit) {
         boolean interrupted = false;
         long left = limit.toNanos();
-        while ((busy != null || breakingOff) && left > 0) {
+        while ((busy.get() != null || breakingOff) && left > 0) {
             try {
                 left = ended.awaitNanos(left);
             } catch (InterruptedException e) {
