@@ -2,7 +2,7 @@ package org.evoloop.loop;
 
 import java.time.Duration;
 import java.util.concurrent.TimeoutException;
-import java.util.concurrent.atomic.AtomicReference;
+import java.util.concurrent.atomic.AtomicReferenceFieldUpdater;
 import java.util.concurrent.locks.Condition;
 import org.jspecify.annotations.Nullable;
 
@@ -14,6 +14,11 @@ import org.jspecify.annotations.Nullable;
  * still returns that was given up is ignored.
  */
 final class Sequencer<O> {
+    // Unlike an atomic reference it is quick before it has been compiled: a press seldom comes.
+    @SuppressWarnings("rawtypes") // a class literal has no type arguments
+    private static final AtomicReferenceFieldUpdater<Sequencer, StageWorker> TURN =
+            AtomicReferenceFieldUpdater.newUpdater(Sequencer.class, StageWorker.class, "busy");
+
     private final LoopConfig config;
     private final LoopListener<O> listener;
     private final Intake<O> intake;
@@ -29,7 +34,7 @@ final class Sequencer<O> {
     private @Nullable StageWorker<O> analyze;
     private long cycle;
     private @Nullable O occurrence;
-    private final AtomicReference<@Nullable StageWorker<?>> busy = new AtomicReference<>();
+    private volatile @Nullable StageWorker<?> busy;
 
     /** What came to an analyze component that is stuck; told when the lock has been given back. */
     private @Nullable Failure<O> refused;
@@ -85,11 +90,8 @@ final class Sequencer<O> {
     /** Starts the next cycle if there is something to do and nothing in the way; the lock is held. */
     private void begin() {
         StageWorker<O> first = analyze;
-        boolean mayBegin = busy.get() == null
-                && !breakingOff
-                && !held
-                && state == LoopState.RUNNING
-                && (config.threads() || stepping);
+        boolean mayBegin =
+                busy == null && !breakingOff && !held && state == LoopState.RUNNING && (config.threads() || stepping);
         O next = mayBegin && first != null ? intake.next() : null;
         if (next == null || first == null) {
             return;
@@ -101,7 +103,7 @@ final class Sequencer<O> {
             refused = breakOff(first, stuck(first));
             return;
         }
-        busy.set(first);
+        busy = first;
         CarrierThread carrier = first.give(cycle, next);
         if (carrier != null) {
             supervisor.begun();
@@ -120,7 +122,7 @@ final class Sequencer<O> {
             return null;
         }
         supervisor.goesOn();
-        if (busy.compareAndSet(from, next)) {
+        if (TURN.compareAndSet(this, from, next)) {
             return next.goOn(from.cycle(), result);
         }
         // Whoever gave it up marks it as stuck under the lock, and it must know that before it returns.
@@ -134,7 +136,7 @@ final class Sequencer<O> {
         Failure<O> failure = null;
         lock.acquire();
         try {
-            if (!busy.compareAndSet(from, null)) {
+            if (!TURN.compareAndSet(this, from, null)) {
                 return;
             }
             if (stuck == null) {
@@ -155,7 +157,7 @@ final class Sequencer<O> {
         intake.ended();
         ended.signalAll();
         begin();
-        if (busy.get() == null) {
+        if (busy == null) {
             room.signal();
         }
     }
@@ -165,9 +167,9 @@ final class Sequencer<O> {
         StageWorker<?> first;
         lock.acquire();
         try {
-            stepping = busy.get() == null;
+            stepping = busy == null;
             begin();
-            first = stepping ? busy.get() : null;
+            first = stepping ? busy : null;
         } finally {
             stepping = false;
             release();
@@ -186,7 +188,7 @@ final class Sequencer<O> {
         O about;
         lock.acquire();
         try {
-            if (busy.get() != worker) {
+            if (busy != worker) {
                 return;
             }
             about = occurrence;
@@ -213,7 +215,7 @@ final class Sequencer<O> {
      */
     @Nullable
     Failure<O> giveUp(StageWorker<?> worker, String why) {
-        if (!busy.compareAndSet(worker, null)) {
+        if (!TURN.compareAndSet(this, worker, null)) {
             return null;
         }
         worker.giveUp(cycle);
@@ -278,14 +280,14 @@ final class Sequencer<O> {
     /** Whose turn it is; null if it is nobody's. May be read without the lock. */
     @Nullable
     StageWorker<?> busy() {
-        return busy.get();
+        return busy;
     }
 
     /** Waits until no occurrence is in the loop. Returns whether the caller was interrupted meanwhile. */
     boolean awaitQuiet(Duration limit) {
         boolean interrupted = false;
         long left = limit.toNanos();
-        while ((busy.get() != null || breakingOff) && left > 0) {
+        while ((busy != null || breakingOff) && left > 0) {
             try {
                 left = ended.awaitNanos(left);
             } catch (InterruptedException e) {
