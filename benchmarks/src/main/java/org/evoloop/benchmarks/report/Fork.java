@@ -22,7 +22,9 @@ public final class Fork {
             "-XX:CompileCommand=quiet",
             "-XX:CompileCommand=CompileThresholdScaling,org/evoloop/*.*,0.02",
             "-XX:CompileCommand=CompileThresholdScaling,com/fazecast/*.*,0.02",
-            "-XX:CompileCommand=CompileThresholdScaling,java/util/concurrent/*.*,0.02");
+            "-XX:CompileCommand=CompileThresholdScaling,java/util/*.*,0.02",
+            "-XX:CompileCommand=CompileThresholdScaling,org/slf4j/*.*,0.02",
+            "-XX:CompileCommand=CompileThresholdScaling,ch/qos/logback/*.*,0.02");
 
     private static final long LIMIT_MINUTES = 20;
 

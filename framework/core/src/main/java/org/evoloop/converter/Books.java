@@ -10,7 +10,7 @@ import org.jspecify.annotations.Nullable;
 /**
  * The records of what a converter does, and its listeners.
  *
- * <p>Threading: thread-safe, as each of them is.
+ * <p>Threading: as it stands with each of them.
  */
 record Books(Transcript transcript, FailureLog failures, History history, LatencyWindow latency, Listeners listeners) {
 

@@ -1,5 +1,6 @@
 package org.evoloop.converter;
 
+import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
 import org.evoloop.core.Core;
@@ -31,6 +32,7 @@ final class CoreDriver implements Intake<Occurrence> {
     private final Bindings bindings;
     private final EventNames names;
     private final CoreOutputs outputs;
+    private final Books books;
 
     private volatile Rules rules;
 
@@ -39,6 +41,7 @@ final class CoreDriver implements Intake<Occurrence> {
         this.clock = clock;
         this.bindings = knowledge.bindings();
         this.names = knowledge.eventNames();
+        this.books = books;
         this.outputs = new CoreOutputs(rules.table().models().initial(), names, books);
         this.core = new Core(rules, outputs);
     }
@@ -241,6 +244,14 @@ final class CoreDriver implements Intake<Occurrence> {
 
     synchronized Tally tally() {
         return core.tally();
+    }
+
+    synchronized List<HistoryEntry> history() {
+        return books.history().entries();
+    }
+
+    synchronized ConverterStatus.ConversionTime conversionTime() {
+        return books.latency().summary();
     }
 
     /** Why the record may be wrong; empty if it is sure. */

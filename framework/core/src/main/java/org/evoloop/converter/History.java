@@ -13,7 +13,7 @@ import org.jspecify.annotations.Nullable;
 /**
  * The last {@value #SIZE} events and what became of them.
  *
- * <p>Threading: thread-safe.
+ * <p>Threading: guarded by the lock of the {@link CoreDriver}.
  */
 final class History {
     private static final int SIZE = 200;
@@ -31,7 +31,7 @@ final class History {
      *
      * @param decision what it was found to mean, which tells the detail; null if {@code detail} does
      */
-    synchronized void record(
+    void record(
             Occurrence occurrence,
             Configuration before,
             Configuration after,
@@ -48,11 +48,11 @@ final class History {
     }
 
     /** The last one that was recorded. */
-    synchronized HistoryEntry last() {
+    HistoryEntry last() {
         return Objects.requireNonNull(lines[(int) ((recorded - 1) % SIZE)]).toEntry();
     }
 
-    synchronized List<HistoryEntry> entries() {
+    List<HistoryEntry> entries() {
         List<HistoryEntry> entries = new ArrayList<>();
         for (long number = Math.max(0, recorded - SIZE); number < recorded; number++) {
             HistoryLine line = lines[(int) (number % SIZE)];

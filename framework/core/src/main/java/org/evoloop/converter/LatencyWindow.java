@@ -5,7 +5,7 @@ import java.util.Arrays;
 /**
  * The conversion times of the last {@value #SIZE} events.
  *
- * <p>Threading: thread-safe.
+ * <p>Threading: guarded by the lock of the {@link CoreDriver}.
  */
 final class LatencyWindow {
     private static final int SIZE = 1024;
@@ -14,13 +14,13 @@ final class LatencyWindow {
     private int recorded;
     private int next;
 
-    synchronized void record(long conversionNanos) {
+    void record(long conversionNanos) {
         nanos[next] = conversionNanos;
         next = (next + 1) % SIZE;
         recorded = Math.min(recorded + 1, SIZE);
     }
 
-    synchronized ConverterStatus.ConversionTime summary() {
+    ConverterStatus.ConversionTime summary() {
         if (recorded == 0) {
             return new ConverterStatus.ConversionTime(0, 0, 0, 0);
         }

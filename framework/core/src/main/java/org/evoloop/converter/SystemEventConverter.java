@@ -384,7 +384,7 @@ public final class SystemEventConverter implements AutoCloseable {
                 lastKnownSince(built.loop.state(), device),
                 built.loop.queueStatus(),
                 built.counts(),
-                built.books.latency().summary(),
+                built.driver.conversionTime(),
                 built.loop.components(),
                 built.visits.runningFunction(),
                 device == null ? null : new ConverterStatus.Link(device.isUp(), device.describe()));
@@ -398,7 +398,7 @@ public final class SystemEventConverter implements AutoCloseable {
 
     /** The last events and what became of them, oldest first. */
     public List<HistoryEntry> history() {
-        return built().books.history().entries();
+        return built().driver.history();
     }
 
     private ConverterShell built() {

@@ -19,7 +19,8 @@ import org.slf4j.LoggerFactory;
  * <p>The lines of one event stand together, and are logged by {@link #say} when it has come to its end: the logger must
  * stand neither in its way nor in that of others. What a new function says meanwhile follows after them.
  *
- * <p>Threading: thread-safe; only {@link #say} and {@link #notice} wait for the logger.
+ * <p>Threading: what belongs to the event in the loop is told under the lock of the {@link CoreDriver}; {@link #say} and {@link
+ * #notice} may be called from any thread, and only they wait for the logger.
  */
 final class Transcript {
     static final String LOGGER = "org.evoloop.transcript";
@@ -31,27 +32,33 @@ final class Transcript {
     /** Lines to be logged: formats, and after each what stands in its braces. */
     private final ArrayDeque<Object> ready = new ArrayDeque<>();
 
-    /** The lines of the event in the loop. */
-    private final List<Object> lines = new ArrayList<>();
-
+    private volatile boolean isReady;
     private final List<String> later = new ArrayList<>();
-    private @Nullable Occurrence about;
     private boolean inEvent;
-    private boolean traced;
-
-    /** The new state whose function starts if the event comes to a good end. */
-    private @Nullable State entered;
-
     private boolean begun;
 
     /** Whether an empty line comes before the next one. */
     private boolean gap;
 
-    synchronized void observed(Occurrence occurrence) {
-        about = occurrence;
-        inEvent = true;
+    // Of the event in the loop; without a reader it costs nothing.
+
+    private @Nullable Occurrence about;
+    private final List<Object> lines = new ArrayList<>();
+    private boolean traced;
+
+    /** The new state whose function starts if the event comes to a good end. */
+    private @Nullable State entered;
+
+    void observed(Occurrence occurrence) {
+        about = LOG.isInfoEnabled() ? occurrence : null;
+        if (about == null) {
+            return;
+        }
+        synchronized (this) {
+            inEvent = true;
+            gap = begun;
+        }
         entered = null;
-        gap = begun;
         keep(
                 occurrence.source().isButton()
                         ? "----   button_event : {}   -----"
@@ -62,7 +69,7 @@ final class Transcript {
         keep(" inputs {} event.", occurrence.label());
     }
 
-    synchronized void decided(Decision decision) {
+    void decided(Decision decision) {
         keep("Analyze", "");
         keepStates(decision.before());
         keep(" mode: {}", mode(decision));
@@ -91,13 +98,13 @@ final class Transcript {
         return isNew ? "Use new functions" : "Use existing functions";
     }
 
-    synchronized void step(Step step) {
+    void step(Step step) {
         if (traced) {
             keep(" MAPE-K loop will send this event : {}", step.trigger());
         }
     }
 
-    synchronized void command(Event event) {
+    void command(Event event) {
         keep(" {} command", event);
     }
 
@@ -106,28 +113,32 @@ final class Transcript {
         keep(" new_current_state: {}", configuration.evolved());
     }
 
-    /** Without a reader it costs nothing. */
     private void keep(String format, Object argument) {
-        if (LOG.isInfoEnabled()) {
+        if (about != null) {
             lines.add(format);
             lines.add(argument);
         }
     }
 
     /** An occurrence has come to its end, or its plan was overtaken. */
-    synchronized void ended(Occurrence occurrence, Configuration now) {
-        if (!inEvent || occurrence != about) {
+    void ended(Occurrence occurrence, Configuration now) {
+        if (occurrence != about) {
             return;
         }
         if (now.evolved().equals(entered)) {
             keep(" Operate existing functions for {} in the another thread", now.evolved());
         }
         keepStates(now);
+        makeReady();
+        lines.clear();
+        about = null;
+    }
+
+    private synchronized void makeReady() {
         // By index: an iterator would be garbage in every event.
         for (int index = 0; index < lines.size(); index += 2) {
             line(lines.get(index), lines.get(index + 1));
         }
-        lines.clear();
         gap = true;
         inEvent = false;
         for (int index = 0; index < later.size(); index++) {
@@ -145,6 +156,7 @@ final class Transcript {
         ready.add(argument);
         gap = false;
         begun = true;
+        isReady = true;
     }
 
     /** Something that does not belong to the event in the loop. */
@@ -161,12 +173,16 @@ final class Transcript {
 
     /** Logs what is ready. */
     void say() {
+        if (!isReady) {
+            return;
+        }
         synchronized (logging) {
             while (true) {
                 String format;
                 Object argument;
                 synchronized (this) {
                     if (ready.isEmpty()) {
+                        isReady = false;
                         return;
                     }
                     format = (String) ready.remove();

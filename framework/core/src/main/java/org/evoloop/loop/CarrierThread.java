@@ -1,19 +1,13 @@
 package org.evoloop.loop;
 
-import java.lang.invoke.VarHandle;
-import java.util.concurrent.atomic.AtomicReference;
 import java.util.concurrent.locks.LockSupport;
 import org.jspecify.annotations.Nullable;
 
-/**
- * A thread that runs analyze, plan and execute components: the one whose turn it is stands in its slot.
- *
- * <p>Flags that others only read are set without the fence of a volatile write, which would cost more than most of the
- * work between two of them.
- */
+/** A thread that runs analyze, plan and execute components: the one whose turn it is stands in its slot. */
 final class CarrierThread extends LoopThread {
     private final WaitStrategy waiting;
-    private final AtomicReference<@Nullable StageWorker<?>> slot = new AtomicReference<>();
+    // Volatile fields, not atomic ones: a press seldom comes, and what those go through is interpreted by then.
+    private volatile @Nullable StageWorker<?> slot;
     private volatile boolean asleep;
 
     /** Whether its turn came soon the last time, so that it is worth staying awake. The thread's own. */
@@ -26,7 +20,7 @@ final class CarrierThread extends LoopThread {
 
     /** Puts a component that was given work into the slot, which must be empty; {@link #wake} has to follow. */
     void give(StageWorker<?> stage) {
-        slot.setRelease(stage);
+        slot = stage;
     }
 
     /** Wakes the thread if it sleeps. */
@@ -40,7 +34,6 @@ final class CarrierThread extends LoopThread {
     boolean hasToBeWoken() {
         // The slot was filled before the flag is read; with the same order in maySleep(), one of the two sees the
         // other.
-        VarHandle.fullFence();
         return asleep;
     }
 
@@ -69,7 +62,7 @@ final class CarrierThread extends LoopThread {
     }
 
     private boolean isIdle() {
-        return slot.get() == null && !isRetired();
+        return slot == null && !isRetired();
     }
 
     /** Says that the thread is about to sleep; whether there is still nothing to do. */
@@ -88,12 +81,16 @@ final class CarrierThread extends LoopThread {
         }
     }
 
-    /** Runs what is in the slot, if anything is. */
+    /** Runs what is in the slot, if anything is, and whatever goes on on this thread. */
     void runGiven() {
-        StageWorker<?> stage = slot.get();
+        StageWorker<?> stage = slot;
         if (stage != null) {
-            slot.setRelease(null);
-            stage.runGiven();
+            slot = null;
+        }
+        while (stage != null) {
+            stage = stage.runGiven();
+            // One component's interrupt is none of the next one's.
+            Thread.interrupted();
         }
     }
 

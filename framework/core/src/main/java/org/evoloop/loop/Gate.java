@@ -58,15 +58,14 @@ final class Gate<O> {
         try {
             sequencer.hold(true);
             interrupted = config.threads() && sequencer.awaitQuiet(config.joinLimit());
-            late = sequencer.busy();
-            if (late != null) {
-                failure = sequencer.giveUp(
-                        late,
-                        config.threads()
-                                ? "was interrupted: it did not return within "
-                                        + config.joinLimit().toMillis() + " ms"
-                                : "was given up: the loop was changed by what it called");
-            }
+            String why = config.threads()
+                    ? "was interrupted: it did not return within "
+                            + config.joinLimit().toMillis() + " ms"
+                    : "was given up: the loop was changed by what it called";
+            do {
+                late = sequencer.busy();
+                failure = late == null ? null : sequencer.giveUp(late, why);
+            } while (late != null && failure == null);
             change.run();
         } finally {
             sequencer.hold(false);

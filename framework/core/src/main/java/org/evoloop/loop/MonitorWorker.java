@@ -58,10 +58,10 @@ final class MonitorWorker<O> extends Worker {
     /** Asks the monitor once, on the caller's thread; false if it failed. */
     boolean observe() throws InterruptedException {
         try {
-            long asked = System.nanoTime();
+            long asked = thread == null ? 0 : System.nanoTime();
             O occurrence = monitor.getEvent();
             if (occurrence == null) {
-                rest(System.nanoTime() - asked);
+                rest(asked);
             } else {
                 idle = 0;
                 if (!sequencer.offer(occurrence)) {
@@ -83,9 +83,9 @@ final class MonitorWorker<O> extends Worker {
      * Before a monitor is asked again that had nothing to tell: one that waits by itself need not rest, and one that does
      * not shall not keep a processor busy.
      */
-    private void rest(long waitedNanos) {
-        idle = waitedNanos < WAITS_NANOS ? idle + 1 : 0;
-        if (idle <= PATIENCE || thread == null) {
+    private void rest(long askedNanos) {
+        idle = thread != null && System.nanoTime() - askedNanos < WAITS_NANOS ? idle + 1 : 0;
+        if (idle <= PATIENCE) {
             LoopThread.giveWay();
             return;
         }

@@ -23,21 +23,21 @@ final class Passage<O, A, P> {
     }
 
     StageWorker.Work<O> through(Analyze<O, A> analyze) {
-        return (cycle, occurrence) -> sequencer.passOn(cycle, analyze.analyze(occurrence), plan);
+        return (by, occurrence) -> sequencer.passOn(by, analyze.analyze(occurrence), plan);
     }
 
     StageWorker.Work<A> through(Plan<A, P> planning) {
-        return (cycle, analysis) -> dispatch(cycle, planning.plan(analysis), null);
+        return (by, analysis) -> dispatch(by, planning.plan(analysis), null);
     }
 
     StageWorker.Work<P> through(Execute<P> execute) {
-        return (cycle, planned) -> {
+        return (by, planned) -> {
             execute.execute(planned);
-            dispatch(cycle, planned, execute);
+            return dispatch(by, planned, execute);
         };
     }
 
-    private void dispatch(long cycle, @Nullable P planned, @Nullable Execute<P> last) {
+    private @Nullable StageWorker<P> dispatch(StageWorker<?> by, @Nullable P planned, @Nullable Execute<P> last) {
         Execute<P> next = planned == null ? null : dispatch.next(planned, executeOrder, last);
         List<StageWorker<P>> candidates = executes;
         StageWorker<P> worker = null;
@@ -47,7 +47,7 @@ final class Passage<O, A, P> {
                 worker = candidates.get(index);
             }
         }
-        sequencer.passOn(cycle, planned, worker);
+        return sequencer.passOn(by, planned, worker);
     }
 
     /** From now on it leads through these. */

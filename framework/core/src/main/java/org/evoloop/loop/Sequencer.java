@@ -2,16 +2,23 @@ package org.evoloop.loop;
 
 import java.time.Duration;
 import java.util.concurrent.TimeoutException;
+import java.util.concurrent.atomic.AtomicReferenceFieldUpdater;
 import java.util.concurrent.locks.Condition;
 import org.jspecify.annotations.Nullable;
 
 /**
  * The order of the loop: the queue before it, the one occurrence that is in it, and whose turn it is.
  *
- * <p>All of it is guarded by the loop's lock. A cycle that was given up has another number than the current one, so whatever
- * its component still returns is ignored.
+ * <p>All of it is guarded by the loop's lock, but for one move: the component that has the turn hands it to the next without.
+ * Whoever takes the turn away replaces it in the same way, so one of the two comes too late and does nothing: what a component
+ * still returns that was given up is ignored.
  */
 final class Sequencer<O> {
+    // Unlike an atomic reference it is quick before it has been compiled: a press seldom comes.
+    @SuppressWarnings("rawtypes") // a class literal has no type arguments
+    private static final AtomicReferenceFieldUpdater<Sequencer, StageWorker> TURN =
+            AtomicReferenceFieldUpdater.newUpdater(Sequencer.class, StageWorker.class, "busy");
+
     private final LoopConfig config;
     private final LoopListener<O> listener;
     private final Intake<O> intake;
@@ -27,7 +34,6 @@ final class Sequencer<O> {
     private @Nullable StageWorker<O> analyze;
     private long cycle;
     private @Nullable O occurrence;
-    /** Changed under the lock; whose turn it is may be read without. */
     private volatile @Nullable StageWorker<?> busy;
 
     /** What came to an analyze component that is stuck; told when the lock has been given back. */
@@ -95,45 +101,58 @@ final class Sequencer<O> {
         occurrence = next;
         if (first.isStuck()) {
             refused = breakOff(first, stuck(first));
-        } else {
-            hand(first, next);
+            return;
         }
-    }
-
-    private <I> void hand(StageWorker<I> stage, I input) {
-        busy = stage;
-        CarrierThread carrier = stage.give(cycle, input);
+        busy = first;
+        CarrierThread carrier = first.give(cycle, next);
         if (carrier != null) {
-            lock.wakeAfterRelease(carrier);
             supervisor.begun();
+            lock.wakeAfterRelease(carrier);
         }
     }
 
-    /** Hands the result of a stage on; a null result or nobody to take it ends the cycle. */
-    <I> void passOn(long fromCycle, @Nullable I result, @Nullable StageWorker<I> next) {
+    /**
+     * Hands the result of a stage on; a null result or nobody to take it ends the cycle.
+     *
+     * @return who goes on on the caller's thread; null if nobody does
+     */
+    <I> @Nullable StageWorker<I> passOn(StageWorker<?> from, @Nullable I result, @Nullable StageWorker<I> next) {
+        if (result == null || next == null || next.isStuck()) {
+            end(from, result == null ? null : next);
+            return null;
+        }
+        supervisor.goesOn();
+        if (TURN.compareAndSet(this, from, next)) {
+            return next.goOn(from.cycle(), result);
+        }
+        // Whoever gave it up marks it as stuck under the lock, and it must know that before it returns.
+        lock.acquire();
+        lock.release();
+        return null;
+    }
+
+    /** Ends the cycle, by a failure if the next component is stuck. */
+    private void end(StageWorker<?> from, @Nullable StageWorker<?> stuck) {
         Failure<O> failure = null;
         lock.acquire();
         try {
-            if (fromCycle != cycle || busy == null) {
+            if (!TURN.compareAndSet(this, from, null)) {
                 return;
             }
-            if (result == null || next == null) {
+            if (stuck == null) {
                 endCycle();
-            } else if (next.isStuck()) {
-                failure = breakOff(next, stuck(next));
             } else {
-                hand(next, result);
+                failure = breakOff(stuck, stuck(stuck));
             }
         } finally {
             release();
         }
-        if (next != null) {
-            goOnAfter(next, failure);
+        if (stuck != null) {
+            goOnAfter(stuck, failure);
         }
     }
 
     private void endCycle() {
-        busy = null;
         occurrence = null;
         intake.ended();
         ended.signalAll();
@@ -145,38 +164,39 @@ final class Sequencer<O> {
 
     /** Runs one cycle on the caller's thread; false if nothing waited. */
     boolean step() {
+        StageWorker<?> first;
         lock.acquire();
         try {
-            stepping = true;
+            stepping = busy == null;
             begin();
+            first = stepping ? busy : null;
         } finally {
             stepping = false;
             release();
         }
-        boolean worked = false;
-        for (StageWorker<?> turn = busy; turn != null; turn = busy) {
-            turn.runGiven();
-            worked = true;
+        StageWorker<?> turn = first;
+        while (turn != null) {
+            turn = turn.runGiven();
         }
-        return worked;
+        return first != null;
     }
 
     // What goes wrong
 
     /** A stage threw; the cycle ends unless it was given up before. */
-    void failed(Worker worker, long inCycle, Throwable cause) {
+    void failed(StageWorker<?> worker, Throwable cause) {
         O about;
         lock.acquire();
         try {
-            if (inCycle != cycle || busy == null) {
+            if (busy != worker) {
                 return;
             }
             about = occurrence;
         } finally {
             release();
         }
-        report(worker, worker.roleName(), inCycle, about, cause);
-        passOn(inCycle, null, null);
+        report(worker, worker.roleName(), worker.cycle(), about, cause);
+        end(worker, null);
     }
 
     void report(Worker worker, String phase, long inCycle, @Nullable O about, Throwable cause) {
@@ -189,21 +209,27 @@ final class Sequencer<O> {
         return "is stuck in its thread " + worker.threadName() + "; exchange it";
     }
 
-    /** Takes the turn from a component that does not return; the lock is held, and {@link #goOnWithout} has to follow. */
+    /**
+     * Takes the turn from a component that does not return; the lock is held, and {@link #goOnWithout} has to follow. Null if it
+     * does not have the turn any more.
+     */
+    @Nullable
     Failure<O> giveUp(StageWorker<?> worker, String why) {
-        worker.giveUp();
+        if (!TURN.compareAndSet(this, worker, null)) {
+            return null;
+        }
+        worker.giveUp(cycle);
         return breakOff(worker, why);
     }
 
     /**
-     * Takes the occurrence out of the loop, from whatever component has it. The next one does not begin before the
-     * failure was reported, see {@link #goOnAfter}: the listener may have to put things in order first.
+     * Takes the occurrence out of the loop. The next one does not begin before the failure was reported, see
+     * {@link #goOnAfter}: the listener may have to put things in order first.
      */
     private Failure<O> breakOff(Worker worker, String what) {
         Failure<O> failure = new Failure<>(
                 worker.component().name(), worker.roleName(), cycle, occurrence, new TimeoutException(what));
         breakingOff = true;
-        busy = null;
         return failure;
     }
 

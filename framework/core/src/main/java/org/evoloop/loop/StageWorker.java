@@ -1,21 +1,22 @@
 package org.evoloop.loop;
 
-import java.util.concurrent.atomic.AtomicBoolean;
 import org.jspecify.annotations.Nullable;
 
 /**
  * An analyze, plan or execute component in the loop, with the piece of work that it was given.
  *
- * <p>Threading: given work, and given up, under the loop's lock; run by the thread that it was given to.
+ * <p>Threading: given work by whoever has the turn or the loop's lock, and given up under that; run by the thread that it was
+ * given to.
  *
  * @param <I> what its component works on
  */
 final class StageWorker<I> extends Worker {
     private static final long RETURN_NANOS = 50_000_000;
 
-    /** What the component does with its input. */
+    /** What the component does with its input; tells who goes on on the same thread, null if nobody does. */
     interface Work<I> {
-        void run(long cycle, I input) throws Exception;
+        @Nullable
+        StageWorker<?> run(StageWorker<I> by, I input) throws Exception;
     }
 
     private final Work<I> work;
@@ -25,11 +26,8 @@ final class StageWorker<I> extends Worker {
     private @Nullable I input;
     private long cycle;
 
-    /** Who has the work. Guarded by the loop's lock. */
-    private @Nullable CarrierThread carrier;
-
-    private final AtomicBoolean working = new AtomicBoolean();
-    private volatile boolean stuck;
+    /** The cycle in which it was given up and has not returned from since; 0 if there is none. */
+    private volatile long stuckSince;
 
     /** Where it hangs; null if it does not, or in a loop without threads. */
     private volatile @Nullable CarrierThread stuckIn;
@@ -47,43 +45,70 @@ final class StageWorker<I> extends Worker {
     CarrierThread give(long givenCycle, I givenInput) {
         cycle = givenCycle;
         input = givenInput;
-        CarrierThread by = own == null ? crew.shared() : own;
+        CarrierThread by = carrier();
         if (by != null) {
-            carrier = by;
             by.give(this);
         }
         return by;
     }
 
-    /** Does the work that it was given, on the caller's thread, unless that was given up before it was begun. */
-    void runGiven() {
+    private @Nullable CarrierThread carrier() {
+        return own == null ? crew.shared() : own;
+    }
+
+    /**
+     * Gives it what the component before it has made.
+     *
+     * @return itself if it is to be run by the caller's thread; null if its own thread runs it
+     */
+    @Nullable
+    StageWorker<I> goOn(long givenCycle, I givenInput) {
+        cycle = givenCycle;
+        input = givenInput;
+        if (own == null) {
+            return this;
+        }
+        own.give(this);
+        own.wake();
+        return null;
+    }
+
+    /** The cycle in which it was given its work. */
+    long cycle() {
+        return cycle;
+    }
+
+    /**
+     * Does the work that it was given, on the caller's thread, unless that was given up before it was begun.
+     *
+     * @return who goes on on this thread; null if nobody does
+     */
+    @Nullable
+    StageWorker<?> runGiven() {
         I given = input;
         if (given == null) {
-            return;
+            return null;
         }
         long givenCycle = cycle;
         input = null;
-        working.setRelease(true);
         try {
-            if (!stuck) {
-                work.run(givenCycle, given);
-            }
+            return isStuck() ? null : work.run(this, given);
         } catch (Throwable cause) {
-            sequencer.failed(this, givenCycle, cause);
+            sequencer.failed(this, cause);
+            return null;
         } finally {
-            working.setRelease(false);
-            if (stuck) {
+            if (stuckSince == givenCycle) {
                 stuckIn = null;
-                stuck = false;
+                stuckSince = 0;
             }
         }
     }
 
     /** Its work was given up: it counts as stuck until it returns, and its thread is interrupted. */
-    void giveUp() {
-        CarrierThread late = carrier;
+    void giveUp(long inCycle) {
+        CarrierThread late = carrier();
         stuckIn = late;
-        stuck = true;
+        stuckSince = inCycle;
         if (late != null) {
             crew.giveUp(late);
         }
@@ -99,12 +124,12 @@ final class StageWorker<I> extends Worker {
 
     @Override
     boolean isWorking() {
-        return working.get();
+        return sequencer.busy() == this;
     }
 
     @Override
     boolean isStuck() {
-        return stuck;
+        return stuckSince != 0;
     }
 
     @Override

@@ -6,14 +6,15 @@ import org.evoloop.time.Clock;
 /**
  * Gives up components that work on their occurrence for longer than the step limit.
  *
- * <p>Threading: guarded by the loop's lock; the clock calls while there is work.
+ * <p>Threading: guarded by the loop's lock, but for {@link #goesOn}; the clock calls while there is work.
  */
 final class Supervisor<O> {
     private final Sequencer<O> sequencer;
     private final LoopLock lock;
     private final Clock clock;
     private final Duration limit;
-    private long begunNanos;
+    private final boolean watches;
+    private volatile long begunNanos;
     private boolean scheduled;
 
     Supervisor(LoopConfig config, Sequencer<O> sequencer, LoopLock lock) {
@@ -21,11 +22,19 @@ final class Supervisor<O> {
         this.lock = lock;
         this.clock = config.clock();
         this.limit = config.stepLimit();
+        this.watches = config.threads();
     }
 
-    /** A component has been given work; the lock is held. */
+    /** The turn is about to go to the next component: it must be told before, so that no limit counts for two of them. */
+    void goesOn() {
+        if (watches) {
+            begunNanos = clock.nanoTime();
+        }
+    }
+
+    /** An occurrence has begun; the lock is held. */
     void begun() {
-        begunNanos = clock.nanoTime();
+        goesOn();
         if (!scheduled) {
             scheduled = true;
             clock.schedule(limit, this::look);
@@ -44,8 +53,8 @@ final class Supervisor<O> {
             }
             long left = limit.toNanos() - (clock.nanoTime() - begunNanos);
             if (left <= 0) {
-                late = busy;
-                failure = sequencer.giveUp(late, "has not returned for " + limit.toMillis() + " ms");
+                failure = sequencer.giveUp(busy, "has not returned for " + limit.toMillis() + " ms");
+                late = failure == null ? null : busy;
                 left = limit.toNanos();
             }
             clock.schedule(Duration.ofNanos(left), this::look);

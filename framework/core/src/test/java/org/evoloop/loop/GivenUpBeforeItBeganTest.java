@@ -21,7 +21,10 @@ class GivenUpBeforeItBeganTest {
                 new Relay.Brain(),
                 crew,
                 new Sequencer<>(config, new Strict(), new Backlog<>(1), new LoopLock()),
-                (cycle, input) -> begun.add(input));
+                (by, input) -> {
+                    begun.add(input);
+                    return null;
+                });
     }
 
     private static final class Strict implements LoopListener<Object> {
@@ -39,7 +42,7 @@ class GivenUpBeforeItBeganTest {
     @Test
     void theComponentIsNotCalledAndIsStuckNoLonger() {
         CarrierThread late = stage.give(1, "given up");
-        stage.giveUp();
+        stage.giveUp(1);
         assertThat(stage.isStuck()).isTrue();
 
         late.ended();

@@ -33,10 +33,10 @@ final class Rig implements LoopListener<Object> {
         intake = new Counting(queueCapacity);
         sequencer = new Sequencer<>(config, this, intake, lock);
         gate = new Gate<>(config, sequencer, lock);
-        stage = new StageWorker<>(new Nothing(), crew, sequencer, (cycle, input) -> {
+        stage = new StageWorker<>(new Nothing(), crew, sequencer, (by, input) -> {
             runs.incrementAndGet();
             takeAWhile();
-            sequencer.passOn(cycle, null, null);
+            return sequencer.passOn(by, null, null);
         });
         gate.become(LoopState.RUNNING);
     }

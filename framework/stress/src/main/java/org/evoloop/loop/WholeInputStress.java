@@ -3,6 +3,7 @@ package org.evoloop.loop;
 import static org.openjdk.jcstress.annotations.Expect.ACCEPTABLE;
 
 import java.util.Objects;
+import org.jspecify.annotations.Nullable;
 import org.openjdk.jcstress.annotations.Actor;
 import org.openjdk.jcstress.annotations.Arbiter;
 import org.openjdk.jcstress.annotations.Expect;
@@ -35,10 +36,11 @@ public class WholeInputStress {
         }
     }
 
-    private void run(long given, Input input) {
+    private @Nullable StageWorker<?> run(StageWorker<Input> by, Input input) {
         runs++;
-        cycle = given;
+        cycle = by.cycle();
         content = input.content;
+        return null;
     }
 
     @Actor
