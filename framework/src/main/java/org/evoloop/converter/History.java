@@ -1,5 +1,6 @@
 package org.evoloop.converter;
 
+import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
@@ -31,7 +32,19 @@ final class History {
      *
      * @param decision what it was found to mean, which tells the detail; null if {@code detail} does
      */
+    void record(
+            Occurrence occurrence,
+            Configuration before,
+            Configuration after,
+            Outcome outcome,
+            @Nullable Decision decision,
+            String detail) {
+        record(clock.wallTime(), occurrence, before, after, outcome, decision, detail);
+    }
+
+    /** The same of one that came to its end at {@code time}. */
     synchronized void record(
+            Instant time,
             Occurrence occurrence,
             Configuration before,
             Configuration after,
@@ -44,7 +57,7 @@ final class History {
             line = new HistoryLine();
             lines[place] = line;
         }
-        line.set(recorded, clock.wallTime(), occurrence, before, after, outcome, decision, detail);
+        line.set(recorded, time, occurrence, before, after, outcome, decision, detail);
     }
 
     /** The last one that was recorded. */

@@ -89,6 +89,10 @@ public final class Core implements Inputs {
 
     @Override
     public void closing() {
+        if (!ledger.open) {
+            // What waits until the converter is opened again after its process had ended goes on waiting.
+            return;
+        }
         ledger.open = false;
         for (Pending pending : ledger.line.withoutFacts()) {
             ledger.refused(pending.occurrence());
@@ -202,6 +206,11 @@ public final class Core implements Inputs {
     public String doubt() {
         Doubt doubt = ledger.place.doubt();
         return doubt == null ? "" : doubt.why();
+    }
+
+    /** The latest time that it was told. */
+    public long nowNanos() {
+        return ledger.nowNanos;
     }
 
     /** What it goes by. */

@@ -33,9 +33,7 @@ final class Progress {
     /** The same as a value; null if nothing is in progress. */
     @Nullable
     Work work() {
-        return pending == null
-                ? null
-                : new Work(pending, decision, taken, effectsRun, failedEffects, stage, meanwhile);
+        return pending == null ? null : new Work(pending, decision, taken, effectsRun, failedEffects, stage, meanwhile);
     }
 
     /** Whether nothing is in progress. */

@@ -16,9 +16,7 @@ final class Reframed {
     }
 
     static List<Occurrence> later(List<Occurrence> occurrences, long nanos) {
-        return occurrences.stream()
-                .map(occurrence -> later(occurrence, nanos))
-                .toList();
+        return occurrences.stream().map(occurrence -> later(occurrence, nanos)).toList();
     }
 
     private static Occurrence of(Occurrence occurrence, long visit, long atNanos) {

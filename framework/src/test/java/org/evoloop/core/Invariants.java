@@ -152,7 +152,9 @@ final class Invariants {
         if (after.open() && drained && after.visit().over()) {
             return "stuck: visit " + after.visit().number() + " is over and no other has begun";
         }
-        return input instanceof Input.Ready && !drained && (work == null || isIn(work, Work.Stage.INTERRUPTED)) ? "stuck: nothing is begun" : "";
+        return input instanceof Input.Ready && !drained && (work == null || isIn(work, Work.Stage.INTERRUPTED))
+                ? "stuck: nothing is begun"
+                : "";
     }
 
     private static boolean isIn(@Nullable Work work, Work.Stage... stages) {

@@ -175,8 +175,7 @@ enum Mutation {
         Snapshot undo(Snapshot before, Input input, Snapshot after) {
             Work work = after.work();
             return input instanceof Input.Recovered && work != null
-                    ? Snapshots.work(
-                            after, new Work(work.pending(), null, 0, 0, "", Work.Stage.READY, List.of()))
+                    ? Snapshots.work(after, new Work(work.pending(), null, 0, 0, "", Work.Stage.READY, List.of()))
                     : after;
         }
     },
