@@ -233,6 +233,11 @@ public final class Core implements Inputs {
         return ledger.line.hasRoom(ledger.rules.queueCapacity(), ledger.progress.isIdle());
     }
 
+    /** Whether something may begin when nothing is in progress. */
+    public boolean hasNext() {
+        return ledger.line.size() > 0 || ledger.followOwed || ledger.progress.isInterrupted();
+    }
+
     /** How many occurrences wait for their turn. */
     public int waiting() {
         return ledger.line.size();

@@ -146,11 +146,14 @@ final class Recorder implements Inputs {
         core.timerDue(visit, event, atNanos);
     }
 
+    /** Where nothing waits, nothing comes of it. */
     @Override
     public void ready() {
-        do {
-            encoder.ready();
-        } while (!append());
+        if (core.hasNext()) {
+            do {
+                encoder.ready();
+            } while (!append());
+        }
         core.ready();
     }
 

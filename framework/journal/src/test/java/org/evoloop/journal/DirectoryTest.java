@@ -96,7 +96,7 @@ class DirectoryTest {
     /** Until another segment is needed. */
     private static void fill(Kept kept) {
         while (kept.failures.isEmpty()) {
-            kept.tell(new Input.Ready());
+            kept.tell(new Input.Dismissed(99, 3));
         }
     }
 }
