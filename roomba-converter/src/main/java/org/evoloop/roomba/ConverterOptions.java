@@ -97,6 +97,14 @@ final class ConverterOptions {
                             + "the one that arriveSpot leaves, SpotWait in the one that timeout leaves.")
     private List<String> functions = List.of();
 
+    @Option(
+            names = "--journal",
+            paramLabel = "DIR",
+            description =
+                    "Keeps what the converter is told in this directory, and goes on where the process before this "
+                            + "one has ended (default: nothing is kept).")
+    private @Nullable Path journal;
+
     /** Whether the camera is the simulated robot's own. */
     boolean wantsSimulatedCamera() {
         return CameraSource.SIMULATED.equals(camera);
@@ -125,7 +133,8 @@ final class ConverterOptions {
                 read,
                 startPoint(pace, simulatedCamera),
                 MoveOptions.defaults().withLimit(seconds(searchLimitSeconds)).atPace(pace),
-                seconds(spotWait == null ? USUAL_SPOT_WAIT_SECONDS : spotWait));
+                seconds(spotWait == null ? USUAL_SPOT_WAIT_SECONDS : spotWait),
+                journal);
     }
 
     private static void requireWithin(String option, double value, double least, double most) {

@@ -1,6 +1,7 @@
 package org.evoloop.roomba;
 
 import java.io.IOException;
+import org.evoloop.journal.JournalException;
 import org.evoloop.program.UsersMistakes;
 import org.evoloop.roomba.camera.CameraException;
 import org.evoloop.roomba.camera.tool.CalibrateCommand;
@@ -72,6 +73,7 @@ public final class Main {
                 || failure instanceof LinkException
                 || failure instanceof RobotException
                 || failure instanceof CameraException
+                || failure instanceof JournalException
                 || failure instanceof IllegalArgumentException
                 || failure instanceof IOException;
     }

@@ -1,11 +1,13 @@
 package org.evoloop.roomba;
 
+import java.nio.file.Path;
 import java.time.Duration;
 import java.util.function.Function;
 import java.util.function.IntFunction;
 import org.evoloop.converter.EventMonitor;
 import org.evoloop.converter.PushMonitor;
 import org.evoloop.converter.SystemEventConverter;
+import org.evoloop.journal.Journal;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.roomba.link.Link;
 import org.evoloop.roomba.move.Move;
@@ -14,6 +16,7 @@ import org.evoloop.roomba.move.StartPointSensor;
 import org.evoloop.roomba.session.RoombaSession;
 import org.evoloop.roomba.session.SessionOptions;
 import org.evoloop.time.Clock;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The cleaning robot's event converter, put together.
@@ -36,14 +39,27 @@ public record RoombaConverter(
      * @param startPoint opens what senses where Move has to go
      * @param move how patient Move is
      * @param spotWait how long SpotWait waits for a second press
+     * @param journal where the converter keeps what it is told; null if it keeps nothing
      */
     public record Options(
-            RobotModels models, Function<Clock, StartPointSensor> startPoint, MoveOptions move, Duration spotWait) {}
+            RobotModels models,
+            Function<Clock, StartPointSensor> startPoint,
+            MoveOptions move,
+            Duration spotWait,
+            @Nullable Path journal) {
+
+        /** Without a journal. */
+        public Options(
+                RobotModels models, Function<Clock, StartPointSensor> startPoint, MoveOptions move, Duration spotWait) {
+            this(models, startPoint, move, spotWait, null);
+        }
+    }
 
     /**
      * Builds a converter; the session may be opened before or after.
      *
      * @throws org.evoloop.statemachine.ModelException if the models are no evolution that this robot can take part in
+     * @throws org.evoloop.journal.JournalException if the journal cannot be gone on with
      */
     public static RoombaConverter build(LoopConfig config, RoombaSession session, Options options) {
         Clock clock = config.clock();
@@ -63,6 +79,12 @@ public record RoombaConverter(
         converter.addKnowledge(knowledge);
         converter.addLink(session);
         converter.addSpare("ExecuteCommand2", () -> new ExecuteCommand(session, clock, resumption));
+        Path journal = options.journal();
+        if (journal != null) {
+            converter.journal(Journal.in(journal));
+            // Whatever moved before another process ended: the robot does not drive on by itself.
+            resumption.released();
+        }
         converter.build();
         return new RoombaConverter(session, robot, controller, converter);
     }

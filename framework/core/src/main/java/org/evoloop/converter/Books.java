@@ -4,6 +4,7 @@ import org.evoloop.core.Outcome;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;
+import org.evoloop.loop.Failure;
 import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 
@@ -28,5 +29,11 @@ record Books(Transcript transcript, FailureLog failures, History history, Latenc
             String detail) {
         history.record(occurrence, before, after, outcome, decision, detail);
         listeners.ended(history);
+    }
+
+    /** What the converter is told is not kept any more. */
+    void journalFailed(Exception cause) {
+        failures.warn(cause.getMessage() + ". Until then controllers' events are refused and nothing is sent");
+        listeners.failed(new Failure<>("journal", "write", 0, null, cause));
     }
 }

@@ -99,6 +99,7 @@ final class Carrier {
                 }
                 send(number, send.step(), plan.occurrence().values(), execute);
             } else if (next instanceof Output.Run run) {
+                driver.announceEffect(number);
                 driver.ran(number, run(run.effect(), plan.occurrence(), execute));
             } else if (next instanceof Output.Locate) {
                 State state = execute.locate().map(State::new).orElse(null);

@@ -9,6 +9,7 @@ import org.evoloop.loop.Failure;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.loop.LoopListener;
 import org.evoloop.loop.MapeLoop;
+import org.jspecify.annotations.Nullable;
 
 /**
  * What stands around the core of a converter that runs: the loop that brings its inputs, those who carry its directives
@@ -25,12 +26,21 @@ final class ConverterShell implements LoopListener<Occurrence> {
     final CoreDriver driver;
     final Carrier carrier;
 
-    ConverterShell(LoopConfig config, StateKnowledge knowledge, DecisionTable table, Listeners listeners) {
+    ConverterShell(
+            LoopConfig config,
+            StateKnowledge knowledge,
+            DecisionTable table,
+            Listeners listeners,
+            @Nullable ConverterJournal journal) {
         this.config = config;
         this.knowledge = knowledge;
         this.books = new Books(config.clock(), listeners);
         this.driver = new CoreDriver(
-                new Rules(table, knowledge::timersOf, config.queueCapacity()), config.clock(), knowledge, books);
+                new Rules(table, knowledge::timersOf, config.queueCapacity()),
+                config.clock(),
+                knowledge,
+                books,
+                journal);
         this.visits = new Visits(config, knowledge, books.transcript(), books.failures());
         this.carrier = new Carrier(driver, visits, knowledge.bindings(), books.failures(), books.transcript());
         this.loop = new MapeLoop<>(config, this, carrier::next, driver);

@@ -5,9 +5,11 @@ import java.util.Set;
 import java.util.TreeSet;
 import org.evoloop.core.Core;
 import org.evoloop.core.Input;
+import org.evoloop.core.Inputs;
 import org.evoloop.core.Output;
 import org.evoloop.core.Pending;
 import org.evoloop.core.Rules;
+import org.evoloop.core.Snapshot;
 import org.evoloop.core.Tally;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
@@ -28,6 +30,10 @@ import org.jspecify.annotations.Nullable;
  */
 final class CoreDriver implements Intake<Occurrence> {
     private final Core core;
+
+    /** The core, or what keeps its inputs on their way there. */
+    private final Inputs inputs;
+
     private final Clock clock;
     private final Bindings bindings;
     private final EventNames names;
@@ -36,14 +42,25 @@ final class CoreDriver implements Intake<Occurrence> {
 
     private volatile Rules rules;
 
-    CoreDriver(Rules rules, Clock clock, StateKnowledge knowledge, Books books) {
+    CoreDriver(Rules rules, Clock clock, StateKnowledge knowledge, Books books, @Nullable ConverterJournal journal) {
         this.rules = rules;
         this.clock = clock;
         this.bindings = knowledge.bindings();
         this.names = knowledge.eventNames();
         this.books = books;
-        this.outputs = new CoreOutputs(rules.table().models().initial(), names, books);
-        this.core = new Core(rules, outputs);
+        Snapshot kept = journal == null
+                ? null
+                : journal.open(
+                        rules,
+                        clock,
+                        new Retelling(books, rules.table().models().initial()));
+        Configuration at = kept == null ? rules.table().models().initial() : kept.at();
+        this.outputs = new CoreOutputs(at, names, books);
+        this.core = kept == null ? new Core(rules, outputs) : new Core(rules, kept, outputs);
+        if (kept != null) {
+            core.recovered(clock.nanoTime());
+        }
+        this.inputs = journal == null ? core : journal.keep(core, books::journalFailed);
     }
 
     // The loop's intake
@@ -52,9 +69,9 @@ final class CoreDriver implements Intake<Occurrence> {
     public synchronized Admission offer(Occurrence occurrence) {
         outputs.admission = Admission.TAKEN;
         if (occurrence.source() == Source.TIMER && occurrence instanceof Occurrence.Heard timer) {
-            core.timerDue(timer.visit(), timer.event(), timer.observedNanos());
+            inputs.timerDue(timer.visit(), timer.event(), timer.observedNanos());
         } else {
-            core.observed(occurrence);
+            inputs.observed(occurrence);
         }
         return outputs.admission;
     }
@@ -68,7 +85,7 @@ final class CoreDriver implements Intake<Occurrence> {
     public synchronized @Nullable Occurrence next() {
         outputs.begun = null;
         outputs.agenda.begin(Agenda.NOBODY);
-        core.ready();
+        inputs.ready();
         Pending pending = outputs.begun;
         return pending == null ? null : pending.occurrence();
     }
@@ -77,19 +94,19 @@ final class CoreDriver implements Intake<Occurrence> {
     public synchronized void ended() {
         Pending pending = outputs.begun;
         if (pending != null && core.isBusy()) {
-            core.dismissed(pending.number(), clock.nanoTime());
+            inputs.dismissed(pending.number(), clock.nanoTime());
         }
     }
 
     @Override
     public synchronized void opened() {
         outputs.agenda.begin(Agenda.NOBODY);
-        core.opened(clock.nanoTime());
+        inputs.opened(clock.nanoTime());
     }
 
     @Override
     public synchronized void closed() {
-        core.closing();
+        inputs.closing();
     }
 
     @Override
@@ -112,13 +129,18 @@ final class CoreDriver implements Intake<Occurrence> {
         Pending pending;
         Configuration now;
         long steps;
+        Decision resumed;
         synchronized (this) {
             pending = outputs.begun;
             now = core.at();
             steps = core.steps();
+            resumed = core.resumed();
         }
         if (pending == null || pending.occurrence() != occurrence) {
             return null;
+        }
+        if (resumed != null) {
+            return resumed;
         }
         return occurrence instanceof Occurrence.Heard heard && !names.knows(heard.event())
                 ? new Decision.Refused(now, names.unknown(heard.event()))
@@ -141,7 +163,7 @@ final class CoreDriver implements Intake<Occurrence> {
         Agenda agenda = outputs.agenda;
         if (agenda.turn() != pending.number()) {
             agenda.begin(pending.number());
-            core.planned(pending.number(), plan.decision(), clock.nanoTime());
+            inputs.planned(pending.number(), plan.decision(), clock.nanoTime());
         }
         return agenda;
     }
@@ -162,7 +184,7 @@ final class CoreDriver implements Intake<Occurrence> {
 
     /** Announces that {@code execute} is about to send a step; false if it must not, since the device has left its place. */
     synchronized boolean announce(long number, EventExecute execute) {
-        core.sending(number);
+        inputs.sending(number);
         boolean may = core.maySend(number);
         if (may) {
             execute.sending = number;
@@ -180,18 +202,23 @@ final class CoreDriver implements Intake<Occurrence> {
         long number = execute.sending;
         execute.sending = 0;
         if (number != 0) {
-            core.sent(number, inOrder, clock.nanoTime());
+            inputs.sent(number, inOrder, clock.nanoTime());
         }
+    }
+
+    /** Announces that an effect is about to be run. */
+    synchronized void announceEffect(long number) {
+        inputs.running(number);
     }
 
     /** An effect was run; {@code failure} is empty if nothing went wrong. */
     synchronized void ran(long number, String failure) {
-        core.effectRun(number, failure, clock.nanoTime());
+        inputs.effectRun(number, failure, clock.nanoTime());
     }
 
     /** The device was asked; {@code state} is null if it could not tell. */
     synchronized void located(long number, @Nullable State state) {
-        core.located(number, state, clock.nanoTime());
+        inputs.located(number, state, clock.nanoTime());
     }
 
     // What goes wrong, and what goes on beside the loop
@@ -204,9 +231,9 @@ final class CoreDriver implements Intake<Occurrence> {
             outputs.agenda = new Agenda();
             long now = clock.nanoTime();
             if (givenUp) {
-                core.givenUp(pending.number(), reason, now);
+                inputs.givenUp(pending.number(), reason, now);
             } else {
-                core.failed(pending.number(), reason, now);
+                inputs.failed(pending.number(), reason, now);
             }
         }
     }
@@ -214,13 +241,13 @@ final class CoreDriver implements Intake<Occurrence> {
     /** Nothing is in progress any more, and the converter is closed. */
     synchronized void release() {
         outputs.agenda.begin(Agenda.NOBODY);
-        core.closed();
+        inputs.closed();
     }
 
     /** Models or components have changed. */
     synchronized void use(DecisionTable table) {
         rules = rules.with(table);
-        core.changed(rules, clock.nanoTime());
+        inputs.changed(rules, clock.nanoTime());
     }
 
     /** Which guards of the original model hold now. */

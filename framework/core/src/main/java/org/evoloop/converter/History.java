@@ -1,5 +1,6 @@
 package org.evoloop.converter;
 
+import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
@@ -38,13 +39,25 @@ final class History {
             Outcome outcome,
             @Nullable Decision decision,
             String detail) {
+        record(clock.wallTime(), occurrence, before, after, outcome, decision, detail);
+    }
+
+    /** The same of one that came to its end at {@code time}. */
+    void record(
+            Instant time,
+            Occurrence occurrence,
+            Configuration before,
+            Configuration after,
+            Outcome outcome,
+            @Nullable Decision decision,
+            String detail) {
         int place = (int) (recorded++ % SIZE);
         HistoryLine line = lines[place];
         if (line == null) {
             line = new HistoryLine();
             lines[place] = line;
         }
-        line.set(recorded, clock.wallTime(), occurrence, before, after, outcome, decision, detail);
+        line.set(recorded, time, occurrence, before, after, outcome, decision, detail);
     }
 
     /** The last one that was recorded. */

@@ -48,6 +48,7 @@ public final class SystemEventConverter implements AutoCloseable {
     private Assembly assembly = new Assembly();
     private @Nullable StateKnowledge knowledge;
     private @Nullable DeviceLink link;
+    private @Nullable ConverterJournal journal;
     private volatile @Nullable ConverterShell shell;
 
     /** When the loop was closed last, or built. */
@@ -99,6 +100,29 @@ public final class SystemEventConverter implements AutoCloseable {
         listeners.add(listener);
     }
 
+    /**
+     * Keeps what this converter is told, before {@link #build}; that begins where the process before this one has ended.
+     * Events that waited still wait, and the one in progress goes on after the steps that were sent, as soon as the converter
+     * is started. A step of which nobody knows whether it was sent is not sent again: the record is in doubt, see
+     * {@link EventExecute#locate}.
+     *
+     * @throws IllegalStateException if it has been built, or has a journal already
+     */
+    public synchronized void journal(ConverterJournal kept) {
+        requireNonNull(kept, "the journal is null");
+        if (shell != null || journal != null) {
+            throw new IllegalStateException("converter " + config.name()
+                    + (shell != null ? " has been built before" : " has a journal already"));
+        }
+        journal = kept;
+    }
+
+    private void closeJournal() {
+        if (journal != null) {
+            journal.close();
+        }
+    }
+
     /** Registers the connection to the device, for {@link #status}. */
     public synchronized void addLink(DeviceLink deviceLink) {
         link = requireNonNull(deviceLink, "the link is null");
@@ -147,6 +171,7 @@ public final class SystemEventConverter implements AutoCloseable {
      * @throws ModelException if models and components do not fit; the message lists all problems
      * @throws IllegalStateException if something is missing or belongs to another converter, or this was done before
      * @throws IllegalArgumentException if an option is out of range; the message lists all of them
+     * @throws RuntimeException if the journal cannot be gone on with; the message says why and what to do
      */
     public synchronized void build() {
         StateKnowledge known = knowledge;
@@ -174,6 +199,7 @@ public final class SystemEventConverter implements AutoCloseable {
             shell = build(known);
         } catch (RuntimeException refused) {
             belongings.giveBackAll(null);
+            closeJournal();
             throw refused;
         }
     }
@@ -204,7 +230,7 @@ public final class SystemEventConverter implements AutoCloseable {
         if (table == null || !problems.isEmpty()) {
             throw new ModelException(String.join("\n", problems));
         }
-        ConverterShell built = new ConverterShell(config, known, table, listeners);
+        ConverterShell built = new ConverterShell(config, known, table, listeners, journal);
         built.use(table, assembly.executes());
         for (Component component : assembly.all()) {
             join(built, component);
@@ -285,6 +311,7 @@ public final class SystemEventConverter implements AutoCloseable {
             }
             belongings.giveBackAll(built.knowledge);
         }
+        closeJournal();
         listeners.close();
     }
 

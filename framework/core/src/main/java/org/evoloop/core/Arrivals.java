@@ -123,6 +123,10 @@ final class Arrivals {
 
     /** Gives the next occurrence its turn if nothing is in progress; those that come to nothing end at once. */
     void begin() {
+        if (ledger.open && ledger.progress.isInterrupted()) {
+            ledger.progress.resume();
+            ledger.out.begin(ledger.progress.pending());
+        }
         while (ledger.progress.isIdle() && ledger.open) {
             Pending next = ledger.line.next(deferred);
             if (next == null && ledger.followOwed) {

@@ -15,6 +15,8 @@ import org.jspecify.annotations.Nullable;
 final class Conversion {
     static final String FOUND_MEANWHILE = "the device was found meanwhile";
 
+    private static final String PROCESS_ENDED = "the converter's process ended meanwhile";
+
     /** So often may the device overtake the plans for one occurrence. */
     static final int MOST_ATTEMPTS = 8;
 
@@ -28,6 +30,11 @@ final class Conversion {
 
     /** Takes up a plan. */
     void plan(long number, Decision decision) {
+        if (progress.isOf(number) && progress.isResumed()) {
+            progress.goOn();
+            goOn();
+            return;
+        }
         if (!progress.isOf(number) || progress.decision() != null) {
             return;
         }
@@ -138,6 +145,13 @@ final class Conversion {
                 && Overlap.alwaysEndsIn(target, ledger.rules.table(), doubt.step(), doubt.meanwhile());
     }
 
+    /** The next effect is about to be run. */
+    void run(long number) {
+        if (progress.isOf(number) && progress.step() == null && progress.effect() != null) {
+            progress.run();
+        }
+    }
+
     /** An effect was run. */
     void ran(long number, String failure) {
         if (progress.isOf(number)) {
@@ -214,6 +228,29 @@ final class Conversion {
             String why = "nobody knows whether " + step.trigger() + " had its effect: " + reason;
             ledger.doubt(why, number, step, meanwhile);
         }
+    }
+
+    /** Whoever carried the plan out is gone. What was begun and not told to have ended is not begun again. */
+    void interrupt() {
+        if (progress.isSending()) {
+            giveUp(progress.pending().number(), PROCESS_ENDED);
+        } else if (!progress.isIdle() && progress.decision() == null) {
+            // It was not decided yet: it has its turn again before all others.
+            Pending pending = progress.pending();
+            progress.end();
+            ledger.line.addFirst(pending);
+        } else if (!progress.isIdle()) {
+            if (progress.isRunning()) {
+                progress.ran("nobody knows whether the effect " + progress.effect() + " was run: " + PROCESS_ENDED);
+            }
+            progress.interrupt();
+        }
+    }
+
+    /** Whether a plan waits that had left the current state when it was interrupted. */
+    boolean isLeaving() {
+        Decision decision = progress.decision();
+        return progress.isInterrupted() && decision != null && decision.leavesState();
     }
 
     /** The device was asked; {@code state} is null if it could not tell. */

@@ -20,7 +20,7 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>Threading: not thread-safe; whoever drives it gives it one input after the other.
  */
-public final class Core {
+public final class Core implements Inputs {
     private final Ledger ledger;
     private final Arrivals arrivals;
     private final Conversion conversion;
@@ -58,108 +58,138 @@ public final class Core {
         return ledger.snapshot();
     }
 
-    /** Takes {@code input}, and says to its outputs what follows from it, in order. */
-    public void apply(Input input) {
-        input.applyTo(this);
-    }
+    // Takes an input, and says to its outputs what follows from it, in order
 
-    // Each input can be told as a value, by apply, or by the method of its name, which leaves no garbage in an event's
-    // way.
-
-    /** See {@link Input.Opened}. */
+    @Override
     public void opened(long atNanos) {
         ledger.isAt(atNanos);
         long visit = ledger.stay.number();
         ledger.open = true;
         ledger.ask();
+        if (conversion.isLeaving()) {
+            return;
+        }
+        // A visit that is not over was not closed, but cut off.
+        boolean cutOff = !ledger.stay.isOver();
         ledger.stay.leave(ledger.out);
-        ledger.enter(ledger.stay.by(), Set.of());
+        if (cutOff) {
+            ledger.enterAfterCut();
+        } else {
+            ledger.enter(ledger.stay.by(), Set.of());
+        }
         ledger.start(visit);
     }
 
-    /** See {@link Input.Closing}. */
+    @Override
+    public void recovered(long atNanos) {
+        ledger.isAt(atNanos);
+        ledger.open = false;
+        conversion.interrupt();
+    }
+
+    @Override
     public void closing() {
+        if (!ledger.open) {
+            // What waits until the converter is opened again after its process had ended goes on waiting.
+            return;
+        }
         ledger.open = false;
         for (Pending pending : ledger.line.withoutFacts()) {
             ledger.refused(pending.occurrence());
         }
     }
 
-    /** See {@link Input.Closed}. */
+    @Override
     public void closed() {
         ledger.stay.leave(ledger.out);
     }
 
-    /** See {@link Input.Observed}. */
+    @Override
     public void observed(Occurrence occurrence) {
         ledger.isAt(occurrence.observedNanos());
         arrivals.observe(occurrence);
     }
 
-    /** See {@link Input.TimerDue}. */
+    @Override
     public void timerDue(long visit, Event event, long atNanos) {
         ledger.isAt(atNanos);
         arrivals.timerDue(visit, event);
     }
 
-    /** See {@link Input.Ready}. */
+    @Override
     public void ready() {
         arrivals.begin();
     }
 
-    /** See {@link Input.Planned}. */
+    @Override
     public void planned(long number, Decision decision, long atNanos) {
         ledger.isAt(atNanos);
         conversion.plan(number, decision);
     }
 
-    /** See {@link Input.Dismissed}. */
+    @Override
     public void dismissed(long number, long atNanos) {
         ledger.isAt(atNanos);
         conversion.conclude(number, Outcome.IGNORED, "dismissed");
     }
 
-    /** See {@link Input.Sending}. */
+    @Override
     public void sending(long number) {
         conversion.send(number);
     }
 
-    /** See {@link Input.Sent}. */
+    @Override
     public void sent(long number, boolean inOrder, long atNanos) {
         ledger.isAt(atNanos);
         conversion.took(number, inOrder, atNanos);
     }
 
-    /** See {@link Input.EffectRun}. */
+    @Override
+    public void running(long number) {
+        conversion.run(number);
+    }
+
+    @Override
     public void effectRun(long number, String failure, long atNanos) {
         ledger.isAt(atNanos);
         conversion.ran(number, failure);
     }
 
-    /** See {@link Input.Located}. */
+    @Override
     public void located(long number, @Nullable State state, long atNanos) {
         ledger.isAt(atNanos);
         conversion.located(number, state);
     }
 
-    /** See {@link Input.Failed}. */
+    @Override
     public void failed(long number, String reason, long atNanos) {
         ledger.isAt(atNanos);
         conversion.conclude(number, Outcome.FAILED, reason);
     }
 
-    /** See {@link Input.GivenUp}. */
+    @Override
     public void givenUp(long number, String reason, long atNanos) {
         ledger.isAt(atNanos);
         conversion.giveUp(number, reason);
     }
 
-    /** See {@link Input.Changed}. */
+    @Override
     public void changed(Rules rules, long atNanos) {
         ledger.isAt(atNanos);
         ledger.rules = rules;
         // Another component may be able to tell what the one before it could not.
         ledger.ask();
+    }
+
+    /** An occurrence that nobody has been told of yet, and that cannot be taken, whatever the state of the converter. */
+    public void refuse(Occurrence occurrence) {
+        ledger.counts.observe();
+        ledger.refused(occurrence);
+    }
+
+    /** The decision whose plan is taken up again; null if the occurrence in progress is to be decided as usual. */
+    public @Nullable Decision resumed() {
+        return ledger.progress.isResumed() ? ledger.progress.decision() : null;
     }
 
     /** Where device and evolved system are. */
@@ -176,6 +206,11 @@ public final class Core {
     public String doubt() {
         Doubt doubt = ledger.place.doubt();
         return doubt == null ? "" : doubt.why();
+    }
+
+    /** The latest time that it was told. */
+    public long nowNanos() {
+        return ledger.nowNanos;
     }
 
     /** What it goes by. */
@@ -196,6 +231,11 @@ public final class Core {
     /** Whether one more event of a controller would be taken. */
     public boolean hasRoom() {
         return ledger.line.hasRoom(ledger.rules.queueCapacity(), ledger.progress.isIdle());
+    }
+
+    /** Whether something may begin when nothing is in progress. */
+    public boolean hasNext() {
+        return ledger.line.size() > 0 || ledger.followOwed || ledger.progress.isInterrupted();
     }
 
     /** How many occurrences wait for their turn. */

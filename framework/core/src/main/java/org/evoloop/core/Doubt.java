@@ -28,4 +28,8 @@ public record Doubt(String why, long number, Step step, long stepsBefore, List<O
     Doubt settled(boolean nowSettled) {
         return new Doubt(why, number, step, stepsBefore, meanwhile, nowSettled);
     }
+
+    Doubt later(long nanos) {
+        return new Doubt(why, number, step, stepsBefore, Reframed.later(meanwhile, nanos), settled);
+    }
 }

@@ -14,78 +14,89 @@ import org.jspecify.annotations.Nullable;
  * <p>Threading: immutable.
  */
 public sealed interface Input {
-    /** Tells it to {@code core}. */
-    void applyTo(Core core);
+    /** Tells it to {@code told}. */
+    void applyTo(Inputs told);
 
     /** The converter is opened: it takes controllers' events, and the current state is entered anew. */
     record Opened(long atNanos) implements Input {
         @Override
-        public void applyTo(Core core) {
-            core.opened(atNanos);
+        public void applyTo(Inputs told) {
+            told.opened(atNanos);
         }
     }
 
     /** The converter is closed to all but facts. The occurrence in progress may still come to its end. */
     record Closing() implements Input {
         @Override
-        public void applyTo(Core core) {
-            core.closing();
+        public void applyTo(Inputs told) {
+            told.closing();
         }
     }
 
     /** Nothing is in progress any more: what runs in the current state ends. */
     record Closed() implements Input {
         @Override
-        public void applyTo(Core core) {
-            core.closed();
+        public void applyTo(Inputs told) {
+            told.closed();
+        }
+    }
+
+    /**
+     * The process that told the inputs before this one has ended without closing the converter: a step that was being sent is
+     * in doubt, an effect that was being run is not run again, and all else goes on when the converter is opened.
+     */
+    record Recovered(long atNanos) implements Input {
+        @Override
+        public void applyTo(Inputs told) {
+            told.recovered(atNanos);
         }
     }
 
     /** Something occurred. A fact moves the original model at once; all else waits for its turn. */
     record Observed(Occurrence occurrence) implements Input {
         @Override
-        public void applyTo(Core core) {
-            core.observed(occurrence);
+        public void applyTo(Inputs told) {
+            told.observed(occurrence);
         }
     }
 
     /** A timer of a visit has run down. */
     record TimerDue(long visit, Event event, long atNanos) implements Input {
         @Override
-        public void applyTo(Core core) {
-            core.timerDue(visit, event, atNanos);
+        public void applyTo(Inputs told) {
+            told.timerDue(visit, event, atNanos);
         }
     }
 
     /** Nothing is in progress, and the next occurrence may begin. */
     record Ready() implements Input {
         @Override
-        public void applyTo(Core core) {
-            core.ready();
+        public void applyTo(Inputs told) {
+            told.ready();
         }
     }
 
     /** The occurrence in progress was analyzed and planned. */
     record Planned(long number, Decision decision, long atNanos) implements Input {
         @Override
-        public void applyTo(Core core) {
-            core.planned(number, decision, atNanos);
+        public void applyTo(Inputs told) {
+            told.planned(number, decision, atNanos);
         }
     }
 
     /** Analyze or plan has nothing to do about it. */
     record Dismissed(long number, long atNanos) implements Input {
         @Override
-        public void applyTo(Core core) {
-            core.dismissed(number, atNanos);
+        public void applyTo(Inputs told) {
+            told.dismissed(number, atNanos);
         }
     }
 
     /** The device is ready for the step that was asked for, and the step is about to be sent. */
     record Sending(long number) implements Input {
         @Override
-        public void applyTo(Core core) {
-            core.sending(number);
+        public void applyTo(Inputs told) {
+            told.sending(number);
         }
     }
 
@@ -97,48 +108,56 @@ public sealed interface Input {
      */
     record Sent(long number, boolean inOrder, long atNanos) implements Input {
         @Override
-        public void applyTo(Core core) {
-            core.sent(number, inOrder, atNanos);
+        public void applyTo(Inputs told) {
+            told.sent(number, inOrder, atNanos);
+        }
+    }
+
+    /** The effect that was asked for is about to be run. */
+    record Running(long number) implements Input {
+        @Override
+        public void applyTo(Inputs told) {
+            told.running(number);
         }
     }
 
     /** An effect of the new model was run; {@code failure} says what went wrong and is empty if nothing did. */
     record EffectRun(long number, String failure, long atNanos) implements Input {
         @Override
-        public void applyTo(Core core) {
-            core.effectRun(number, failure, atNanos);
+        public void applyTo(Inputs told) {
+            told.effectRun(number, failure, atNanos);
         }
     }
 
     /** The device was asked where it is; {@code state} is null if that cannot be told. */
     record Located(long number, @Nullable State state, long atNanos) implements Input {
         @Override
-        public void applyTo(Core core) {
-            core.located(number, state, atNanos);
+        public void applyTo(Inputs told) {
+            told.located(number, state, atNanos);
         }
     }
 
     /** A component failed with it; a step that was being sent had no effect. */
     record Failed(long number, String reason, long atNanos) implements Input {
         @Override
-        public void applyTo(Core core) {
-            core.failed(number, reason, atNanos);
+        public void applyTo(Inputs told) {
+            told.failed(number, reason, atNanos);
         }
     }
 
     /** A component was given up with it; whether a step that was being sent had its effect, nobody knows. */
     record GivenUp(long number, String reason, long atNanos) implements Input {
         @Override
-        public void applyTo(Core core) {
-            core.givenUp(number, reason, atNanos);
+        public void applyTo(Inputs told) {
+            told.givenUp(number, reason, atNanos);
         }
     }
 
     /** Models or components have changed: from now on these rules count. */
     record Changed(Rules rules, long atNanos) implements Input {
         @Override
-        public void applyTo(Core core) {
-            core.changed(rules, atNanos);
+        public void applyTo(Inputs told) {
+            told.changed(rules, atNanos);
         }
     }
 }

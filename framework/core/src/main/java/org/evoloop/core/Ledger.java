@@ -1,11 +1,14 @@
 package org.evoloop.core;
 
+import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;
+import org.evoloop.evolution.Source;
 import org.evoloop.evolution.Step;
+import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.Transition;
 import org.jspecify.annotations.Nullable;
@@ -85,6 +88,23 @@ final class Ledger {
 
     void enter(@Nullable Transition by, Set<String> kept) {
         stay.enter(place.at().evolved(), by, kept, rules, nowNanos, out);
+    }
+
+    /** Enters the state whose visit was cut off: what is left of its timers counts, and what it has raised. */
+    void enterAfterCut() {
+        Set<String> kept = new HashSet<>();
+        for (Event timer : rules.timers().of(place.at().evolved()).keySet()) {
+            kept.add(timer.name());
+        }
+        long before = stay.number();
+        for (Pending pending : line.waiting()) {
+            if (pending.occurrence() instanceof Occurrence.Heard heard && heard.source() == Source.TIMER) {
+                stay.heard(heard.event());
+            }
+        }
+        enter(stay.by(), kept);
+        line.replace(pending -> pending.carriedOver(before, stay.number()));
+        progress.replace(pending -> pending.carriedOver(before, stay.number()));
     }
 
     /** Enters the current state anew if its visit has ended without another state being entered. */

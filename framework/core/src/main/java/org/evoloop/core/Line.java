@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
 import java.util.function.Predicate;
+import java.util.function.UnaryOperator;
 import org.evoloop.evolution.Occurrence;
 import org.jspecify.annotations.Nullable;
 
@@ -90,6 +91,12 @@ final class Line {
     boolean holdsDoubt() {
         Pending first = waiting.peek();
         return first != null && first.occurrence() instanceof Occurrence.InDoubt;
+    }
+
+    void replace(UnaryOperator<Pending> another) {
+        List<Pending> all = waiting();
+        waiting.clear();
+        all.forEach(pending -> waiting.add(another.apply(pending)));
     }
 
     int size() {

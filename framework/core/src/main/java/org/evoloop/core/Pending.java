@@ -33,4 +33,19 @@ public record Pending(
     Pending again() {
         return new Pending(number, occurrence, from, own, stepsBefore, attempts + 1);
     }
+
+    /** The same in the visit {@code after}, if it belongs to the visit {@code before}. */
+    Pending carriedOver(long before, long after) {
+        boolean belongs = occurrence.visit() == before && before != Occurrence.ANY_VISIT;
+        return belongs ? with(Reframed.inVisit(occurrence, after)) : this;
+    }
+
+    /** The same so much later. */
+    Pending later(long nanos) {
+        return with(Reframed.later(occurrence, nanos));
+    }
+
+    private Pending with(Occurrence another) {
+        return new Pending(number, another, from, own, stepsBefore, attempts);
+    }
 }

@@ -2,6 +2,7 @@ package org.evoloop.core;
 
 import java.util.List;
 import java.util.Objects;
+import java.util.function.UnaryOperator;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Step;
@@ -14,7 +15,7 @@ final class Progress {
     private int taken;
     private int effectsRun;
     private String failedEffects = "";
-    private boolean sending;
+    private Work.Stage stage = Work.Stage.READY;
     private List<Occurrence> meanwhile = List.of();
 
     Progress(@Nullable Work work) {
@@ -24,7 +25,7 @@ final class Progress {
             taken = work.taken();
             effectsRun = work.effectsRun();
             failedEffects = work.failedEffects();
-            sending = work.sending();
+            stage = work.stage();
             meanwhile = work.meanwhile();
         }
     }
@@ -32,9 +33,7 @@ final class Progress {
     /** The same as a value; null if nothing is in progress. */
     @Nullable
     Work work() {
-        return pending == null
-                ? null
-                : new Work(pending, decision, taken, effectsRun, failedEffects, sending, meanwhile);
+        return pending == null ? null : new Work(pending, decision, taken, effectsRun, failedEffects, stage, meanwhile);
     }
 
     /** Whether nothing is in progress. */
@@ -69,12 +68,26 @@ final class Progress {
     }
 
     boolean isSending() {
-        return sending;
+        return stage == Work.Stage.SENDING;
+    }
+
+    boolean isRunning() {
+        return stage == Work.Stage.RUNNING;
+    }
+
+    /** Whether a plan waits until the converter is opened. */
+    boolean isInterrupted() {
+        return stage == Work.Stage.INTERRUPTED;
+    }
+
+    /** Whether a plan has its turn again. */
+    boolean isResumed() {
+        return stage == Work.Stage.RESUMED;
     }
 
     /** Whether the order of what is on its way and of what the device does by itself is open. */
     boolean mayOverlap() {
-        return sending || decision instanceof Decision.Inquiry;
+        return isSending() || decision instanceof Decision.Inquiry;
     }
 
     /** The step to be sent next, or on its way; null if there is none left. */
@@ -105,7 +118,7 @@ final class Progress {
         taken = 0;
         effectsRun = 0;
         failedEffects = "";
-        sends(false);
+        becomes(Work.Stage.READY);
     }
 
     void decide(Decision what) {
@@ -114,24 +127,47 @@ final class Progress {
         taken = !what.steps().isEmpty() && what.steps().get(0).byDevice() ? 1 : 0;
     }
 
-    /** The next step is on its way from now on, or no step is. */
-    private void sends(boolean onItsWay) {
-        sending = onItsWay;
+    private void becomes(Work.Stage next) {
+        stage = next;
         meanwhile = List.of();
     }
 
     void send() {
-        sends(true);
+        becomes(Work.Stage.SENDING);
+    }
+
+    void run() {
+        becomes(Work.Stage.RUNNING);
+    }
+
+    void interrupt() {
+        becomes(Work.Stage.INTERRUPTED);
+    }
+
+    void resume() {
+        becomes(Work.Stage.RESUMED);
+    }
+
+    void goOn() {
+        becomes(Work.Stage.READY);
     }
 
     void took() {
         taken++;
-        sends(false);
+        becomes(Work.Stage.READY);
     }
 
     void ran(String failure) {
         effectsRun++;
+        stage = Work.Stage.READY;
         failedEffects += failedEffects.isEmpty() || failure.isEmpty() ? failure : "; " + failure;
+    }
+
+    /** What is in progress goes on as another one. */
+    void replace(UnaryOperator<Pending> another) {
+        if (pending != null) {
+            pending = another.apply(pending);
+        }
     }
 
     /** The device did this by itself while a step was on its way, or while it was asked. */

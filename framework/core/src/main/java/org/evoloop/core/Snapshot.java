@@ -1,5 +1,6 @@
 package org.evoloop.core;
 
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.evoloop.evolution.Configuration;
@@ -48,4 +49,23 @@ public record Snapshot(
      * @param deadlines when its timers are due, those that were not heard yet
      */
     public record Visit(long number, boolean over, @Nullable Transition by, Map<Event, Long> deadlines) {}
+
+    /** The same on a clock that shows {@code nanos} more: every time in it is so much later. */
+    public Snapshot later(long nanos) {
+        Map<Event, Long> deadlines = new LinkedHashMap<>();
+        visit.deadlines().forEach((timer, due) -> deadlines.put(timer, due + nanos));
+        return new Snapshot(
+                open,
+                at,
+                doubt == null ? null : doubt.later(nanos),
+                steps,
+                lastStepNanos + nanos,
+                new Visit(visit.number(), visit.over(), visit.by(), deadlines),
+                waiting.stream().map(pending -> pending.later(nanos)).toList(),
+                losing,
+                followOwed,
+                work == null ? null : work.later(nanos),
+                tally,
+                nowNanos + nanos);
+    }
 }

@@ -14,7 +14,7 @@ import org.jspecify.annotations.Nullable;
  * @param taken how many steps of the decision have been taken
  * @param effectsRun how many of its effects have been run
  * @param failedEffects what went wrong with them; empty if nothing did
- * @param sending whether the next step is on its way to the device
+ * @param stage what the plan is waiting for
  * @param meanwhile what the device did by itself while the step was on its way, or while it was asked where it is
  */
 public record Work(
@@ -23,5 +23,36 @@ public record Work(
         int taken,
         int effectsRun,
         String failedEffects,
-        boolean sending,
-        List<Occurrence> meanwhile) {}
+        Stage stage,
+        List<Occurrence> meanwhile) {
+
+    /** What the occurrence in progress is waiting for. */
+    public enum Stage {
+        /** A decision; or that what was asked for is begun. */
+        READY,
+        /** The next step is on its way to the device. */
+        SENDING,
+        /** The next effect is being run. */
+        RUNNING,
+        /** The process that carried the plan out has ended; it goes on when the converter is opened. */
+        INTERRUPTED,
+        /** The plan has its turn again. */
+        RESUMED
+    }
+
+    /** Whether the next step is on its way to the device. */
+    public boolean sending() {
+        return stage == Stage.SENDING;
+    }
+
+    Work later(long nanos) {
+        return new Work(
+                pending.later(nanos),
+                decision,
+                taken,
+                effectsRun,
+                failedEffects,
+                stage,
+                Reframed.later(meanwhile, nanos));
+    }
+}

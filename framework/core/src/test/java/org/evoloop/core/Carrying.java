@@ -23,12 +23,13 @@ final class Carrying {
     static List<Move> of(Snapshot now, World world, long time) {
         Carrying carrying = new Carrying(now, world, time);
         Work work = now.work();
-        if (work != null) {
+        if (work != null && work.stage() != Work.Stage.INTERRUPTED) {
             carrying.goOn(work);
             carrying.fail(work);
         }
         // Also while something is in progress: then nothing must come of it.
-        if (world.phase == Phase.OPEN && (!now.waiting().isEmpty() || now.followOwed())) {
+        boolean interrupted = work != null && work.stage() == Work.Stage.INTERRUPTED;
+        if (world.phase == Phase.OPEN && (interrupted || !now.waiting().isEmpty() || now.followOwed())) {
             carrying.tell(new Input.Ready(), world.copy());
         }
         return carrying.found;
@@ -45,8 +46,12 @@ final class Carrying {
             for (Decision plan : world.plans) {
                 tell(new Input.Planned(number, plan, time), world.copy());
             }
+        } else if (work.stage() == Work.Stage.RESUMED) {
+            tell(new Input.Planned(number, work.decision(), time), world.copy());
         } else if (asked instanceof Output.Send send) {
             announce(number, send.step());
+        } else if (asked instanceof Output.Run && work.stage() != Work.Stage.RUNNING) {
+            tell(new Input.Running(number), world.copy());
         } else if (asked instanceof Output.Run) {
             tell(new Input.EffectRun(number, "", time), done());
             if (world.may(Act.FAIL)) {

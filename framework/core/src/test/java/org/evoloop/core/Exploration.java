@@ -72,7 +72,8 @@ final class Exploration {
             }
             List<Move> moves = Moves.of(at.snapshot(), at.world(), at.depth() + 1);
             boolean idle = moves.stream().allMatch(move -> move.input() instanceof Input.Ready);
-            if (idle && at.snapshot().work() != null) {
+            Work work = at.snapshot().work();
+            if (idle && work != null && work.stage() != Work.Stage.INTERRUPTED) {
                 return new Result(seen.size(), deepest, "stuck: nothing can happen\n" + at.path());
             }
             for (Move move : moves) {

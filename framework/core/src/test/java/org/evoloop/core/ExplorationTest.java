@@ -31,7 +31,9 @@ class ExplorationTest {
                         scene.with(1, Act.PRESS, Act.OWN, Act.JUMP, Act.GIVE_UP),
                         scene.with(2, Act.PRESS, Act.RAISE).with(1, Act.OWN),
                         scene.with(1, Act.PRESS, Act.ASK, Act.OWN, Act.CHANGE, Act.GIVE_UP),
-                        scene.with(2, Act.PRESS, Act.FAIL).with(1, Act.OWN, Act.DISMISS)))
+                        scene.with(2, Act.PRESS, Act.FAIL).with(1, Act.OWN, Act.DISMISS),
+                        scene.with(2, Act.PRESS, Act.END).with(1, Act.OWN),
+                        scene.with(1, Act.PRESS, Act.RAISE, Act.STOP, Act.END)))
                 .flatMap(ExplorationTest::bestAndWorst);
     }
 
@@ -65,6 +67,7 @@ class ExplorationTest {
                 .flatMap(scene -> Stream.of(
                         scene.with(4, Act.PRESS).with(3, Act.OWN),
                         scene.with(2, Act.PRESS, Act.OWN, Act.GIVE_UP).with(1, Act.STOP),
+                        scene.with(2, Act.PRESS, Act.OWN, Act.END).with(1, Act.GIVE_UP, Act.RAISE),
                         scene.with(2, Act.PRESS, Act.OWN, Act.JUMP, Act.GIVE_UP)))
                 .flatMap(scene -> scene.kinds().stream());
     }
@@ -79,7 +82,7 @@ class ExplorationTest {
     static Stream<Scene> randomPairs() {
         return LongStream.concat(LongStream.rangeClosed(1, 5), LongStream.of(new Random().nextLong()))
                 .mapToObj(RandomPair::scene)
-                .map(scene -> scene.with(1, Act.PRESS, Act.OWN, Act.GIVE_UP, Act.RAISE, Act.STOP))
+                .map(scene -> scene.with(1, Act.PRESS, Act.OWN, Act.GIVE_UP, Act.RAISE, Act.STOP, Act.END))
                 .flatMap(ExplorationTest::bestAndWorst);
     }
 

@@ -35,6 +35,7 @@ final class Invariants {
                         invariants.visitsEnd(),
                         invariants.stepsAreSentOnce(),
                         invariants.nothingIsStuck(),
+                        invariants.nothingIsDoneAgain(),
                         invariants.factsAreKept())
                 .stream()
                 .filter(problem -> !problem.isEmpty())
@@ -54,7 +55,7 @@ final class Invariants {
     private String oneAfterTheOther() {
         for (Output output : said) {
             if (output instanceof Output.Begin begin) {
-                if (before.work() != null) {
+                if (before.work() != null && !isIn(before.work(), Work.Stage.INTERRUPTED)) {
                     return "order: " + begin + " while " + before.work() + " is in progress";
                 }
                 List<Pending> ahead = new ArrayList<>(before.waiting());
@@ -143,14 +144,36 @@ final class Invariants {
 
     private String nothingIsStuck() {
         Work work = after.work();
-        if (work != null && work.decision() != null && !work.sending() && world.asked == null) {
+        boolean waits = isIn(work, Work.Stage.INTERRUPTED, Work.Stage.RESUMED);
+        if (work != null && work.decision() != null && !work.sending() && !waits && world.asked == null) {
             return "stuck: nobody has to do anything for " + work;
         }
         boolean drained = after.waiting().isEmpty() && work == null;
         if (after.open() && drained && after.visit().over()) {
             return "stuck: visit " + after.visit().number() + " is over and no other has begun";
         }
-        return input instanceof Input.Ready && !drained && work == null ? "stuck: nothing is begun" : "";
+        return input instanceof Input.Ready && !drained && (work == null || isIn(work, Work.Stage.INTERRUPTED))
+                ? "stuck: nothing is begun"
+                : "";
+    }
+
+    private static boolean isIn(@Nullable Work work, Work.Stage... stages) {
+        return work != null && List.of(stages).contains(work.stage());
+    }
+
+    /** Whatever ends a process, what was taken and done in a plan stays so. */
+    private String nothingIsDoneAgain() {
+        Work last = before.work();
+        Work work = after.work();
+        if (!(input instanceof Input.Recovered) || last == null || last.decision() == null) {
+            return "";
+        }
+        boolean kept = work == null
+                ? last.sending()
+                : last.decision().equals(work.decision())
+                        && work.taken() == last.taken()
+                        && work.effectsRun() >= last.effectsRun();
+        return kept ? "" : "again: after " + last + " comes " + work;
     }
 
     private String factsAreKept() {

@@ -77,7 +77,7 @@ final class Likeness {
                         work.taken(),
                         work.effectsRun(),
                         work.failedEffects().isEmpty(),
-                        work.sending(),
+                        work.stage(),
                         ofAll(work.meanwhile()));
     }
 

@@ -106,8 +106,28 @@ final class Moves {
         } else if (world.phase == Phase.OPEN && world.may(Act.STOP)) {
             found.add(Move.told(new Input.Closing(), in(world.spent(Act.STOP), Phase.CLOSING)));
         }
+        if (world.may(Act.END)) {
+            end();
+        }
         if (world.may(Act.CHANGE)) {
             found.add(Move.told(new Input.Changed(world.scene.rules(), time), world.spent(Act.CHANGE)));
+        }
+    }
+
+    /** What was sent may still have its effect; whether it is told or not, the process that sent it is gone. */
+    private void end() {
+        World next = in(world.spent(Act.END), Phase.CLOSED);
+        if (world.flight != null && !world.landed) {
+            next.stray = world.flight;
+        }
+        next.noLongerSent();
+        next.asked = null;
+        next.answer = null;
+        found.add(Move.told(new Input.Recovered(time), next));
+        if (world.flight != null && world.landed && world.mayHideEffects()) {
+            World hidden = next.copy();
+            hidden.untold.removeIf(token -> token instanceof Token.Effect);
+            found.add(Move.told(new Input.Recovered(time), hidden));
         }
     }
 

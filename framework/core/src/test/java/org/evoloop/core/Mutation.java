@@ -152,6 +152,33 @@ enum Mutation {
             return without(said, Output.Leave.class::isInstance);
         }
     },
+    AN_END_LEAVES_NO_DOUBT("record", Scene.bulb().with(1, Act.PRESS, Act.END)) {
+        @Override
+        Snapshot undo(Snapshot before, Input input, Snapshot after) {
+            return input instanceof Input.Recovered ? Snapshots.sure(after) : after;
+        }
+    },
+    AN_END_FORGETS_WHAT_WAITS("sum", Scene.bulb().with(1, Act.PRESS, Act.END)) {
+        @Override
+        Snapshot undo(Snapshot before, Input input, Snapshot after) {
+            return input instanceof Input.Recovered ? Snapshots.waiting(after, List.of()) : after;
+        }
+    },
+    AN_END_FORGETS_WHAT_IS_IN_PROGRESS("sum", Scene.robot().with(1, Act.PRESS, Act.END)) {
+        @Override
+        Snapshot undo(Snapshot before, Input input, Snapshot after) {
+            return input instanceof Input.Recovered ? Snapshots.work(after, null) : after;
+        }
+    },
+    AN_INTERRUPTED_PLAN_IS_MADE_ANEW("again", Scene.bulb().with(1, Act.PRESS, Act.END)) {
+        @Override
+        Snapshot undo(Snapshot before, Input input, Snapshot after) {
+            Work work = after.work();
+            return input instanceof Input.Recovered && work != null
+                    ? Snapshots.work(after, new Work(work.pending(), null, 0, 0, "", Work.Stage.READY, List.of()))
+                    : after;
+        }
+    },
     WHAT_ENDS_IS_NOT_COUNTED("sum", Scene.bulb().with(1, Act.PRESS)) {
         @Override
         Snapshot undo(Snapshot before, Input input, Snapshot after) {
@@ -192,7 +219,7 @@ enum Mutation {
     }
 
     private static Work asking(Pending pending, Snapshot before) {
-        return new Work(pending, new Decision.Inquiry(before.at()), 0, 0, "", false, List.of());
+        return new Work(pending, new Decision.Inquiry(before.at()), 0, 0, "", Work.Stage.READY, List.of());
     }
 
     private static boolean isFact(Input input) {

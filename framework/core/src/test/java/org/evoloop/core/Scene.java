@@ -51,7 +51,9 @@ record Scene(
         /** A component is given up. */
         GIVE_UP,
         /** Analyze or plan dismisses an occurrence or refuses it by a rule of its own. */
-        DISMISS
+        DISMISS,
+        /** The process ends at once, and another one takes the core over. */
+        END
     }
 
     static Scene robot() {

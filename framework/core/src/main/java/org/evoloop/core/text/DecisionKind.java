@@ -8,8 +8,8 @@ import org.evoloop.evolution.Step;
 import org.evoloop.statemachine.Transition;
 import org.jspecify.annotations.Nullable;
 
-/** What a decision is called, and how one is made of its parts again. */
-enum DecisionKind {
+/** What a decision is called, and how one is made of its parts again, wherever decisions are written down. */
+public enum DecisionKind {
     NOT_ACCEPTABLE,
     EXISTING_FUNCTION,
     NEW_FUNCTION,
@@ -20,11 +20,12 @@ enum DecisionKind {
     IMPOSSIBLE;
 
     /** As it is written: {@code existing-function}. */
-    String word() {
+    public String word() {
         return name().toLowerCase(Locale.ROOT).replace('_', '-');
     }
 
-    static DecisionKind of(Decision decision) {
+    /** The kind of {@code decision}. */
+    public static DecisionKind of(Decision decision) {
         if (decision instanceof Decision.NotAcceptable) {
             return NOT_ACCEPTABLE;
         } else if (decision instanceof Decision.ExistingFunction) {
@@ -41,7 +42,8 @@ enum DecisionKind {
         return decision instanceof Decision.Refused ? REFUSED : IMPOSSIBLE;
     }
 
-    static String reasonOf(Decision decision) {
+    /** Why nothing comes of it; empty for kinds that have no reason. */
+    public static String reasonOf(Decision decision) {
         if (decision instanceof Decision.Refused refused) {
             return refused.reason();
         }
@@ -49,12 +51,16 @@ enum DecisionKind {
     }
 
     /** Whether such a decision is nothing without a transition of the new model. */
-    boolean needsTransition() {
+    public boolean needsTransition() {
         return this == EXISTING_FUNCTION || this == NEW_FUNCTION;
     }
 
-    /** @param transition not null if it {@linkplain #needsTransition() is needed} */
-    Decision made(
+    /**
+     * A decision of this kind.
+     *
+     * @param transition not null if it {@linkplain #needsTransition() is needed}
+     */
+    public Decision made(
             Configuration before,
             Configuration after,
             List<Step> steps,

@@ -3,6 +3,7 @@ package org.evoloop.core.text;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.function.Supplier;
 import org.evoloop.core.Doubt;
@@ -187,9 +188,19 @@ final class SnapshotReader {
         }
         int taken = lines.countIn(first);
         int effectsRun = lines.count();
-        boolean sending = lines.choice("sending", "ready");
+        Work.Stage stage = stage();
         String failedEffects = ended(lines.text());
-        return new Work(pending(), decision(), taken, effectsRun, failedEffects, sending, meanwhile());
+        return new Work(pending(), decision(), taken, effectsRun, failedEffects, stage, meanwhile());
+    }
+
+    private Work.Stage stage() {
+        String word = lines.word();
+        for (Work.Stage stage : Work.Stage.values()) {
+            if (stage.name().toLowerCase(Locale.ROOT).equals(word)) {
+                return stage;
+            }
+        }
+        throw lines.damaged("'" + word + "' is no stage of a plan");
     }
 
     private @Nullable Decision decision() {

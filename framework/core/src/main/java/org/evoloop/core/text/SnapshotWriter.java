@@ -188,7 +188,7 @@ final class SnapshotWriter {
                 "work",
                 work.taken(),
                 work.effectsRun(),
-                work.sending() ? "sending" : "ready",
+                work.stage().name().toLowerCase(Locale.ROOT),
                 new Quoted(work.failedEffects()));
         pending(work.pending());
         decision(work.decision());

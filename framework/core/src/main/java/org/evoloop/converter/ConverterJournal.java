@@ -1,0 +1,52 @@
+package org.evoloop.converter;
+
+import java.time.Instant;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import org.evoloop.core.Core;
+import org.evoloop.core.Inputs;
+import org.evoloop.core.Outputs;
+import org.evoloop.core.Rules;
+import org.evoloop.core.Snapshot;
+import org.evoloop.time.Clock;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What keeps a converter's inputs, so that a converter of the same models can go on where another process has ended; see
+ * {@link SystemEventConverter#journal}.
+ *
+ * <p>Threading: belongs to one converter, which calls it one call at a time.
+ */
+public interface ConverterJournal {
+
+    /** Who hears again what a core has said. */
+    interface Past extends Outputs {
+        /** From now on {@code time} tells when that was. */
+        void at(Supplier<Instant> time);
+    }
+
+    /**
+     * Opens it for one converter.
+     *
+     * @param rules of the converter that opens it
+     * @param clock whose times the answer has
+     * @param past hears what the core said in the part of the past that is looked through
+     * @return where the converter stood; null if nothing has been kept yet
+     * @throws RuntimeException if it cannot be gone on with; the message says why and what to do
+     */
+    @Nullable
+    Snapshot open(Rules rules, Clock clock, Past past);
+
+    /**
+     * Begins to keep what {@code core} is told.
+     *
+     * @param failed hears that nothing is kept any more, and why
+     * @return takes the inputs from now on, and tells them to {@code core} when they are kept. While nothing can be kept, it
+     *     refuses the events of controllers, and throws instead of announcing a step or an effect
+     * @throws RuntimeException if it cannot be written; the message says why and what to do
+     */
+    Inputs keep(Core core, Consumer<Exception> failed);
+
+    /** Nothing more is kept. Idempotent. */
+    void close();
+}

@@ -1,0 +1,60 @@
+package org.evoloop.converter;
+
+import java.time.Instant;
+import java.util.function.Supplier;
+import org.evoloop.core.Outcome;
+import org.evoloop.core.Output;
+import org.evoloop.core.Pending;
+import org.evoloop.evolution.Configuration;
+import org.evoloop.evolution.Decision;
+import org.evoloop.evolution.Occurrence;
+import org.jspecify.annotations.Nullable;
+
+/** What a core has said before: it goes into history and latency, and nothing is done about it again. */
+final class Retelling implements ConverterJournal.Past {
+    private final Books books;
+    private Supplier<Instant> time = () -> Instant.EPOCH;
+
+    private Configuration at;
+
+    Retelling(Books books, Configuration at) {
+        this.books = books;
+        this.at = at;
+    }
+
+    @Override
+    public void at(Supplier<Instant> then) {
+        time = then;
+    }
+
+    @Override
+    public void moved(Configuration before, Configuration after) {
+        at = after;
+    }
+
+    @Override
+    public void say(Output output) {
+        // Done, or told, when it was said first.
+    }
+
+    @Override
+    public void decided(Pending pending, Decision decision, long waitedNanos) {
+        books.latency().record(waitedNanos);
+    }
+
+    @Override
+    public void dropped(Occurrence occurrence, boolean first) {
+        books.history().record(time.get(), occurrence, at, at, Outcome.DROPPED, null, "the queue was full");
+    }
+
+    @Override
+    public void ended(
+            Occurrence occurrence,
+            Configuration before,
+            Configuration after,
+            Outcome outcome,
+            @Nullable Decision decision,
+            String detail) {
+        books.history().record(time.get(), occurrence, before, after, outcome, decision, detail);
+    }
+}

@@ -1,0 +1,48 @@
+package org.evoloop.journal;
+
+import java.nio.charset.StandardCharsets;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.HexFormat;
+import org.evoloop.evolution.ModelPair;
+import org.evoloop.statemachine.State;
+import org.evoloop.statemachine.StateMachine;
+import org.evoloop.statemachine.Transition;
+
+/** What two pairs of models have in common if one can go on with the journal of the other. */
+final class Fingerprint {
+    private static final int DIGITS = 16;
+
+    private Fingerprint() {}
+
+    /** Of everything in both models that decides how a converter behaves, in hexadecimal digits. */
+    static String of(ModelPair models) {
+        StringBuilder text = new StringBuilder();
+        describe(models.original(), text);
+        describe(models.evolved(), text);
+        try {
+            byte[] digest =
+                    MessageDigest.getInstance("SHA-256").digest(text.toString().getBytes(StandardCharsets.UTF_8));
+            return HexFormat.of().formatHex(digest).substring(0, DIGITS);
+        } catch (NoSuchAlgorithmException impossible) {
+            throw new AssertionError("every Java has SHA-256", impossible);
+        }
+    }
+
+    private static void describe(StateMachine machine, StringBuilder text) {
+        text.append(machine.name()).append('\n').append(machine.initial()).append('\n');
+        text.append(machine.spontaneous().stream().sorted().toList()).append('\n');
+        for (State state : machine.states().stream().sorted().toList()) {
+            text.append(state)
+                    .append(machine.deferred(state).stream().sorted().toList())
+                    .append('\n');
+        }
+        for (Transition transition : machine.transitions()) {
+            text.append(transition)
+                    .append(transition.effects())
+                    .append(transition.internal())
+                    .append(transition.keeps().stream().sorted().toList())
+                    .append('\n');
+        }
+    }
+}

@@ -1,0 +1,103 @@
+package org.evoloop.journal;
+
+import java.time.Duration;
+import java.util.Queue;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.locks.LockSupport;
+import org.evoloop.time.Threads;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Puts on the disk what was written, every {@value #PERIOD_MILLIS} ms while something is. It sleeps when nothing was
+ * written for {@value #AWAKE_PERIODS} periods, so that an event seldom has to wake it.
+ */
+final class Forcer implements AutoCloseable {
+    static final int PERIOD_MILLIS = 100;
+    private static final int AWAKE_PERIODS = 20;
+    private static final Logger LOG = LoggerFactory.getLogger(Journal.class);
+
+    private final Thread thread;
+    private volatile @Nullable Segment segment;
+    private final Queue<Segment> ended = new ConcurrentLinkedQueue<>();
+    private volatile boolean asleep;
+    private volatile boolean closed;
+
+    Forcer(String name) {
+        thread = new Thread(this::run, "journal-" + name);
+        thread.setDaemon(true);
+        thread.start();
+    }
+
+    /** From now on {@code next} is written; the one before it is forced once more. */
+    void use(Segment next) {
+        Segment before = segment;
+        if (before != null) {
+            ended.add(before);
+        }
+        segment = next;
+        wake();
+    }
+
+    /** Something was written. */
+    void written() {
+        if (asleep) {
+            wake();
+        }
+    }
+
+    private void wake() {
+        asleep = false;
+        LockSupport.unpark(thread);
+    }
+
+    private void run() {
+        int idle = 0;
+        while (!closed) {
+            LockSupport.parkNanos(this, Duration.ofMillis(PERIOD_MILLIS).toNanos());
+            idle = force() ? 0 : idle + 1;
+            if (idle >= AWAKE_PERIODS) {
+                sleep();
+                idle = 0;
+            }
+        }
+    }
+
+    private void sleep() {
+        asleep = true;
+        // Whoever wrote before it saw that has woken nobody.
+        while (asleep && !closed && !isDirty()) {
+            LockSupport.park(this);
+        }
+        asleep = false;
+    }
+
+    private boolean isDirty() {
+        Segment current = segment;
+        return current != null && current.isDirty();
+    }
+
+    private boolean force() {
+        try {
+            for (Segment old = ended.poll(); old != null; old = ended.poll()) {
+                old.force();
+            }
+            Segment current = segment;
+            if (current == null || !current.isDirty()) {
+                return false;
+            }
+            current.force();
+        } catch (RuntimeException | InternalError e) {
+            LOG.warn("a journal cannot be put on the disk; a power cut would lose what was written", e);
+        }
+        return true;
+    }
+
+    @Override
+    public void close() {
+        closed = true;
+        LockSupport.unpark(thread);
+        Threads.join(thread, Duration.ofSeconds(2));
+    }
+}

@@ -1,0 +1,171 @@
+package org.evoloop.journal;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.stream.Collectors;
+import org.evoloop.core.Rules;
+import org.evoloop.evolution.DecisionTable;
+import org.evoloop.evolution.DeviceEvents;
+import org.evoloop.evolution.ModelPair;
+import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.State;
+
+/**
+ * The first record of a segment: by what it was written, and when.
+ *
+ * @param fingerprint of the models, see {@link Fingerprint}
+ * @param original the name of the device's model
+ * @param evolved the name of the new model
+ * @param boot which start of the computer it was written in; empty if that cannot be told
+ * @param wallNanos the time of day when the segment began, in nanoseconds since 1970
+ * @param nowNanos the converter's monotonic clock at that moment
+ * @param device what passed between converter and device
+ * @param timers of the states that have any
+ * @param queueCapacity see {@link Rules}
+ */
+record Head(
+        String fingerprint,
+        String original,
+        String evolved,
+        String boot,
+        long wallNanos,
+        long nowNanos,
+        DeviceEvents device,
+        Map<State, Map<Event, Duration>> timers,
+        int queueCapacity) {
+
+    static Head of(String fingerprint, Rules rules, long wallNanos, long nowNanos) {
+        ModelPair models = rules.table().models();
+        Map<State, Map<Event, Duration>> timers = new TreeMap<>();
+        for (State state : models.evolved().states()) {
+            Map<Event, Duration> ofState = rules.timers().of(state);
+            if (!ofState.isEmpty()) {
+                timers.put(state, ofState);
+            }
+        }
+        return new Head(
+                fingerprint,
+                models.original().name(),
+                models.evolved().name(),
+                Boot.ID,
+                wallNanos,
+                nowNanos,
+                rules.table().device(),
+                timers,
+                rules.queueCapacity());
+    }
+
+    /** Whether a core goes by the same as {@code other} says. */
+    boolean hasRulesOf(Head other) {
+        return fingerprint.equals(other.fingerprint)
+                && device.equals(other.device)
+                && timers.equals(other.timers)
+                && queueCapacity == other.queueCapacity;
+    }
+
+    /** By what the segment was written, for the same models as {@code present}. */
+    Rules rules(Rules present) {
+        DecisionTable table = present.table();
+        if (!device.equals(table.device())) {
+            table = DecisionTable.compile(table.models(), device);
+        }
+        return new Rules(table, state -> timers.getOrDefault(state, Map.of()), queueCapacity);
+    }
+
+    void write(Bytes bytes) {
+        bytes.clear();
+        bytes.text(fingerprint);
+        bytes.text(original);
+        bytes.text(evolved);
+        bytes.text(boot);
+        bytes.number(wallNanos);
+        bytes.number(nowNanos);
+        events(bytes, device.sendable());
+        events(bytes, device.spontaneous());
+        bytes.number(device.costs().size());
+        new TreeMap<>(device.costs()).forEach((event, cost) -> {
+            bytes.text(event.name());
+            bytes.number(cost);
+        });
+        texts(bytes, device.doNotPass().stream().map(State::name).toList());
+        texts(bytes, device.boundGuards());
+        bytes.number(timers.size());
+        timers.forEach((state, ofState) -> {
+            bytes.text(state.name());
+            bytes.number(ofState.size());
+            ofState.forEach((event, delay) -> {
+                bytes.text(event.name());
+                bytes.number(delay.toNanos());
+            });
+        });
+        bytes.number(queueCapacity);
+    }
+
+    private static void events(Bytes bytes, Collection<Event> events) {
+        texts(bytes, events.stream().map(Event::name).toList());
+    }
+
+    private static void texts(Bytes bytes, Collection<String> texts) {
+        bytes.number(texts.size());
+        texts.stream().sorted().forEach(bytes::text);
+    }
+
+    static Head read(Cursor cursor) {
+        String fingerprint = cursor.text();
+        String original = cursor.text();
+        String evolved = cursor.text();
+        String boot = cursor.text();
+        long wallNanos = cursor.number();
+        long nowNanos = cursor.number();
+        DeviceEvents device = device(cursor);
+        Map<State, Map<Event, Duration>> timers = new TreeMap<>();
+        for (int left = cursor.count(); left > 0; left--) {
+            timers.put(new State(cursor.text()), timersOfState(cursor));
+        }
+        int capacity = (int) cursor.number();
+        cursor.requireEnd();
+        return new Head(fingerprint, original, evolved, boot, wallNanos, nowNanos, device, timers, capacity);
+    }
+
+    private static DeviceEvents device(Cursor cursor) {
+        List<Event> sendable = events(cursor);
+        List<Event> spontaneous = events(cursor);
+        Map<Event, Integer> costs = new HashMap<>();
+        for (int left = cursor.count(); left > 0; left--) {
+            costs.put(new Event(cursor.text()), (int) cursor.number());
+        }
+        List<State> doNotPass = texts(cursor).stream().map(State::new).toList();
+        return new DeviceEvents(
+                sendable.stream().collect(Collectors.toSet()),
+                spontaneous.stream().collect(Collectors.toSet()),
+                costs,
+                doNotPass.stream().collect(Collectors.toSet()),
+                texts(cursor).stream().collect(Collectors.toSet()));
+    }
+
+    private static Map<Event, Duration> timersOfState(Cursor cursor) {
+        Map<Event, Duration> timers = new LinkedHashMap<>();
+        for (int left = cursor.count(); left > 0; left--) {
+            timers.put(new Event(cursor.text()), Duration.ofNanos(cursor.number()));
+        }
+        return timers;
+    }
+
+    private static List<Event> events(Cursor cursor) {
+        return texts(cursor).stream().map(Event::new).toList();
+    }
+
+    private static List<String> texts(Cursor cursor) {
+        List<String> texts = new ArrayList<>();
+        for (int left = cursor.count(); left > 0; left--) {
+            texts.add(cursor.text());
+        }
+        return texts;
+    }
+}

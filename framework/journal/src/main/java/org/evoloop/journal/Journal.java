@@ -1,0 +1,138 @@
+package org.evoloop.journal;
+
+import static java.util.Objects.requireNonNull;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.function.Consumer;
+import org.evoloop.converter.ConverterJournal;
+import org.evoloop.core.Core;
+import org.evoloop.core.Inputs;
+import org.evoloop.core.Rules;
+import org.evoloop.core.Snapshot;
+import org.evoloop.time.Clock;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The journal of one converter, in a directory of its own.
+ *
+ * <pre>{@code
+ * converter.journal(Journal.in(Path.of("/var/lib/lamp")).withForcing(Forcing.PER_INTENT));
+ * }</pre>
+ *
+ * <p>The directory holds segments of {@code segmentBytes} each, {@value #DEFAULT_SEGMENT_BYTES} bytes by default, of which the oldest are
+ * deleted when all take more than {@code keptBytes}, {@value #DEFAULT_KEPT_BYTES} by default. At a start the last of them are
+ * looked through, as many as hold {@code segmentBytes}. A segment becomes larger only if what the converter knows does not fit
+ * into it.
+ *
+ * <p>Threading: options are set before it is opened; then it belongs to its converter.
+ */
+public final class Journal implements ConverterJournal {
+    /** How large a segment is: some 40,000 inputs. */
+    public static final int DEFAULT_SEGMENT_BYTES = 1 << 20;
+
+    /** How much is kept. */
+    public static final long DEFAULT_KEPT_BYTES = 16 << 20;
+
+    private static final int LEAST_SEGMENT_BYTES = 1 << 16;
+    private static final int MOST_SEGMENT_BYTES = 1 << 30;
+
+    private final Path path;
+    private final int segmentBytes;
+    private final long keptBytes;
+    private final Forcing forcing;
+    private @Nullable Segments segments;
+
+    private Journal(Path path, int segmentBytes, long keptBytes, Forcing forcing) {
+        this.path = requireNonNull(path, "the directory of a journal is null");
+        this.segmentBytes = segmentBytes;
+        this.keptBytes = keptBytes;
+        this.forcing = requireNonNull(forcing, "forcing is null");
+        if (segmentBytes < LEAST_SEGMENT_BYTES || segmentBytes > MOST_SEGMENT_BYTES) {
+            throw new IllegalArgumentException("segmentBytes is " + segmentBytes + ", allowed is " + LEAST_SEGMENT_BYTES
+                    + " to " + MOST_SEGMENT_BYTES);
+        }
+        if (keptBytes < 0) {
+            throw new IllegalArgumentException("keptBytes is " + keptBytes + ", allowed is 0 and more");
+        }
+    }
+
+    /** A journal with the usual options, forced by batch. The directory is created if it does not exist. */
+    public static Journal in(Path directory) {
+        return new Journal(directory, DEFAULT_SEGMENT_BYTES, DEFAULT_KEPT_BYTES, Forcing.BY_BATCH);
+    }
+
+    /** The same with segments of {@code bytes}, 65,536 to 1,073,741,824. */
+    public Journal withSegmentBytes(int bytes) {
+        return new Journal(path, bytes, keptBytes, forcing);
+    }
+
+    /** The same that keeps so much, in bytes; two segments are kept in any case. */
+    public Journal withKeptBytes(long bytes) {
+        return new Journal(path, segmentBytes, bytes, forcing);
+    }
+
+    /** The same, put on the disk at other times. */
+    public Journal withForcing(Forcing when) {
+        return new Journal(path, segmentBytes, keptBytes, when);
+    }
+
+    int segmentBytes() {
+        return segmentBytes;
+    }
+
+    long keptBytes() {
+        return keptBytes;
+    }
+
+    Forcing forcing() {
+        return forcing;
+    }
+
+    /** @throws JournalException if it cannot be gone on with */
+    @Override
+    public @Nullable Snapshot open(Rules rules, Clock usedClock, Past past) {
+        Directory opened = new Directory(path);
+        try {
+            String fingerprint = Fingerprint.of(rules.table().models());
+            Replay replay = new Replay(rules, fingerprint, past);
+            replay.of(opened.last(segmentBytes));
+            segments = new Segments(
+                    this,
+                    opened,
+                    usedClock,
+                    fingerprint,
+                    String.valueOf(path.toAbsolutePath().getFileName()));
+            return replay.result(usedClock);
+        } catch (RuntimeException refused) {
+            opened.close();
+            throw refused;
+        }
+    }
+
+    /** @throws JournalException if it cannot be written */
+    @Override
+    public Inputs keep(Core core, Consumer<Exception> failed) {
+        Segments opened = requireNonNull(segments, "the journal is not open");
+        try {
+            return new Recorder(core, opened, failed);
+        } catch (IOException e) {
+            close();
+            throw Directory.cannotBeWritten(path, e);
+        }
+    }
+
+    @Override
+    public void close() {
+        Segments opened = segments;
+        segments = null;
+        if (opened != null) {
+            opened.close();
+        }
+    }
+
+    @Override
+    public String toString() {
+        return "journal " + path;
+    }
+}

@@ -1,0 +1,67 @@
+package org.evoloop.journal;
+
+import java.nio.ByteBuffer;
+
+/**
+ * How a segment begins: what it is, the version of its format, a checksum of both, and up to where it is on the disk for
+ * sure, twice. It is written after the first records, so that a segment that has one has those.
+ */
+final class Preamble {
+    static final int BYTES = 32;
+
+    /** The version that is written and read. */
+    static final int VERSION = 1;
+
+    private static final long MAGIC = 0x45564F4C4F4F504AL; // EVOLOOPJ
+    private static final int CHECKED_BYTES = 12;
+    private static final int SURE = 16;
+
+    private Preamble() {}
+
+    static void write(ByteBuffer file) {
+        file.putInt(8, VERSION);
+        file.putInt(CHECKED_BYTES, crcOf(VERSION));
+        file.putLong(0, MAGIC);
+    }
+
+    static void sure(ByteBuffer file, int until) {
+        file.putLong(SURE, until);
+        file.putLong(SURE + 8, ~(long) until);
+    }
+
+    /** Whether nothing has been written there. */
+    static boolean isBlank(byte[] file) {
+        return file.length < BYTES || ByteBuffer.wrap(file).getLong(0) == 0;
+    }
+
+    /** What keeps the file from being read; empty if nothing does. */
+    static String problem(byte[] file) {
+        ByteBuffer bytes = ByteBuffer.wrap(file);
+        int version = bytes.getInt(8);
+        if (bytes.getLong(0) != MAGIC) {
+            return "byte 0: this is no segment of a journal; move the file out of the directory";
+        }
+        if (bytes.getInt(CHECKED_BYTES) != crcOf(version)) {
+            return "byte 8: the version does not match its checksum. " + Directory.DAMAGED;
+        }
+        return version == VERSION
+                ? ""
+                : "byte 8: it is written in version " + version + " of the format, and this Evoloop reads version "
+                        + VERSION + "; go on with the Evoloop that wrote it, or begin with an empty directory";
+    }
+
+    /** Up to where the file is on the disk for sure; where the two disagree, that was being noted. */
+    static long sure(byte[] file) {
+        ByteBuffer bytes = ByteBuffer.wrap(file);
+        long until = bytes.getLong(SURE);
+        return until == ~bytes.getLong(SURE + 8) ? until : 0;
+    }
+
+    private static int crcOf(int version) {
+        byte[] checked = ByteBuffer.allocate(CHECKED_BYTES)
+                .putLong(MAGIC)
+                .putInt(version)
+                .array();
+        return Frame.crcOf(checked, 0, CHECKED_BYTES);
+    }
+}

@@ -1,0 +1,215 @@
+package org.evoloop.journal;
+
+import java.io.IOException;
+import java.util.function.Consumer;
+import org.evoloop.core.Core;
+import org.evoloop.core.Inputs;
+import org.evoloop.core.Rules;
+import org.evoloop.evolution.Decision;
+import org.evoloop.evolution.Occurrence;
+import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.State;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Writes each input before the core is told. When the segment is full it begins another one, whose snapshot bounds what has
+ * to be looked through again; an input is encoded once more then, since another segment knows no names.
+ *
+ * <p>While nothing can be written, nothing is begun that could not be told apart from what was not: events of controllers
+ * are refused, and no step or effect is announced. What has happened counts all the same, and is in the snapshot with which
+ * the next segment begins.
+ */
+final class Recorder implements Inputs {
+    private final Core core;
+    private final Segments segments;
+    private final Consumer<Exception> failed;
+    private final Encoder encoder = new Encoder();
+    private boolean kept;
+
+    Recorder(Core core, Segments segments, Consumer<Exception> failed) throws IOException {
+        this.core = core;
+        this.segments = segments;
+        this.failed = failed;
+        segments.begin(core, encoder.bytes);
+    }
+
+    /** Appends what was encoded; false if it has to be encoded once more. */
+    private boolean append() {
+        boolean worked = segments.isWritable();
+        try {
+            kept = segments.append(encoder.bytes);
+            if (!kept && segments.mayBegin()) {
+                segments.begin(core, encoder.bytes);
+                return false;
+            }
+        } catch (IOException | InternalError e) {
+            kept = false;
+            segments.suspend();
+            if (worked) {
+                failed.accept(Directory.cannotBeWritten(segments.path(), e));
+            }
+        }
+        return true;
+    }
+
+    /** @throws JournalException if what was encoded last could not be written */
+    private void requireKept() {
+        if (!kept) {
+            throw new JournalException(
+                    "the journal " + segments.path() + " cannot be written, so nothing is sent; make room on its disk");
+        }
+    }
+
+    @Override
+    public void observed(Occurrence occurrence) {
+        do {
+            encoder.observed(occurrence);
+        } while (!append());
+        if (kept || occurrence.isFact() || !occurrence.source().isButton()) {
+            core.observed(occurrence);
+        } else {
+            core.refuse(occurrence);
+        }
+    }
+
+    @Override
+    public void sending(long number) {
+        do {
+            encoder.sending(number);
+        } while (!append());
+        requireKept();
+        segments.forceIntent();
+        core.sending(number);
+    }
+
+    @Override
+    public void running(long number) {
+        do {
+            encoder.running(number);
+        } while (!append());
+        requireKept();
+        segments.forceIntent();
+        core.running(number);
+    }
+
+    /** Other rules stand in the head of another segment; equal ones need none. */
+    @Override
+    public void changed(Rules rules, long atNanos) {
+        if (!segments.isBy(rules)) {
+            core.changed(rules, atNanos);
+            segments.suspend();
+            return;
+        }
+        do {
+            encoder.changed(rules, atNanos);
+        } while (!append());
+        core.changed(rules, atNanos);
+    }
+
+    @Override
+    public void opened(long atNanos) {
+        do {
+            encoder.opened(atNanos);
+        } while (!append());
+        core.opened(atNanos);
+    }
+
+    @Override
+    public void closing() {
+        do {
+            encoder.closing();
+        } while (!append());
+        core.closing();
+    }
+
+    @Override
+    public void closed() {
+        do {
+            encoder.closed();
+        } while (!append());
+        core.closed();
+    }
+
+    @Override
+    public void recovered(long atNanos) {
+        do {
+            encoder.recovered(atNanos);
+        } while (!append());
+        core.recovered(atNanos);
+    }
+
+    @Override
+    public void timerDue(long visit, Event event, long atNanos) {
+        do {
+            encoder.timerDue(visit, event, atNanos);
+        } while (!append());
+        core.timerDue(visit, event, atNanos);
+    }
+
+    /** Where nothing waits, nothing comes of it. */
+    @Override
+    public void ready() {
+        if (core.hasNext()) {
+            do {
+                encoder.ready();
+            } while (!append());
+        }
+        core.ready();
+    }
+
+    @Override
+    public void planned(long number, Decision decision, long atNanos) {
+        do {
+            encoder.planned(number, decision, atNanos);
+        } while (!append());
+        core.planned(number, decision, atNanos);
+    }
+
+    @Override
+    public void dismissed(long number, long atNanos) {
+        do {
+            encoder.dismissed(number, atNanos);
+        } while (!append());
+        core.dismissed(number, atNanos);
+    }
+
+    @Override
+    public void sent(long number, boolean inOrder, long atNanos) {
+        do {
+            encoder.sent(number, inOrder, atNanos);
+        } while (!append());
+        core.sent(number, inOrder, atNanos);
+    }
+
+    @Override
+    public void effectRun(long number, String failure, long atNanos) {
+        do {
+            encoder.effectRun(number, failure, atNanos);
+        } while (!append());
+        core.effectRun(number, failure, atNanos);
+    }
+
+    @Override
+    public void located(long number, @Nullable State state, long atNanos) {
+        do {
+            encoder.located(number, state, atNanos);
+        } while (!append());
+        core.located(number, state, atNanos);
+    }
+
+    @Override
+    public void failed(long number, String reason, long atNanos) {
+        do {
+            encoder.failed(number, reason, atNanos);
+        } while (!append());
+        core.failed(number, reason, atNanos);
+    }
+
+    @Override
+    public void givenUp(long number, String reason, long atNanos) {
+        do {
+            encoder.givenUp(number, reason, atNanos);
+        } while (!append());
+        core.givenUp(number, reason, atNanos);
+    }
+}

@@ -1,0 +1,123 @@
+package org.evoloop.journal;
+
+import java.io.IOException;
+import java.nio.channels.FileChannel;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.time.Instant;
+import java.util.List;
+import org.evoloop.converter.ConverterJournal.Past;
+import org.evoloop.core.Core;
+import org.evoloop.core.Input;
+import org.evoloop.core.Rules;
+import org.evoloop.core.Snapshot;
+import org.evoloop.core.text.SnapshotException;
+import org.evoloop.core.text.SnapshotText;
+import org.evoloop.evolution.ModelPair;
+import org.evoloop.time.Clock;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** Tells a core again what the segments of a journal hold. */
+final class Replay {
+    private static final Logger LOG = LoggerFactory.getLogger(Journal.class);
+
+    private final Rules present;
+    private final String fingerprint;
+    private final Past past;
+    private @Nullable Snapshot last;
+    private @Nullable Head lastHead;
+
+    Replay(Rules present, String fingerprint, Past past) {
+        this.present = present;
+        this.fingerprint = fingerprint;
+        this.past = past;
+    }
+
+    /** @throws JournalException if one is damaged, or of other models */
+    void of(List<Path> segments) {
+        for (Path segment : segments) {
+            of(segment);
+        }
+    }
+
+    private void of(Path file) {
+        SegmentReader segment = new SegmentReader(file);
+        Head head = segment.head();
+        requireSameModels(file, head);
+        Rules rules = head.rules(present);
+        Core core = new Core(rules, snapshot(file, segment), past);
+        past.at(() -> wallTime(head, core));
+        Decoder decoder = new Decoder(segment.cursor(), Arcs.of(present.table().models()), rules);
+        while (segment.next()) {
+            Input input;
+            try {
+                input = decoder.read(segment.at(), segment.length());
+            } catch (RuntimeException e) {
+                throw segment.damaged("it makes no sense: " + e.getMessage());
+            }
+            core.apply(input);
+        }
+        if (segment.isTorn()) {
+            LOG.warn(
+                    "{} ends in the middle of record {}, at byte {}: it was being written when its process ended, and is"
+                            + " cut off",
+                    file,
+                    segment.number() + 1,
+                    segment.end());
+        }
+        if (segment.size() > segment.end()) {
+            cut(file, segment.end());
+        }
+        last = core.snapshot();
+        lastHead = head;
+    }
+
+    /** What was never written, or not to its end, is in nobody's way any more. */
+    private static void cut(Path file, int end) {
+        try (FileChannel channel = FileChannel.open(file, StandardOpenOption.WRITE)) {
+            channel.truncate(end);
+        } catch (IOException e) {
+            throw Directory.cannotBeWritten(file, e);
+        }
+    }
+
+    private static Instant wallTime(Head head, Core core) {
+        return Instant.ofEpochSecond(0, head.wallNanos() + core.nowNanos() - head.nowNanos());
+    }
+
+    private Snapshot snapshot(Path file, SegmentReader segment) {
+        try {
+            return SnapshotText.read(present, segment.snapshot());
+        } catch (SnapshotException e) {
+            throw new JournalException(file + ", record 0: " + e.getMessage());
+        }
+    }
+
+    private void requireSameModels(Path file, Head head) {
+        if (!head.fingerprint().equals(fingerprint)) {
+            ModelPair models = present.table().models();
+            throw new JournalException(
+                    file + ", byte " + Preamble.BYTES + ", record 0: the journal is of other models: '"
+                            + head.original() + "' and '" + head.evolved() + "', fingerprint " + head.fingerprint()
+                            + ", not '" + models.original().name() + "' and '"
+                            + models.evolved().name() + "', fingerprint " + fingerprint
+                            + "; start with the models that it was written with, or use another directory");
+        }
+    }
+
+    /** Where the converter stood, in times of {@code clock}; null if there is nothing. */
+    @Nullable
+    Snapshot result(Clock clock) {
+        Snapshot kept = last;
+        Head head = lastHead;
+        if (kept == null || head == null) {
+            return null;
+        }
+        // The monotonic clocks of two processes have nothing in common; what passed in between, the time of day tells.
+        long passed = Math.max(0, Times.nanos(clock.wallTime()) - head.wallNanos());
+        long thenNow = Math.max(kept.nowNanos(), head.nowNanos() + passed);
+        return kept.later(clock.nanoTime() - thenNow);
+    }
+}

@@ -1,0 +1,192 @@
+package org.evoloop.journal;
+
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+
+/**
+ * A segment, read record by record. What was being written when the process or the computer ended is cut off at the end; what
+ * was whole once and is not any more is refused.
+ */
+final class SegmentReader {
+    private final Path file;
+    private final byte[] bytes;
+    private final ByteBuffer buffer;
+    private final Cursor cursor;
+    private final long sure;
+    private final Head head;
+    private final String snapshot;
+
+    /** As the head says, once it has been read. */
+    private String boot = "";
+
+    private int next = Preamble.BYTES;
+    private int at;
+    private int length;
+    private long records;
+    private boolean torn;
+
+    /** @throws JournalException if it cannot be read, is damaged, or of another version */
+    SegmentReader(Path file) {
+        this(file, read(file));
+    }
+
+    private SegmentReader(Path file, byte[] bytes) {
+        this.file = file;
+        this.bytes = bytes;
+        this.buffer = ByteBuffer.wrap(bytes);
+        this.cursor = new Cursor(bytes);
+        String problem = Preamble.problem(bytes);
+        if (!problem.isEmpty()) {
+            throw new JournalException(file + ", " + problem);
+        }
+        this.sure = Preamble.sure(bytes);
+        requireNext("its head");
+        Head read;
+        try {
+            cursor.goTo(at, length);
+            read = Head.read(cursor);
+        } catch (RuntimeException e) {
+            throw damaged("the head makes no sense: " + e.getMessage());
+        }
+        this.head = read;
+        this.boot = read.boot();
+        requireNext("a snapshot");
+        this.snapshot = new String(bytes, at, length, StandardCharsets.UTF_8);
+        // The first record is the first input.
+        records = 0;
+    }
+
+    /** Whether {@code file} was being created when the process or the computer ended, and holds nothing yet. */
+    static boolean isBlank(Path file) {
+        return Preamble.isBlank(read(file));
+    }
+
+    private static byte[] read(Path file) {
+        try {
+            return Files.readAllBytes(file);
+        } catch (AccessDeniedException e) {
+            throw new JournalException(
+                    file + " must not be read; give this user the right to, or use another directory", e);
+        } catch (IOException e) {
+            throw new JournalException(file + " cannot be read: " + e.getMessage(), e);
+        }
+    }
+
+    private void requireNext(String what) {
+        if (!next()) {
+            throw damaged("it ends before " + what);
+        }
+    }
+
+    Head head() {
+        return head;
+    }
+
+    String snapshot() {
+        return snapshot;
+    }
+
+    Cursor cursor() {
+        return cursor;
+    }
+
+    /** Goes on to the next record; false if there is none. */
+    boolean next() {
+        if (bytes.length - next < Frame.HEADER_BYTES) {
+            return ends(!isZeroFrom(next));
+        }
+        long header = buffer.getLong(next);
+        if (header == 0) {
+            boolean begun = !isZeroFrom(next);
+            if (begun && next < sure) {
+                throw damaged("its header is blank, and something follows");
+            }
+            return ends(begun);
+        }
+        if (!Frame.isSound(header)) {
+            return endsAtRagged("the check of its length is wrong");
+        }
+        int payload = next + Frame.HEADER_BYTES;
+        int size = Frame.length(header);
+        if (size > bytes.length - payload) {
+            return ends(true);
+        }
+        if (Frame.crcOf(bytes, payload, size) != Frame.crc(header)) {
+            return endsAtRagged("its checksum is wrong");
+        }
+        at = payload;
+        length = size;
+        next = payload + size;
+        records++;
+        return true;
+    }
+
+    private boolean isZeroFrom(int from) {
+        for (int index = from; index < bytes.length; index++) {
+            if (bytes[index] != 0) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private boolean ends(boolean isTorn) {
+        torn = isTorn;
+        return false;
+    }
+
+    /** A power cut leaves such a record where the disk had not been told for sure; nothing else does. */
+    private boolean endsAtRagged(String what) {
+        boolean powerCut = !boot.isEmpty() && !boot.equals(Boot.ID);
+        if (next < sure || !powerCut) {
+            throw damagedNext(what);
+        }
+        return ends(true);
+    }
+
+    /** Where the record that was gone on to begins, in the file's bytes. */
+    int at() {
+        return at;
+    }
+
+    int length() {
+        return length;
+    }
+
+    /** The number of the record in its segment, from 1. */
+    long number() {
+        return records;
+    }
+
+    /** Whether the last record was being written when the process ended. */
+    boolean isTorn() {
+        return torn;
+    }
+
+    /** Up to where there are whole records. */
+    int end() {
+        return next;
+    }
+
+    long size() {
+        return bytes.length;
+    }
+
+    /** The record that was gone on to makes no sense. */
+    JournalException damaged(String what) {
+        return wrong(at - Frame.HEADER_BYTES, records, what);
+    }
+
+    private JournalException damagedNext(String what) {
+        return wrong(next, records + 1, what);
+    }
+
+    private JournalException wrong(int place, long number, String what) {
+        return new JournalException(
+                file + ", byte " + place + ", record " + number + ": " + what + ". " + Directory.DAMAGED);
+    }
+}

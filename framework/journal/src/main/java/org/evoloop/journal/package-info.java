@@ -1,0 +1,24 @@
+/**
+ * A converter's journal: what its core is told is written to a file before it counts, so that another process can go on
+ * where this one ended.
+ *
+ * <pre>
+ *            Input                         bytes                        file
+ *  driver ─────────▶ Recorder ─ Encoder ─────────▶ Segment (mapped) ─────────▶ DIR/0000000007.journal
+ *                       │                             ▲
+ *                       ▼                             │ force, every 100 ms
+ *                     core                          Forcer
+ *
+ *  DIR ─▶ Directory ─▶ SegmentReader ─ Decoder ─▶ Replay ─▶ a core of its own ─▶ Snapshot
+ * </pre>
+ *
+ * <p>A segment is a preamble, then records: its {@link org.evoloop.journal.Head}, the core's snapshot as text, then inputs.
+ * {@link org.evoloop.journal.Frame} says how a record lies in the file, and docs/journal.md what is promised.
+ *
+ * <p>This room may use {@code org.evoloop.converter}, {@code core}, {@code evolution}, {@code statemachine} and
+ * {@code time}.
+ */
+@NullMarked
+package org.evoloop.journal;
+
+import org.jspecify.annotations.NullMarked;

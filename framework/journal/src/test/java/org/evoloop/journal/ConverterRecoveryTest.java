@@ -1,0 +1,178 @@
+package org.evoloop.journal;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.Optional;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** A converter goes on where the process before it was killed. */
+class ConverterRecoveryTest {
+    private static final String ENDED = "the converter's process ended meanwhile";
+
+    @TempDir
+    private Path directory;
+
+    private Robots robot;
+
+    @BeforeEach
+    void start() throws Exception {
+        robot = new Robots(directory);
+        robot.converter.start();
+    }
+
+    @AfterEach
+    void close() {
+        robot.close();
+    }
+
+    @Test
+    void whatWaitedStillWaitsAndTheRecordIsWhereItWas() throws Exception {
+        robot.press("Clean");
+        robot.settle();
+        robot.press("Clean");
+        robot.press("Clean");
+        robot.copyAndRevive();
+
+        assertThat(robot.states()).isEqualTo("(On, On)");
+        assertThat(robot.converter.status().queue().depth()).isEqualTo(2);
+        assertThat(robot.outcomes()).as("the history of the process before").containsExactly("Clean HANDLED");
+        robot.converter.start();
+        robot.settle();
+        assertThat(robot.states()).isEqualTo("(Clean, SpotWait)");
+        assertThat(robot.sent).containsExactly("Clean", "Clean");
+        assertThat(robot.outcomes()).containsExactly("Clean HANDLED", "Clean HANDLED", "Clean HANDLED");
+    }
+
+    @Test
+    void aStepThatWasBeingSentIsInDoubtAndNotSentAgain() throws Exception {
+        robot.meanwhile = robot::copy;
+        robot.press("Clean");
+        robot.settle();
+        robot.revive(Duration.ZERO);
+
+        assertThat(robot.converter.status().doubt()).isEqualTo("nobody knows whether Clean had its effect: " + ENDED);
+        assertThat(robot.outcomes()).containsExactly("Clean FAILED");
+        robot.answer = Optional.of("On");
+        robot.converter.start();
+        robot.settle();
+        assertThat(robot.states()).isEqualTo("(On, On)");
+        assertThat(robot.converter.status().doubt()).isEmpty();
+        assertThat(robot.sent).containsExactly("Clean");
+    }
+
+    @Test
+    void aDeviceThatCannotTellIsTakenNotToHaveObeyed() throws Exception {
+        robot.meanwhile = robot::copy;
+        robot.press("Clean");
+        robot.settle();
+        robot.revive(Duration.ZERO);
+        robot.converter.start();
+        robot.settle();
+
+        assertThat(robot.states()).isEqualTo("(Off, Off)");
+        assertThat(robot.converter.status().doubt()).isNotEmpty();
+        assertThat(robot.sent).containsExactly("Clean");
+    }
+
+    @Test
+    void aPlanGoesOnAfterTheStepThatWasSentAndAnEffectIsNotRunTwice() throws Exception {
+        robot.press("Clean");
+        robot.settle();
+        robot.meanwhile = () -> {
+            if (robot.done.contains("beep")) {
+                robot.copy();
+            }
+        };
+        robot.press("Clean");
+        robot.settle();
+        robot.revive(Duration.ZERO);
+
+        assertThat(robot.states()).isEqualTo("(Clean, On)");
+        robot.converter.start();
+        robot.settle();
+        assertThat(robot.states()).isEqualTo("(Clean, Clean)");
+        assertThat(robot.sent).containsExactly("Clean", "Clean");
+        assertThat(robot.done).containsExactly("beep");
+        assertThat(robot.converter.history().get(1).detail())
+                .isEqualTo("nobody knows whether the effect beep was run: " + ENDED);
+    }
+
+    @Test
+    void timersKeepWhatIsLeftOfThem() throws Exception {
+        waitForTheSpot();
+        robot.clock.advance(Duration.ofSeconds(2));
+        robot.copy();
+        robot.revive(Duration.ofSeconds(3));
+        robot.converter.start();
+
+        robot.clock.advance(Duration.ofMillis(1_900));
+        robot.settle();
+        assertThat(robot.states()).isEqualTo("(Clean, SpotWait)");
+        robot.clock.advance(Duration.ofMillis(100));
+        robot.settle();
+        assertThat(robot.states()).isEqualTo("(On, On)");
+    }
+
+    private void waitForTheSpot() throws InterruptedException {
+        for (int press = 0; press < 3; press++) {
+            robot.press("Clean");
+        }
+        robot.settle();
+        assertThat(robot.states()).isEqualTo("(Clean, SpotWait)");
+    }
+
+    @Test
+    void aTimerThatWasDueWhileNothingRanIsDueAtOnce() throws Exception {
+        waitForTheSpot();
+        robot.copy();
+        robot.revive(Duration.ofMinutes(1));
+        robot.converter.start();
+        robot.clock.advance(Duration.ZERO);
+        robot.settle();
+
+        assertThat(robot.states()).isEqualTo("(On, On)");
+    }
+
+    @Test
+    void aFunctionBeginsAnew() throws Exception {
+        robot.press("Clean");
+        robot.press("Spot");
+        robot.settle();
+        assertThat(robot.done).containsExactly("move");
+        robot.copyAndRevive();
+        assertThat(robot.done).containsExactly("move");
+
+        robot.converter.start();
+        assertThat(robot.done).containsExactly("move", "move");
+    }
+
+    @Test
+    void aConverterThatWasStoppedIsStopped() throws Exception {
+        robot.press("Clean");
+        robot.settle();
+        robot.converter.stop();
+        robot.copyAndRevive();
+        assertThat(robot.states()).isEqualTo("(On, On)");
+        assertThatThrownBy(() -> robot.press("Clean")).hasMessageContaining("is stopped");
+
+        robot.copyAndRevive();
+        robot.converter.start();
+        robot.press("Clean");
+        robot.settle();
+        assertThat(robot.states()).isEqualTo("(Clean, Clean)");
+        assertThat(robot.converter.status().queue().refused()).isEqualTo(1);
+    }
+
+    @Test
+    void aJournalComesBeforeBuilding() {
+        assertThatThrownBy(() -> robot.converter.journal(Journal.in(directory)))
+                .isInstanceOf(IllegalStateException.class)
+                .hasMessage("converter robot has been built before");
+    }
+}

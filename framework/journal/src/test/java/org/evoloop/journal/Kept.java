@@ -1,0 +1,91 @@
+package org.evoloop.journal;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Supplier;
+import org.evoloop.converter.ConverterJournal.Past;
+import org.evoloop.core.Core;
+import org.evoloop.core.Input;
+import org.evoloop.core.Inputs;
+import org.evoloop.core.Output;
+import org.evoloop.core.Rules;
+import org.evoloop.core.Snapshot;
+import org.evoloop.time.ManualClock;
+
+/** A core whose inputs are kept in a directory, and what can be done to the files. */
+final class Kept implements AutoCloseable {
+    final Path directory;
+    final ManualClock clock = new ManualClock();
+    final Journal journal;
+    final List<Exception> failures = new ArrayList<>();
+    final Core core;
+    private final Inputs inputs;
+
+    Kept(Path directory, Journal journal) {
+        this.directory = directory;
+        this.journal = journal;
+        Snapshot before = journal.open(Robot.RULES, clock, new Forgetting());
+        core = before == null ? new Core(Robot.RULES, output -> {}) : new Core(Robot.RULES, before, output -> {});
+        inputs = journal.keep(core, failures::add);
+    }
+
+    static Kept in(Path directory) {
+        return new Kept(directory, Journal.in(directory).withForcing(Forcing.NEVER));
+    }
+
+    /** Hears nothing of the past. */
+    static final class Forgetting implements Past {
+        @Override
+        public void at(Supplier<Instant> time) {}
+
+        @Override
+        public void say(Output output) {}
+    }
+
+    Kept tell(List<Input> all) {
+        all.forEach(this::tell);
+        return this;
+    }
+
+    void tell(Input input) {
+        inputs.apply(input);
+        clock.advance(Duration.ofNanos(Math.max(0, core.nowNanos() - clock.nanoTime())));
+    }
+
+    Path segment() throws IOException {
+        List<Path> segments = Directory.segments(directory);
+        return segments.get(segments.size() - 1);
+    }
+
+    /** What another process would go on with that got a copy of the files as they are. */
+    Snapshot recovered(Path copy) throws IOException {
+        copyTo(copy);
+        return recovered(Robot.RULES, copy, clock);
+    }
+
+    void copyTo(Path copy) throws IOException {
+        Files.createDirectories(copy);
+        for (Path file : Directory.segments(directory)) {
+            Files.copy(file, copy.resolve(file.getFileName()));
+        }
+    }
+
+    static Snapshot recovered(Rules rules, Path directory, ManualClock clock) {
+        Journal another = Journal.in(directory).withForcing(Forcing.NEVER);
+        try {
+            return another.open(rules, clock, new Forgetting());
+        } finally {
+            another.close();
+        }
+    }
+
+    @Override
+    public void close() {
+        journal.close();
+    }
+}

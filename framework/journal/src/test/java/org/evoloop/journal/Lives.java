@@ -1,0 +1,196 @@
+package org.evoloop.journal;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.io.PrintWriter;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Random;
+import java.util.TreeMap;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+
+/**
+ * The lives of one converter, each a process of its own, and the device that outlives them: this process. It takes every
+ * command that was written before the kill, as a device does that reads from a serial line.
+ */
+final class Lives {
+    private static final List<String> STATES = List.of("A", "B", "C");
+
+    /** What the device was told: the press and the state it was in, and how often. */
+    private final Map<String, Integer> told = new TreeMap<>();
+
+    private final Map<Integer, String> pressed = new TreeMap<>();
+    private final Map<Integer, String> ended = new TreeMap<>();
+    private final List<Integer> accepted = new ArrayList<>();
+    private final List<String> doubts = new ArrayList<>();
+    private final Random random;
+    private final Path journal;
+    private final Forcing forcing;
+    private int device;
+    private int presses;
+
+    Lives(Path journal, Forcing forcing, long seed) {
+        this.journal = journal;
+        this.forcing = forcing;
+        this.random = new Random(seed);
+    }
+
+    private Process begin() throws IOException {
+        return new ProcessBuilder(
+                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                        "-XX:TieredStopAtLevel=1",
+                        "-Xshare:auto",
+                        "-XX:+UseSerialGC",
+                        "-cp",
+                        System.getProperty("java.class.path"),
+                        KilledConverter.class.getName(),
+                        journal.toString(),
+                        forcing.name())
+                .redirectError(
+                        journal.resolveSibling(journal.getFileName() + ".log").toFile())
+                .start();
+    }
+
+    /** One life, which a kill ends at a random instant: of its start, of its recovery, or of its work. */
+    void liveAndBeKilled() throws Exception {
+        Process process = begin();
+        CountDownLatch started = new CountDownLatch(1);
+        Thread reader = reading(process, started);
+        try (PrintWriter controller = new PrintWriter(process.getOutputStream(), true, StandardCharsets.UTF_8)) {
+            if (random.nextInt(4) > 0) {
+                started.await(30, TimeUnit.SECONDS);
+                press(controller, 1 + random.nextInt(8));
+            }
+            process.waitFor(random.nextInt(25_000), TimeUnit.MICROSECONDS);
+            press(controller, random.nextInt(3));
+            process.waitFor(random.nextInt(5_000), TimeUnit.MICROSECONDS);
+            process.destroyForcibly();
+            process.waitFor();
+            reader.join();
+        }
+    }
+
+    private void press(PrintWriter controller, int times) {
+        for (int left = times; left > 0; left--) {
+            String event = random.nextBoolean() ? "next" : "skip";
+            synchronized (this) {
+                pressed.put(++presses, event);
+            }
+            controller.println("press " + event + " " + presses);
+        }
+    }
+
+    private Thread reading(Process process, CountDownLatch started) {
+        Thread thread = new Thread(() -> {
+            PrintWriter replies = new PrintWriter(process.getOutputStream(), true, StandardCharsets.UTF_8);
+            try (BufferedReader lines =
+                    new BufferedReader(new InputStreamReader(process.getInputStream(), StandardCharsets.UTF_8))) {
+                for (String line = lines.readLine(); line != null; line = lines.readLine()) {
+                    hear(line, replies, started);
+                }
+            } catch (IOException killed) {
+                // What it wrote before has been read.
+            } finally {
+                started.countDown();
+            }
+        });
+        thread.start();
+        return thread;
+    }
+
+    private synchronized void hear(String line, PrintWriter replies, CountDownLatch started) {
+        String[] words = line.split(" ", 4);
+        switch (words[0]) {
+            case "do" -> {
+                told.merge(words[2] + " in " + words[3], 1, Integer::sum);
+                assertThat(words[3]).as("%s", line).isEqualTo(STATES.get(device));
+                device = (device + 1) % STATES.size();
+                replies.println("done " + words[1]);
+            }
+            case "where" -> replies.println("in " + STATES.get(device));
+            case "accepted" -> accepted.add(Integer.parseInt(words[1]));
+            case "ended" -> ended.put(Integer.parseInt(words[1]), words[2] + " " + (words.length > 3 ? words[3] : ""));
+            case "doubt" -> {
+                if (line.length() > "doubt ".length()) {
+                    doubts.add(line);
+                }
+            }
+            case "started" -> started.countDown();
+            default -> at = line;
+        }
+        notifyAll();
+    }
+
+    private String at = "";
+
+    /** The last life, which ends when nothing waits any more. */
+    void liveToTheEnd() throws Exception {
+        Process process = begin();
+        Thread reader = reading(process, new CountDownLatch(1));
+        try (PrintWriter controller = new PrintWriter(process.getOutputStream(), true, StandardCharsets.UTF_8)) {
+            controller.println("press next " + ++presses);
+            synchronized (this) {
+                pressed.put(presses, "next");
+                while (!ended.containsKey(presses) && process.isAlive()) {
+                    wait(1_000);
+                }
+            }
+            controller.println("status");
+        }
+        process.waitFor(60, TimeUnit.SECONDS);
+        reader.join();
+    }
+
+    /** What was promised. */
+    synchronized void check() {
+        assertThat(told.values()).as("no effect twice: %s", told).containsOnly(1);
+        assertThat(ended.keySet()).as("none of the accepted lost").containsAll(accepted);
+        int inDoubt = 0;
+        boolean failedBefore = false;
+        for (Map.Entry<Integer, String> end : ended.entrySet()) {
+            if (end.getKey() > 0) {
+                failedBefore = hasFailed(end.getKey(), end.getValue(), failedBefore);
+                inDoubt += failedBefore ? 1 : 0;
+            }
+        }
+        assertThat(doubts).as("what is in doubt is named").hasSizeGreaterThanOrEqualTo(inDoubt > 0 ? 1 : 0);
+        assertThat(doubts)
+                .allMatch(doubt ->
+                        doubt.startsWith("doubt nobody knows whether next had its effect: the converter's process"));
+        assertThat(at).isEqualTo("at " + STATES.get(device) + " " + STATES.get(device) + " 0");
+    }
+
+    /**
+     * Returns whether a step of it was in doubt.
+     *
+     * @param ahead whether the press before it has failed, so that the device may be one step ahead of the new model
+     */
+    private boolean hasFailed(int press, String outcome, boolean ahead) {
+        int steps = 0;
+        for (String state : STATES) {
+            steps += told.getOrDefault(press + " in " + state, 0);
+        }
+        int planned = pressed.get(press).equals("skip") ? 2 : 1;
+        if (outcome.startsWith("HANDLED")) {
+            assertThat(steps)
+                    .as("press %d of %s", press, pressed.get(press))
+                    .isBetween(ahead ? planned - 1 : planned, planned);
+            return false;
+        }
+        assertThat(outcome).as("press %d", press).isEqualTo("FAILED the converter's process ended meanwhile");
+        assertThat(steps).isLessThanOrEqualTo(planned);
+        return true;
+    }
+
+    @Override
+    public synchronized String toString() {
+        return accepted.size() + " presses accepted, " + told.size() + " commands, " + doubts.size() + " in doubt";
+    }
+}

@@ -1,0 +1,101 @@
+package org.evoloop.journal;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.List;
+import java.util.Random;
+import java.util.stream.LongStream;
+import org.evoloop.core.Core;
+import org.evoloop.core.Input;
+import org.evoloop.core.Snapshot;
+import org.evoloop.time.ManualClock;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** What is recovered after each record is what the core knew that went on without interruption. */
+class RecoveryTest {
+    @TempDir
+    private Path directory;
+
+    static LongStream seeds() {
+        return LongStream.concat(LongStream.rangeClosed(1, 4), LongStream.of(new Random().nextLong()));
+    }
+
+    @ParameterizedTest(name = "seed {0}")
+    @MethodSource("seeds")
+    void afterEveryRecord(long seed) throws Exception {
+        Core uninterrupted = new Core(Robot.RULES, output -> {});
+        try (Kept kept = Kept.in(directory.resolve("journal"))) {
+            int told = 0;
+            for (Input input : Story.of(Robot.RULES, new Random(seed), 80)) {
+                kept.tell(input);
+                uninterrupted.apply(input);
+                assertThat(kept.recovered(directory.resolve("copy" + told++)))
+                        .as("after %s", input)
+                        .isEqualTo(uninterrupted.snapshot());
+            }
+        }
+    }
+
+    @ParameterizedTest(name = "seed {0}")
+    @MethodSource("seeds")
+    void overManySegmentsOfWhichSomeAreDeleted(long seed) throws Exception {
+        Path path = directory.resolve("journal");
+        Journal small = Journal.in(path).withSegmentBytes(1 << 16).withKeptBytes(3 << 16);
+        List<Input> story = Story.of(Robot.RULES, new Random(seed), 20_000);
+        Core uninterrupted = new Core(Robot.RULES, output -> {});
+        story.forEach(uninterrupted::apply);
+        try (Kept kept = new Kept(path, small)) {
+            kept.tell(story);
+
+            assertThat(kept.recovered(directory.resolve("copy"))).isEqualTo(uninterrupted.snapshot());
+            assertThat(Directory.segments(path)).hasSize(2);
+            assertThat(kept.segment().getFileName().toString()).isGreaterThan("0000000005");
+        }
+    }
+
+    @Test
+    void aJournalThatWasClosedTakesNoMoreRoomThanItNeeds() throws Exception {
+        Kept kept = Kept.in(directory);
+        kept.tell(Story.of(Robot.RULES, new Random(1), 100));
+        Path segment = kept.segment();
+        kept.close();
+
+        assertThat(segment.toFile().length()).isLessThan(10_000);
+    }
+
+    /** The time of day of a manual clock is 1970 and what it has advanced. */
+    @Test
+    void whatPassesWhileNoProcessRunsCounts() throws Exception {
+        Snapshot last;
+        try (Kept kept = Kept.in(directory)) {
+            kept.tell(new Input.Opened(10));
+            last = kept.core.snapshot();
+        }
+        ManualClock threeSecondsLater = new ManualClock();
+        threeSecondsLater.advance(Duration.ofSeconds(3));
+        ManualClock back = new ManualClock();
+
+        assertThat(Kept.recovered(Robot.RULES, directory, threeSecondsLater)).isEqualTo(last);
+        assertThat(Kept.recovered(Robot.RULES, directory, back))
+                .as("a time of day that went back lets nothing pass")
+                .isEqualTo(last.later(-10));
+    }
+
+    @Test
+    void otherTimersAndCapacityAreThoseOfItsTime() throws Exception {
+        try (Kept kept = Kept.in(directory)) {
+            kept.tell(Story.of(Robot.RULES, new Random(5), 200));
+            Snapshot expected = kept.core.snapshot();
+            Path copy = directory.resolve("copy");
+            kept.copyTo(copy);
+
+            assertThat(Kept.recovered(Robot.rules(Robot.MODELS, 0), copy, kept.clock))
+                    .isEqualTo(expected);
+        }
+    }
+}

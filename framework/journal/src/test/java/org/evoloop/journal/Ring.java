@@ -1,0 +1,29 @@
+package org.evoloop.journal;
+
+import org.evoloop.converter.StateKnowledge;
+import org.evoloop.evolution.ModelPair;
+import org.evoloop.statemachine.StateMachine;
+
+/** A device that goes from A to B to C and round again, and a new model in which one event takes it two steps on. */
+final class Ring extends StateKnowledge {
+    static final ModelPair MODELS = new ModelPair(
+            StateMachine.named("original")
+                    .initial("A")
+                    .transition("A", "next", "B")
+                    .transition("B", "next", "C")
+                    .transition("C", "next", "A")
+                    .build(),
+            StateMachine.named("new")
+                    .initial("A")
+                    .transition("A", "next", "B")
+                    .transition("B", "next", "C")
+                    .transition("C", "next", "A")
+                    .transition("A", "skip", "C")
+                    .transition("B", "skip", "A")
+                    .transition("C", "skip", "B")
+                    .build());
+
+    Ring() {
+        super(MODELS);
+    }
+}
