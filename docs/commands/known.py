@@ -167,7 +167,7 @@ KNOWN = [
         why_not="its tests are among those of ./evoloop test --slow, which runs this",
     ),
     typed(
-        "JAZZER_FUZZ=1 ./mvnw -pl roomba-converter -am test -Dsurefire.failIfNoSpecifiedTests=false"
+        "JAZZER_FUZZ=1 ./mvnw -pl roomba-converter/oi -am test -Dsurefire.failIfNoSpecifiedTests=false"
         " -Dtest=ParsersFuzzTest#aCommandIsRecognisedAfterAnyBytesHoweverTheyAreCut",
         slow=True,
     ),
