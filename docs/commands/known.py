@@ -82,6 +82,8 @@ KNOWN = [
     # Models.
     Known("./evoloop models COMMAND", run="./evoloop models --help", shows="scaffold"),
     Known("./evoloop models", run="./evoloop models --help", shows="scaffold"),
+    Known("./evoloop models check", run="./evoloop models check --help", shows="--do-not-pass"),
+    Known("./evoloop models scaffold", run="./evoloop models scaffold --help", shows="--package"),
     Known(
         "java -jar framework/models/target/evoloop-models.jar COMMAND",
         run="java -jar framework/models/target/evoloop-models.jar show --help",

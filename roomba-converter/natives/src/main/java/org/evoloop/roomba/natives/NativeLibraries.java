@@ -8,6 +8,7 @@ import java.io.FileOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
+import java.lang.module.ModuleReader;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.UUID;
@@ -47,7 +48,10 @@ public final class NativeLibraries {
      */
     public static synchronized void loadJna() throws IOException {
         if (!jnaLoaded) {
-            load("/com/sun/jna/" + Platform.RESOURCE_PREFIX + "/libjnidispatch.so", NativeLibraries::loadJna);
+            load(
+                    NativeLibrary.class,
+                    "com/sun/jna/" + Platform.RESOURCE_PREFIX + "/libjnidispatch.so",
+                    NativeLibraries::loadJna);
             jnaLoaded = true;
         }
     }
@@ -76,7 +80,7 @@ public final class NativeLibraries {
         loadJna();
         if (!serialLoaded) {
             String machine = MACHINES.getOrDefault(Platform.RESOURCE_PREFIX, Platform.RESOURCE_PREFIX);
-            load("/Linux/" + machine + "/libjSerialComm.so", NativeLibraries::loadSerial);
+            load(SerialPort.class, "Linux/" + machine + "/libjSerialComm.so", NativeLibraries::loadSerial);
             serialLoaded = true;
         }
     }
@@ -100,14 +104,14 @@ public final class NativeLibraries {
         void from(File library);
     }
 
-    private static void load(String resource, Loading loading) throws IOException {
+    private static void load(Class<?> user, String resource, Loading loading) throws IOException {
         if (!Platform.isLinux()) {
             return;
         }
         String file = resource.substring(resource.lastIndexOf('/') + 1);
         try (PrivateFolder folder = PrivateFolder.make()) {
             File library = folder.file(file);
-            unpack(resource, library);
+            unpack(user, resource, library);
             loading.from(library);
         } catch (IOException | UnsatisfiedLinkError failure) {
             throw new IOException(
@@ -117,14 +121,32 @@ public final class NativeLibraries {
         }
     }
 
-    private static void unpack(String resource, File target) throws IOException {
-        try (InputStream library = NativeLibraries.class.getResourceAsStream(resource)) {
-            if (library == null) {
-                throw new IOException("there is none for this machine, " + Platform.RESOURCE_PREFIX);
+    /** From the jar of the class that uses it; a module shows what it holds to its reader only. */
+    private static void unpack(Class<?> user, String resource, File target) throws IOException {
+        Module module = user.getModule();
+        if (!module.isNamed()) {
+            try (InputStream library = user.getResourceAsStream("/" + resource)) {
+                copy(library, target);
             }
-            try (OutputStream file = new FileOutputStream(target)) {
-                library.transferTo(file);
-            }
+            return;
+        }
+        try (ModuleReader reader = module.getLayer()
+                        .configuration()
+                        .findModule(module.getName())
+                        .orElseThrow()
+                        .reference()
+                        .open();
+                InputStream library = reader.open(resource).orElse(null)) {
+            copy(library, target);
+        }
+    }
+
+    private static void copy(@Nullable InputStream library, File target) throws IOException {
+        if (library == null) {
+            throw new IOException("there is none for this machine, " + Platform.RESOURCE_PREFIX);
+        }
+        try (OutputStream file = new FileOutputStream(target)) {
+            library.transferTo(file);
         }
     }
 

@@ -24,6 +24,8 @@ class ArchitectureTest {
                             "org.evoloop.time..")));
 
     @ArchTest
-    static final ArchRule noRoomsLeadInACircle =
-            SlicesRuleDefinition.slices().matching("org.evoloop.roomba.(simulator.**)").should().beFreeOfCycles();
+    static final ArchRule noRoomsLeadInACircle = SlicesRuleDefinition.slices()
+            .matching("org.evoloop.roomba.(simulator.**)")
+            .should()
+            .beFreeOfCycles();
 }
