@@ -28,8 +28,8 @@ class ModulePathTest {
 
     @Test
     void nativeLibrariesAreLoadedOnTheModulePathToo() throws Exception {
-        String modules = String.join(
-                ":", place(NativeLibraries.class), place(NativeLibrary.class), place(SerialPort.class));
+        String modules =
+                String.join(":", place(NativeLibraries.class), place(NativeLibrary.class), place(SerialPort.class));
         Process program = new ProcessBuilder(List.of(
                         Path.of(System.getProperty("java.home"), "bin", "java").toString(),
                         "-p",
