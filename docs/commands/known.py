@@ -82,6 +82,8 @@ KNOWN = [
     # Models.
     Known("./evoloop models COMMAND", run="./evoloop models --help", shows="scaffold"),
     Known("./evoloop models", run="./evoloop models --help", shows="scaffold"),
+    Known("./evoloop models check", run="./evoloop models check --help", shows="--do-not-pass"),
+    Known("./evoloop models scaffold", run="./evoloop models scaffold --help", shows="--package"),
     Known(
         "java -jar framework/models/target/evoloop-models.jar COMMAND",
         run="java -jar framework/models/target/evoloop-models.jar show --help",
@@ -161,13 +163,13 @@ KNOWN = [
         run="./mvnw -q package -pl roomba-converter -am -Dmaven.test.skip=true",
         slow=True,
     ),
-    typed("./mvnw -pl framework -Dslow -Dtest=CheckGrowthTest -Dsurefire.failIfNoSpecifiedTests=false test", slow=True),
+    typed("./mvnw -pl framework/check -am -Dslow -Dtest=CheckGrowthTest -Dsurefire.failIfNoSpecifiedTests=false test", slow=True),
     Known(
         "./mvnw -pl roomba-converter -am -Dslow -Dsurefire.failIfNoSpecifiedTests=false -Dtest=NAME test",
         why_not="its tests are among those of ./evoloop test --slow, which runs this",
     ),
     typed(
-        "JAZZER_FUZZ=1 ./mvnw -pl roomba-converter -am test -Dsurefire.failIfNoSpecifiedTests=false"
+        "JAZZER_FUZZ=1 ./mvnw -pl roomba-converter/oi -am test -Dsurefire.failIfNoSpecifiedTests=false"
         " -Dtest=ParsersFuzzTest#aCommandIsRecognisedAfterAnyBytesHoweverTheyAreCut",
         slow=True,
     ),

@@ -1,6 +1,6 @@
 /** What is wrong with a pair of models, or likely to surprise. */
 module org.evoloop.check {
-    requires static transitive org.jspecify;
+    requires static org.jspecify;
     requires transitive org.evoloop.core;
 
     exports org.evoloop.check;

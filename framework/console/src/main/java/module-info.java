@@ -1,6 +1,6 @@
 /** What is typed at a running converter, and what it answers. */
 module org.evoloop.console {
-    requires static transitive org.jspecify;
+    requires static org.jspecify;
     requires static jdk.unsupported;
     // Line editing, if it is there.
     requires static org.jline.reader;

@@ -3,7 +3,7 @@
  * that a converter extends.
  */
 module org.evoloop.core {
-    requires static transitive org.jspecify;
+    requires static org.jspecify;
     requires org.slf4j;
 
     exports org.evoloop.converter;

@@ -1,6 +1,6 @@
 /** Keeps what a converter is told in a file, so that a crash loses nothing. */
 module org.evoloop.journal {
-    requires static transitive org.jspecify;
+    requires static org.jspecify;
     requires transitive org.evoloop.core;
     requires org.slf4j;
 

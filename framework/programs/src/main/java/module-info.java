@@ -1,6 +1,6 @@
 /** What Evoloop's own programs have in common: how they tell a mistake, and how they draw. */
 module org.evoloop.program {
-    requires static transitive org.jspecify;
+    requires static org.jspecify;
     requires transitive info.picocli;
 
     exports org.evoloop.program;

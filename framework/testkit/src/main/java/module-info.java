@@ -1,6 +1,6 @@
 /** For tests of anybody's converter: a harness without threads, and simulated devices made from models. */
 module org.evoloop.testkit {
-    requires static transitive org.jspecify;
+    requires static org.jspecify;
     requires transitive org.evoloop.core;
     requires ch.qos.logback.classic;
     requires ch.qos.logback.core;

@@ -1,6 +1,6 @@
 /** Reads state machines from model files, and makes flat ones of those with composite states and regions. */
 module org.evoloop.xmi {
-    requires static transitive org.jspecify;
+    requires static org.jspecify;
     requires transitive org.evoloop.core;
     requires jakarta.xml.bind;
     requires java.xml;

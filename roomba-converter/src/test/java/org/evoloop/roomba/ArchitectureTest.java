@@ -14,22 +14,20 @@ import com.tngtech.archunit.core.importer.ImportOption;
 import com.tngtech.archunit.junit.AnalyzeClasses;
 import com.tngtech.archunit.junit.ArchTest;
 import com.tngtech.archunit.lang.ArchRule;
-import org.evoloop.converter.DeviceLink;
 import org.evoloop.roomba.link.LinkException;
 import org.evoloop.roomba.simulator.SimulatorCommand;
 
-/** The rooms of the Roomba converter and the arrows between them. */
+/**
+ * The rooms of the application, and what holds in all modules of the Roomba; what the modules may use of each other is in
+ * their module-info.
+ */
 @AnalyzeClasses(packages = "org.evoloop.roomba", importOptions = ImportOption.DoNotIncludeTests.class)
 class ArchitectureTest {
     private static final String APPLICATION = "org.evoloop.roomba";
     private static final String OI = "org.evoloop.roomba.oi..";
-    private static final String LINK = "org.evoloop.roomba.link..";
-    private static final String SIMULATOR = "org.evoloop.roomba.simulator..";
     private static final String SESSION = "org.evoloop.roomba.session..";
     private static final String CAMERA = "org.evoloop.roomba.camera..";
-    private static final String OPENCV = "org.evoloop.roomba.camera.opencv..";
     private static final String MOVE = "org.evoloop.roomba.move..";
-    private static final String NATIVES = "org.evoloop.roomba.natives..";
     private static final String TIME = "org.evoloop.time..";
 
     private static ArchRule room(String room, DescribedPredicate<JavaClass> mayUse) {
@@ -39,57 +37,6 @@ class ArchitectureTest {
                 .should()
                 .onlyDependOnClassesThat(or(resideInAPackage(room), mayUse, not(resideInAPackage("org.evoloop.."))));
     }
-
-    @ArchTest
-    static final ArchRule theOpenInterfaceUsesNothing = room(OI, resideInAPackage(OI));
-
-    @ArchTest
-    static final ArchRule nativeLibrariesAreLoadedWithoutKnowingWhatFor = room(NATIVES, resideInAPackage(NATIVES));
-
-    @ArchTest
-    static final ArchRule theLinkMayUseTheOpenInterface = room(LINK, resideInAnyPackage(OI, NATIVES));
-
-    @ArchTest
-    static final ArchRule theSimulatorKnowsNothingOfTheConverter =
-            room(SIMULATOR, resideInAnyPackage(OI, NATIVES, TIME));
-
-    @ArchTest
-    static final ArchRule theSessionKnowsTheRobotOnly =
-            room(SESSION, or(resideInAnyPackage(OI, LINK, TIME), type(DeviceLink.class)));
-
-    @ArchTest
-    static final ArchRule theCameraKnowsNoRobot = room(CAMERA, resideInAnyPackage(NATIVES, TIME));
-
-    @ArchTest
-    static final ArchRule aConnectionKnowsNothingOfItsSession =
-            room("org.evoloop.roomba.session.connection..", resideInAnyPackage(OI, LINK, TIME));
-
-    @ArchTest
-    static final ArchRule whatFramesTellIsPure = room("org.evoloop.roomba.session.inference..", resideInAPackage(OI));
-
-    @ArchTest
-    static final ArchRule onlyOneRoomTouchesOpenCv = noClasses()
-            .that()
-            .resideOutsideOfPackage(OPENCV)
-            .should()
-            .dependOnClassesThat()
-            .resideInAnyPackage("org.opencv..", OPENCV);
-
-    @ArchTest
-    static final ArchRule aCameraIsKnownWithoutHowItWorks = noClasses()
-            .that()
-            .resideInAPackage("org.evoloop.roomba.camera")
-            .should()
-            .dependOnClassesThat()
-            .resideInAPackage("org.evoloop.roomba.camera.*..");
-
-    @ArchTest
-    static final ArchRule openCvIsAskedWithoutThreads = noClasses()
-            .that()
-            .resideInAnyPackage("org.evoloop.roomba.camera.vision..", OPENCV)
-            .should()
-            .dependOnClassesThat()
-            .resideInAnyPackage("org.evoloop.roomba.camera.live..", "org.evoloop.roomba.camera.tool..");
 
     @ArchTest
     static final ArchRule moveSeesTheRobotThroughItsSession = room(

@@ -1,0 +1,147 @@
+package org.evoloop.roomba.session.inference;
+
+import org.evoloop.roomba.oi.Button;
+import org.evoloop.roomba.oi.Command;
+import org.evoloop.roomba.oi.SensorValues;
+
+/**
+ * What the robot does by itself, followed by the rules of its firmware: at work, each of its buttons pauses it; on and
+ * idle, they start what they are named after; in standby CLEAN only switches it on. What is seen of its motors while nobody
+ * controls its wheels corrects the estimate, whatever the reason: its schedule, an empty battery, being lifted.
+ *
+ * <p>Time is counted in frames, as in {@link SpotWatch}.
+ *
+ * <p>Threading: not thread-safe.
+ */
+public final class ActivityEstimate {
+    /** Motors that run for so long mean that the robot is at work: 0.5 s. */
+    static final int WORK_FRAMES = 33;
+
+    /** A robot that was told to work must show it within 3 s. */
+    public static final int START_FRAMES = 200;
+
+    /** What the robot is taken to do. */
+    public enum Activity {
+        STANDBY,
+        ON,
+        CLEAN,
+        SPOT,
+        /** Looking for its dock. */
+        DOCK;
+
+        public boolean isWork() {
+            return this == CLEAN || this == SPOT || this == DOCK;
+        }
+    }
+
+    private final Motion motion = new Motion();
+    private Activity activity = Activity.STANDBY;
+    private boolean atWork;
+    private int startFramesLeft;
+
+    /** Before any command and any frame. */
+    public ActivityEstimate() {}
+
+    public Activity activity() {
+        return activity;
+    }
+
+    /** One of its buttons was pressed while nobody controls it. */
+    public void pressed(Button button) {
+        if (activity.isWork()) {
+            if (button == Button.CLEAN || button == Button.SPOT || button == Button.DOCK) {
+                activity = Activity.ON;
+            }
+        } else if (activity == Activity.STANDBY) {
+            activity = button == Button.CLEAN ? Activity.ON : Activity.STANDBY;
+        } else {
+            activity = switch (button) {
+                case CLEAN -> Activity.CLEAN;
+                case SPOT -> Activity.SPOT;
+                case DOCK -> Activity.DOCK;
+                default -> activity;
+            };
+        }
+        // What the motors did before says nothing about what comes of the press.
+        forget();
+        if (activity.isWork()) {
+            startFramesLeft = START_FRAMES;
+        }
+    }
+
+    /** A command was sent; one that starts work pauses a robot that is at work. */
+    public void commanded(Command command) {
+        if (command instanceof Command.Safe || command instanceof Command.Full) {
+            activity = Activity.ON;
+        } else if (command instanceof Command.Clean || command instanceof Command.Spot) {
+            Activity wanted = command instanceof Command.Clean ? Activity.CLEAN : Activity.SPOT;
+            activity = activity.isWork() ? Activity.ON : wanted;
+            startFramesLeft = START_FRAMES;
+        }
+    }
+
+    /** It is under control: whatever it did has ended. */
+    public void controlled() {
+        activity = Activity.ON;
+    }
+
+    /** It has come to rest, or never began. */
+    public void seenAtRest() {
+        if (activity.isWork()) {
+            activity = Activity.ON;
+        }
+    }
+
+    /** The robot was out of sight. */
+    public void forget() {
+        motion.forget();
+        atWork = false;
+        startFramesLeft = 0;
+    }
+
+    /**
+     * Takes the next frame.
+     *
+     * @param workIsNews whether a robot at work is worth telling; not if its work is about to be ended
+     * @return whether it has just been seen what the robot does, which may be known already
+     */
+    public boolean update(SensorValues values, boolean underControl, boolean workIsNews) {
+        motion.update(values);
+        if (underControl) {
+            // A command that ends control takes some frames to show: what is expected of it is not forgotten.
+            atWork = false;
+            return false;
+        }
+        if (motion.poweredFrames() >= SpotWatch.SURE_FRAMES) {
+            atWork = true;
+            startFramesLeft = 0;
+        }
+        boolean expectedInVain = startFramesLeft > 0 && --startFramesLeft == 0;
+        if (expectedInVain || (atWork && isAtRest())) {
+            atWork = false;
+            seenAtRest();
+            return true;
+        }
+        boolean begun = motion.poweredFrames() == WORK_FRAMES && workIsNews;
+        if (begun && !activity.isWork()) {
+            // It was not known to be at work, so it cleans, as by its schedule.
+            activity = Activity.CLEAN;
+        }
+        return begun;
+    }
+
+    /** Whether its motors bear out what it is taken to do. */
+    public boolean isSure() {
+        return activity.isWork() ? isAtWork() : isAtRest();
+    }
+
+    /** Whether its motors show that the robot is at work, whatever its mode. */
+    public boolean isAtWork() {
+        return motion.poweredFrames() >= WORK_FRAMES;
+    }
+
+    /** Whether the robot has been at rest for a while. */
+    public boolean isAtRest() {
+        return motion.restFrames() >= SpotWatch.QUIET_FRAMES;
+    }
+}

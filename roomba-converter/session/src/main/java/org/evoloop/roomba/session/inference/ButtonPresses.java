@@ -1,0 +1,26 @@
+package org.evoloop.roomba.session.inference;
+
+import java.util.EnumSet;
+import java.util.Set;
+import org.evoloop.roomba.oi.Button;
+
+/**
+ * Finds presses in packet 18, which tells only what is held down at the moment.
+ *
+ * <p>Threading: not thread-safe.
+ */
+public final class ButtonPresses {
+    private Set<Button> held = EnumSet.noneOf(Button.class);
+
+    /** No button is held. */
+    public ButtonPresses() {}
+
+    /** The buttons that have gone down since the last call. */
+    public Set<Button> update(Set<Button> nowHeld) {
+        Set<Button> pressed = EnumSet.noneOf(Button.class);
+        pressed.addAll(nowHeld);
+        pressed.removeAll(held);
+        held = nowHeld;
+        return pressed;
+    }
+}

@@ -1,0 +1,98 @@
+package org.evoloop.roomba.session.inference;
+
+import org.evoloop.roomba.oi.OiMode;
+import org.evoloop.roomba.oi.SensorValues;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Infers when a spot cleaning has ended, which no packet of the Open Interface tells: the robot starts to move or its
+ * brushes to draw current, and later all of it has been quiet for a while.
+ *
+ * <p>Time is counted in frames of the stream, one every 15 ms: the robot's own clock, which no delay on the way can
+ * distort. Lost frames make it late, never early.
+ *
+ * <p>Threading: not thread-safe.
+ */
+public final class SpotWatch {
+    /** How long after its start a spot cleaning must show: 3 s. */
+    static final int START_FRAMES = 200;
+
+    /** How long all must be quiet: 1 s. A spiral never stops the wheels that long, a turn after a bump may take less. */
+    public static final int QUIET_FRAMES = 67;
+
+    /** No spot cleaning lasts longer: 180 s. */
+    static final int LONGEST_FRAMES = 12_000;
+
+    /** So many frames in a row are believed; one alone may be spoilt. */
+    static final int SURE_FRAMES = 3;
+
+    /** How a spot cleaning came to its end. */
+    public enum Ending {
+        /** The robot finished, or was paused by its user. */
+        QUIET,
+        /** The robot never began. */
+        NOT_STARTED,
+        /** The mode has changed, which ends whatever the robot did by itself. */
+        OVERRIDDEN,
+        /** It cannot have lasted as long as this. */
+        TOO_LONG
+    }
+
+    private enum Phase {
+        NONE,
+        STARTING,
+        RUNNING
+    }
+
+    private final Motion motion = new Motion();
+    private Phase phase = Phase.NONE;
+    private int frames;
+
+    /** Before any command and any frame. */
+    public SpotWatch() {}
+
+    /** A spot cleaning was asked for, by a command or by the robot's own button. */
+    public void started() {
+        phase = Phase.STARTING;
+        frames = 0;
+    }
+
+    /** Forgets the spot cleaning: the robot was out of sight, or does something else. */
+    public void forget() {
+        phase = Phase.NONE;
+    }
+
+    /** Takes the next frame; returns how the spot cleaning ended if it has ended now, else null. */
+    public @Nullable Ending update(SensorValues values) {
+        motion.update(values);
+        if (phase == Phase.NONE) {
+            return null;
+        }
+        frames++;
+        if (phase == Phase.STARTING && motion.activeFrames() >= SURE_FRAMES && isPassive(values)) {
+            phase = Phase.RUNNING;
+        }
+        Ending ending = ending(values);
+        if (ending != null) {
+            phase = Phase.NONE;
+        }
+        return ending;
+    }
+
+    private @Nullable Ending ending(SensorValues values) {
+        if (phase == Phase.STARTING) {
+            return frames >= START_FRAMES ? Ending.NOT_STARTED : null;
+        }
+        if (!isPassive(values)) {
+            return Ending.OVERRIDDEN;
+        }
+        if (motion.restFrames() >= QUIET_FRAMES) {
+            return Ending.QUIET;
+        }
+        return frames >= LONGEST_FRAMES ? Ending.TOO_LONG : null;
+    }
+
+    private static boolean isPassive(SensorValues values) {
+        return values.mode().filter(OiMode.PASSIVE::equals).isPresent();
+    }
+}

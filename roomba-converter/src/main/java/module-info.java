@@ -1,0 +1,21 @@
+/** The Roomba converter: the program, and the function move. */
+module org.evoloop.roomba {
+    requires static org.jspecify;
+    requires ch.qos.logback.classic;
+    requires ch.qos.logback.core;
+    requires info.picocli;
+    requires org.evoloop.console;
+    requires org.evoloop.journal;
+    requires org.evoloop.program;
+    requires org.evoloop.roomba.camera;
+    requires org.evoloop.roomba.session;
+    requires org.evoloop.roomba.simulator;
+    requires org.evoloop.xmi;
+    requires org.slf4j;
+
+    opens org.evoloop.roomba to
+            info.picocli;
+
+    provides ch.qos.logback.classic.spi.Configurator with
+            org.evoloop.roomba.ProgramLog;
+}
