@@ -6,9 +6,7 @@ import picocli.CommandLine.Option;
 
 /** The options of a program that runs by itself. */
 final class Unattended {
-    @Option(
-            names = "--start",
-            description = "Converts events at once, and goes on when the standard input ends.")
+    @Option(names = "--start", description = "Converts events at once, and goes on when the standard input ends.")
     private boolean start;
 
     @Option(

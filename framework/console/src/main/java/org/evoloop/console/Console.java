@@ -85,7 +85,10 @@ public final class Console {
     /** Adds a command, before {@link #run}. @throws IllegalArgumentException if there is one of that name */
     public void addCommand(ConsoleCommand command) {
         commands.add(new ConsoleCommand(
-                command.usage(), command.help(), (arguments, results) -> inTurn(command, arguments, results), command.completion()));
+                command.usage(),
+                command.help(),
+                (arguments, results) -> inTurn(command, arguments, results),
+                command.completion()));
     }
 
     private void inTurn(ConsoleCommand command, List<String> arguments, PrintStream results) throws Exception {

@@ -61,7 +61,8 @@ public final class Ctl {
         try {
             Instances.requireName(name);
             if (arguments.size() == 1) {
-                throw new IllegalArgumentException("say what " + name + " shall do: ctl " + name + " help lists its commands");
+                throw new IllegalArgumentException(
+                        "say what " + name + " shall do: ctl " + name + " help lists its commands");
             }
             return command(name, line(arguments.subList(1, arguments.size())));
         } catch (IllegalArgumentException mistake) {
@@ -76,7 +77,8 @@ public final class Ctl {
     /** As it would be typed at the console. */
     private static String line(List<String> words) {
         String line = words.stream()
-                .map(word -> word.matches("[^\\s'\"]+") ? word : word.contains("'") ? '"' + word + '"' : "'" + word + "'")
+                .map(word ->
+                        word.matches("[^\\s'\"]+") ? word : word.contains("'") ? '"' + word + '"' : "'" + word + "'")
                 .collect(Collectors.joining(" "));
         if (line.contains("\n") || line.contains("\r")) {
             throw new IllegalArgumentException("a command is one line");
@@ -87,13 +89,20 @@ public final class Ctl {
     private Map<String, Path> running() {
         Map<String, Path> found = new LinkedHashMap<>();
         for (Path socket : instances.sockets()) {
-            try (SocketChannel channel = connect(socket)) {
+            if (answers(socket)) {
                 found.putIfAbsent(Instances.nameOf(socket), socket);
-            } catch (IOException leftByOneThatDied) {
-                // Nobody is there.
             }
         }
         return found;
+    }
+
+    private static boolean answers(Path socket) {
+        try {
+            connect(socket).close();
+            return true;
+        } catch (IOException leftByOneThatDied) {
+            return false;
+        }
     }
 
     private static SocketChannel connect(Path socket) throws IOException {

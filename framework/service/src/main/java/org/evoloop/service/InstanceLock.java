@@ -39,7 +39,8 @@ final class InstanceLock implements AutoCloseable {
             ours = tryLock(file) != null;
             if (!ours) {
                 throw new IllegalArgumentException("an instance named " + name + " is running already (process "
-                        + Files.readString(path).strip() + "); give this one another --name, or end that one: ctl " + name
+                        + Files.readString(path).strip() + "); give this one another --name, or end that one: ctl "
+                        + name
                         + " exit");
             }
             file.truncate(0);

@@ -35,8 +35,9 @@ final class Instances {
     /** @throws IllegalArgumentException if {@code name} is none for an instance */
     static void requireName(String name) {
         if (!name.matches("[A-Za-z0-9_][A-Za-z0-9_-]*")) {
-            throw new IllegalArgumentException("'" + name + "' is no name for an instance; use letters, digits, - and _, and"
-                    + " no - in front, as in living-room");
+            throw new IllegalArgumentException(
+                    "'" + name + "' is no name for an instance; use letters, digits, - and _, and"
+                            + " no - in front, as in living-room");
         }
     }
 
@@ -70,7 +71,8 @@ final class Instances {
         int length = socket.toString().getBytes(StandardCharsets.UTF_8).length;
         if (length >= LONGEST_PATH) {
             throw new IllegalArgumentException("the control socket " + socket + " would have a path of " + length
-                    + " bytes, and " + (LONGEST_PATH - 1) + " are allowed; choose a shorter name, or set XDG_RUNTIME_DIR to a"
+                    + " bytes, and " + (LONGEST_PATH - 1)
+                    + " are allowed; choose a shorter name, or set XDG_RUNTIME_DIR to a"
                     + " shorter directory");
         }
         return socket;

@@ -41,7 +41,8 @@ final class Notifier implements AutoCloseable {
     Duration watchdog() {
         String micros = environment.getOrDefault("WATCHDOG_USEC", "");
         String meant = environment.getOrDefault("WATCHDOG_PID", "");
-        boolean ours = meant.isEmpty() || meant.equals(Long.toString(ProcessHandle.current().pid()));
+        boolean ours = meant.isEmpty()
+                || meant.equals(Long.toString(ProcessHandle.current().pid()));
         return isThere() && ours && micros.matches("[1-9][0-9]{0,17}")
                 ? Duration.ofNanos(Math.multiplyExact(Long.parseLong(micros), 1000))
                 : null;

@@ -38,9 +38,11 @@ final class PrivateDirectory {
     }
 
     private static void requireOwn(Path directory) throws IOException {
-        if (!Files.isDirectory(directory, LinkOption.NOFOLLOW_LINKS) || !owner(directory).equals(user())) {
-            throw new IOException(directory + " is not a directory of this user; it is where control sockets are kept. Remove"
-                    + " it, or set XDG_RUNTIME_DIR to a directory of your own");
+        if (!Files.isDirectory(directory, LinkOption.NOFOLLOW_LINKS)
+                || !owner(directory).equals(user())) {
+            throw new IOException(
+                    directory + " is not a directory of this user; it is where control sockets are kept. Remove"
+                            + " it, or set XDG_RUNTIME_DIR to a directory of your own");
         }
     }
 

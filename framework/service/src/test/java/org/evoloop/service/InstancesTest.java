@@ -51,7 +51,8 @@ class InstancesTest {
     void theSocketIsInTheSessionsDirectoryOrTheUnitsOrTheUsersOwn() {
         assertThat(new Instances(Map.of("XDG_RUNTIME_DIR", "/s", "RUNTIME_DIRECTORY", "/r")).directory())
                 .isEqualTo(Path.of("/s/evoloop"));
-        assertThat(new Instances(Map.of("RUNTIME_DIRECTORY", "/r:/second")).directory()).isEqualTo(Path.of("/r"));
+        assertThat(new Instances(Map.of("RUNTIME_DIRECTORY", "/r:/second")).directory())
+                .isEqualTo(Path.of("/r"));
         assertThat(new Instances(Map.of()).directory())
                 .isEqualTo(Path.of(System.getProperty("java.io.tmpdir"), "evoloop-" + System.getProperty("user.name")));
     }
@@ -87,7 +88,8 @@ class InstancesTest {
 
         open("lamp").close();
 
-        assertThat(PosixFilePermissions.toString(Files.getPosixFilePermissions(directory))).isEqualTo("rwx------");
+        assertThat(PosixFilePermissions.toString(Files.getPosixFilePermissions(directory)))
+                .isEqualTo("rwx------");
     }
 
     @Test
@@ -107,8 +109,7 @@ class InstancesTest {
         Path directory = Files.createDirectory(runtime.resolve("evoloop"));
         Files.createFile(directory.resolve("dead.sock"));
 
-        try (ControlServer lamp =
-                new ControlServer(directory.resolve("lamp.sock"), new Echo(), new ManualClock())) {
+        try (ControlServer lamp = new ControlServer(directory.resolve("lamp.sock"), new Echo(), new ManualClock())) {
             assertThat(lamp.commands().isEnding()).isFalse();
             assertThat(ctl.call(List.of())).isZero();
             assertThat(ctl.call(List.of("lamp", "press", "a b", "it's"))).isZero();

@@ -36,8 +36,8 @@ final class LampProgram {
             Console console = new Console(converter, System.in, System.out, System.err);
             console.addCommand(ConsoleCommand.of("switch", "", (words, out) -> wallSwitch.press("switch")));
             console.addCommand(ConsoleCommand.of("close", "", (words, out) -> converter.close()));
-            console.addCommand(ConsoleCommand.of(
-                    "hang", "", (words, out) -> clock.schedule(Duration.ZERO, LampProgram::hang)));
+            console.addCommand(
+                    ConsoleCommand.of("hang", "", (words, out) -> clock.schedule(Duration.ZERO, LampProgram::hang)));
             status = service.run(console);
         } catch (IllegalArgumentException mistake) {
             System.err.println("error: " + mistake.getMessage());
