@@ -10,6 +10,7 @@ module org.evoloop.roomba {
     requires org.evoloop.roomba.camera;
     requires org.evoloop.roomba.session;
     requires org.evoloop.roomba.simulator;
+    requires org.evoloop.service;
     requires org.evoloop.xmi;
     requires org.slf4j;
 

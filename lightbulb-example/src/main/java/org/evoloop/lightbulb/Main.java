@@ -1,40 +1,49 @@
 package org.evoloop.lightbulb;
 
+import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import org.evoloop.console.Console;
 import org.evoloop.console.ConsoleCommand;
 import org.evoloop.converter.PushMonitor;
 import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.loop.LoopConfig;
+import org.evoloop.service.Service;
+import org.evoloop.service.ServiceOptions;
 import org.evoloop.statemachine.ModelException;
 import org.evoloop.time.Clock;
 import org.evoloop.time.SystemClock;
 import org.evoloop.xmi.ModelFiles;
 import org.evoloop.xmi.XmiFile;
 
-/** Puts the converter together and runs its console; options: {@code [--models FILE]}. */
+/** Puts the converter together and runs its console; options: {@code [--models FILE] [--start] [--name NAME]}. */
 public final class Main {
-    public static void main(String[] options) {
+    public static void main(String[] arguments) {
         try {
-            System.exit(run(options));
-        } catch (ModelException | IllegalArgumentException problem) {
+            System.exit(run(new ArrayList<>(List.of(arguments))));
+        } catch (ModelException | IllegalArgumentException | IOException problem) {
             System.err.println("error: " + problem.getMessage());
             System.exit(2);
         }
     }
 
-    private static int run(String[] options) {
-        if (options.length != 0 && !(options.length == 2 && options[0].equals("--models"))) {
-            throw new IllegalArgumentException("usage: java -jar lightbulb-example.jar [--models FILE]");
+    private static int run(List<String> arguments) throws IOException {
+        ServiceOptions unattended = ServiceOptions.takeFrom(arguments);
+        boolean modelsNamed = arguments.size() == 2 && arguments.get(0).equals("--models");
+        if (!arguments.isEmpty() && !modelsNamed) {
+            throw new IllegalArgumentException(
+                    "usage: java -jar lightbulb-example.jar [--models FILE] " + ServiceOptions.USAGE);
         }
-        Path file = options.length == 2 ? Path.of(options[1]) : ModelFiles.find("models/light-bulb.xml", Main.class);
+        Path file = modelsNamed ? Path.of(arguments.get(1)) : ModelFiles.find("models/light-bulb.xml", Main.class);
         XmiFile machines = XmiFile.read(file);
         ModelPair models = new ModelPair(machines.pick("original"), machines.pick("new"));
 
         Lamp lamp = new Lamp();
         PushMonitor wallSwitch = new PushMonitor("WallSwitch");
-        try (Clock clock = new SystemClock()) {
+        try (Service service = Service.open(unattended);
+                Clock clock = new SystemClock()) {
             SystemEventConverter converter = new SystemEventConverter(LoopConfig.defaults("lamp", clock));
             converter.addMonitor(wallSwitch);
             converter.addExecute(new LampExecute(lamp));
@@ -43,8 +52,8 @@ public final class Main {
 
             Console console = new Console(converter, System.in, System.out, System.err);
             console.addCommand(ConsoleCommand.of(
-                    "switch", "operates the wall switch", (arguments, out) -> wallSwitch.press("switch")));
-            return console.run();
+                    "switch", "operates the wall switch", (words, out) -> wallSwitch.press("switch")));
+            return service.run(console);
         }
     }
 }

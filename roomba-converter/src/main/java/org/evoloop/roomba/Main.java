@@ -1,6 +1,7 @@
 package org.evoloop.roomba;
 
 import java.io.IOException;
+import java.util.List;
 import org.evoloop.journal.JournalException;
 import org.evoloop.program.UsersMistakes;
 import org.evoloop.roomba.camera.CameraException;
@@ -11,6 +12,7 @@ import org.evoloop.roomba.link.LinkException;
 import org.evoloop.roomba.link.SerialLink;
 import org.evoloop.roomba.session.connection.RobotException;
 import org.evoloop.roomba.simulator.SimulatorCommand;
+import org.evoloop.service.Ctl;
 import org.evoloop.statemachine.ModelException;
 import org.evoloop.xmi.XmiFile;
 import picocli.CommandLine;
@@ -25,6 +27,10 @@ public final class Main {
 
     /** Runs the command line and returns the exit status: 0 good, 1 a check failed, 2 wrong usage or input. */
     static int run(String... arguments) {
+        if (arguments.length > 0 && arguments[0].equals("ctl")) {
+            // It needs none of what takes so long to load, and its options are those of the commands that it hands on.
+            return Ctl.run(List.of(arguments).subList(1, arguments.length));
+        }
         boolean plain = arguments.length > 0 && arguments[0].startsWith("-");
         return (plain ? converterAlone() : everything()).execute(arguments);
     }

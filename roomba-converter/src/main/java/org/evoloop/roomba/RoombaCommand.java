@@ -16,6 +16,7 @@ import org.evoloop.roomba.link.SerialSettings;
 import org.evoloop.roomba.session.SessionOptions;
 import org.evoloop.roomba.simulator.SimulatorServer;
 import org.evoloop.roomba.simulator.WorldCommands;
+import org.evoloop.service.Service;
 import org.evoloop.time.Clock;
 import org.evoloop.time.SystemClock;
 import org.jspecify.annotations.Nullable;
@@ -27,10 +28,14 @@ import picocli.CommandLine.Option;
 @Command(
         name = "roomba",
         description = "Gives a Roomba new functions: converts its events between the original and the new model.",
+        footer = "%nctl NAME COMMAND gives a command to the one that was started with --name NAME (ctl --help).",
         mixinStandardHelpOptions = true)
 final class RoombaCommand implements Callable<Integer> {
     @Mixin
     private final ConverterOptions options = new ConverterOptions();
+
+    @Mixin
+    private final Unattended unattended = new Unattended();
 
     @Option(names = "--port", paramLabel = "PATH", description = "The robot's serial port, such as /dev/ttyUSB0.")
     private @Nullable String port;
@@ -54,12 +59,14 @@ final class RoombaCommand implements Callable<Integer> {
     @Override
     public Integer call() throws IOException, InterruptedException {
         double pace = checkedSpeed();
-        String robotPort = port;
-        if (robotPort != null) {
-            return converse(robotPort, options.read(pace, Optional.empty()), pace, null);
-        }
-        try (SimulatedWorld world = SimulatedWorld.inThisProcess(pace, options.wantsSimulatedCamera())) {
-            return converse(world.port().toString(), options.read(pace, world.camera()), pace, world);
+        try (Service service = Service.open(unattended.options())) {
+            String robotPort = port;
+            if (robotPort != null) {
+                return converse(service, robotPort, options.read(pace, Optional.empty()), pace, null);
+            }
+            try (SimulatedWorld world = SimulatedWorld.inThisProcess(pace, options.wantsSimulatedCamera())) {
+                return converse(service, world.port().toString(), options.read(pace, world.camera()), pace, world);
+            }
         }
     }
 
@@ -86,8 +93,13 @@ final class RoombaCommand implements Callable<Integer> {
         return speed;
     }
 
-    private int converse(String robotPort, RoombaConverter.Options read, double pace, @Nullable SimulatedWorld world)
-            throws InterruptedException {
+    private int converse(
+            Service service,
+            String robotPort,
+            RoombaConverter.Options read,
+            double pace,
+            @Nullable SimulatedWorld world)
+            throws IOException, InterruptedException {
         try (Clock clock = new SystemClock(pace);
                 RoombaConverter roomba =
                         RoombaConverter.connect(cable(robotPort), config(clock, pace), robotOptions(pace), read)) {
@@ -104,7 +116,7 @@ final class RoombaCommand implements Callable<Integer> {
                                 (arguments, out) -> out.println(world.execute(String.join(" ", arguments))))
                         .completing(before -> before.isEmpty() ? WorldCommands.NAMES : WorldCommands.BUTTON_NAMES));
             }
-            return console.run();
+            return service.run(console);
         }
     }
 

@@ -12,7 +12,7 @@ import java.util.Map;
 /**
  * The commands of a console by name, and how a line calls one of them.
  *
- * <p>Threading: not thread-safe; filled before the console runs, then used by its thread.
+ * <p>Threading: filled by one thread before the console runs, then used by any.
  */
 final class CommandSet {
     private final Map<String, ConsoleCommand> commands = new LinkedHashMap<>();

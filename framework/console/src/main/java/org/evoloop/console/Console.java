@@ -4,7 +4,12 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.PrintStream;
 import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Collections;
 import java.util.Deque;
+import java.util.List;
+import java.util.concurrent.locks.ReentrantLock;
+import java.util.function.Consumer;
 import org.evoloop.converter.SystemEventConverter;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -19,9 +24,11 @@ import org.slf4j.LoggerFactory;
  * ...} to the error output, and the console goes on.
  *
  * <p>Lifecycle: {@link #run} reads commands until {@code exit}, the end of the input, Ctrl-C, one of the signals TERM and
- * HUP, or an interrupt of its thread, then closes the converter and leaves terminal and signals as it found them.
+ * HUP, an interrupt of its thread, or {@link #end}, then closes the converter and leaves terminal and signals as it found
+ * them. One that {@link #outliveInput outlives its input} ends neither with that nor by HUP.
  *
- * <p>Threading: not thread-safe; {@link #run} may be interrupted from any thread.
+ * <p>Threading: put together and run by one thread, which may be interrupted from any; {@link #perform} and {@link #end} may
+ * be called from any thread. Of the application's commands one runs at a time; the console's own do not wait for them.
  */
 public final class Console {
     private static final Logger LOG = LoggerFactory.getLogger(Console.class);
@@ -32,7 +39,10 @@ public final class Console {
     private final PrintStream out;
     private final PrintStream err;
     private final CommandSet commands = new CommandSet();
-    private volatile boolean ending;
+    private final ReentrantLock turn = new ReentrantLock(true);
+    private final List<Consumer<String>> endListeners = new ArrayList<>();
+    private final Ending ending = new Ending();
+    private boolean outlivesInput;
 
     /**
      * @param converter built; the console closes it
@@ -49,8 +59,8 @@ public final class Console {
         ConverterCommands.addTo(commands, converter);
         commands.add(ConsoleCommand.of(
                 "exit",
-                "ends the program; so do Ctrl-C, Ctrl-D and the end of the input",
-                (arguments, ignored) -> ending = true));
+                "ends the program; so does Ctrl-C, and the end of the input unless it was started with --start",
+                (arguments, ignored) -> ending.ask("exit", 0)));
     }
 
     /**
@@ -74,31 +84,100 @@ public final class Console {
 
     /** Adds a command, before {@link #run}. @throws IllegalArgumentException if there is one of that name */
     public void addCommand(ConsoleCommand command) {
-        commands.add(command);
+        commands.add(new ConsoleCommand(
+                command.usage(),
+                command.help(),
+                (arguments, results) -> inTurn(command, arguments, results),
+                command.completion()));
+    }
+
+    private void inTurn(ConsoleCommand command, List<String> arguments, PrintStream results) throws Exception {
+        turn.lockInterruptibly();
+        try {
+            command.action().run(arguments, results);
+        } finally {
+            turn.unlock();
+        }
+    }
+
+    /** Calls {@code listener} with the reason when the run is about to end, before the converters are closed. */
+    public void onEnd(Consumer<String> listener) {
+        endListeners.add(listener);
+    }
+
+    /** Lets {@link #run} go on when there is no more input, until somebody ends it; before it is called. */
+    public void outliveInput() {
+        outlivesInput = true;
+    }
+
+    /** The converters under this console, the first one first. */
+    public List<SystemEventConverter> converters() {
+        List<SystemEventConverter> all = new ArrayList<>(others);
+        all.add(converter);
+        Collections.reverse(all);
+        return all;
+    }
+
+    /**
+     * Has {@link #run} end, or return at once if it is yet to be called. Only the first reason counts.
+     *
+     * @param reason for whoever looks after the program, such as {@code SIGTERM}
+     * @param status what {@link #run} returns
+     */
+    public void end(String reason, int status) {
+        ending.ask(reason, status);
+    }
+
+    /** Whether it has been asked to end. */
+    public boolean isEnding() {
+        return ending.isAsked();
     }
 
     /**
      * Reads and performs commands until the end.
      *
-     * @return the exit status for the process: 0, or 1 if the input could not be read
+     * @return the exit status for the process: 0, 1 if the input could not be read, or what {@link #end} was told
      */
     public int run() {
-        Thread own = Thread.currentThread();
-        Runnable end = () -> {
-            ending = true;
-            own.interrupt();
-        };
-        try (ConsoleIo io = open(end)) {
+        try (ConsoleIo io = open(() -> ending.ask("Ctrl-C", 0))) {
             // After the terminal, which has signal handlers of its own and must give them back last.
-            TerminationSignals signals = new TerminationSignals(end);
+            TerminationSignals signals = new TerminationSignals(this::signalled);
             try {
                 return run(io);
             } finally {
                 signals.restore();
             }
+        }
+    }
+
+    private void signalled(String name) {
+        // Whoever closes the terminal that a program was started on does not mean one that needs none.
+        if (!(outlivesInput && name.equals("HUP"))) {
+            ending.ask("SIG" + name, 0);
+        }
+    }
+
+    /**
+     * Performs one command, on the caller's thread.
+     *
+     * @param line as it would be typed
+     * @param results where its results go
+     * @param errors where the line goes that begins with {@code error:}
+     * @return 0, 1 if the command failed, 2 if there is no such command or it takes other arguments
+     * @throws InterruptedException if the thread was told to stop
+     */
+    public int perform(String line, PrintStream results, PrintStream errors) throws InterruptedException {
+        try {
+            commands.perform(line, results);
+            return 0;
+        } catch (InterruptedException stop) {
+            throw stop;
+        } catch (Exception failure) {
+            LOG.debug("'{}' failed", line, failure);
+            errors.println("error: " + message(failure));
+            return failure instanceof IllegalArgumentException ? 2 : 1;
         } finally {
-            // A signal that asked for the end has been answered.
-            Thread.interrupted();
+            results.flush();
         }
     }
 
@@ -125,49 +204,46 @@ public final class Console {
                 LOG.debug("lines cannot be edited without JLine", noJLine);
             }
         }
-        return terminal == null ? new StreamIo(in, out, err) : terminal;
+        InputStream lines = in == System.in && !StandardInput.isThere() ? InputStream.nullInputStream() : in;
+        return terminal == null ? new StreamIo(lines, out, err) : terminal;
     }
 
     /** Converses through {@code io}, then closes the converter. */
     int run(ConsoleIo io) {
+        ending.begin();
         try {
             if (io.isTerminal()) {
                 io.out().println(converter.status().name() + ": type help to see the commands");
             }
-            return converse(io);
+            converse(io);
         } finally {
+            ending.over();
+            endListeners.forEach(listener -> listener.accept(ending.reason()));
             others.forEach(SystemEventConverter::close);
             converter.close();
         }
+        return ending.status();
     }
 
-    private int converse(ConsoleIo io) {
+    private void converse(ConsoleIo io) {
         try {
-            String line = io.readLine();
-            while (line != null && !perform(line, io)) {
-                line = io.readLine();
+            for (String line = io.readLine(); line != null; line = io.readLine()) {
+                perform(line, io.out(), io.err());
+                if (ending.isAsked()) {
+                    return;
+                }
             }
-            return 0;
+            if (outlivesInput) {
+                ending.await();
+            } else {
+                ending.ask("the end of the input", 0);
+            }
         } catch (InterruptedException end) {
-            return 0;
+            ending.ask("an interrupt", 0);
         } catch (IOException failure) {
             io.err().println("error: " + failure.getMessage());
-            return 1;
+            ending.ask("the input cannot be read", 1);
         }
-    }
-
-    /** Performs one command; true if it is the last. */
-    private boolean perform(String line, ConsoleIo io) throws InterruptedException {
-        try {
-            commands.perform(line, io.out());
-        } catch (InterruptedException end) {
-            throw end;
-        } catch (Exception failure) {
-            LOG.debug("'{}' failed", line, failure);
-            io.err().println("error: " + message(failure));
-        }
-        io.out().flush();
-        return ending;
     }
 
     private static String message(Exception failure) {

@@ -14,7 +14,8 @@ import java.util.function.Function;
  *         .completing(before -> List.of("clean", "spot"));
  * }</pre>
  *
- * <p>Threading: immutable; its action and completion are called on the console's thread.
+ * <p>Threading: immutable; its action is called on the console's thread or another, one at a time for all
+ * that an application adds; its completion on the console's.
  *
  * @param usage the command's name and one word for each argument, those that may be left out in brackets: {@code exchange
  *     COMPONENT SPARE}, {@code status [--json]}. The console refuses any other number of arguments

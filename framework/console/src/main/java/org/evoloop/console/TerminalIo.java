@@ -83,7 +83,9 @@ final class TerminalIo implements ConsoleIo {
         }
         try {
             return reader.readLine(PROMPT);
-        } catch (UserInterruptException | EndOfFileException brokenOff) {
+        } catch (UserInterruptException controlC) {
+            throw new InterruptedException();
+        } catch (EndOfFileException controlD) {
             return null;
         }
     }

@@ -5,6 +5,7 @@ import java.lang.reflect.Proxy;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Consumer;
 
 /**
  * Signals that ask the process to end run an action instead, so that it can end in its own order and with its own exit
@@ -18,8 +19,8 @@ final class TerminationSignals {
 
     private final Map<Object, Object> former = new LinkedHashMap<>();
 
-    /** @param action called on a thread of its own, once a signal */
-    TerminationSignals(Runnable action) {
+    /** @param action called with the signal's name on a thread of its own, once a signal */
+    TerminationSignals(Consumer<String> action) {
         for (String name : NAMES) {
             try {
                 Class<?> handler = Class.forName("sun.misc.SignalHandler");
@@ -28,7 +29,7 @@ final class TerminationSignals {
                         .newInstance(name);
                 Object own = Proxy.newProxyInstance(
                         handler.getClassLoader(), new Class<?>[] {handler}, (proxy, method, arguments) -> {
-                            action.run();
+                            action.accept(name);
                             return null;
                         });
                 former.put(signal, handle(signal, own));

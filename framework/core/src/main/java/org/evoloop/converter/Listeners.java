@@ -101,13 +101,18 @@ final class Listeners {
         }
     }
 
-    /** Makes the calls that still wait, and ends the thread. Idempotent. */
+    /** Whether the caller is a listener. */
+    synchronized boolean ownsCurrentThread() {
+        return thread == Thread.currentThread();
+    }
+
+    /** Makes the calls that still wait, and ends the thread. Idempotent; not for a listener to call. */
     void close() {
         Thread telling;
         synchronized (this) {
             telling = thread;
         }
-        if (telling != null && telling != Thread.currentThread()) {
+        if (telling != null) {
             telling.interrupt();
             if (!Threads.join(telling, config.joinLimit())) {
                 LOG.warn(

@@ -20,6 +20,7 @@ import org.evoloop.loop.Component;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.loop.LoopState;
 import org.evoloop.statemachine.ModelException;
+import org.evoloop.time.Clock;
 import org.evoloop.time.Threads;
 import org.jspecify.annotations.Nullable;
 
@@ -288,12 +289,13 @@ public final class SystemEventConverter implements AutoCloseable {
 
     /**
      * Ends the converter and its threads, see {@link org.evoloop.loop.MapeLoop#close}. Idempotent. Called by a component, a
-     * function or a task of a visit it returns at once, and the converter ends when its caller has returned.
+     * function, a task of a visit or a listener it returns at once, and the converter ends when its caller has returned.
      */
     @Override
     public void close() {
         ConverterShell built = shell;
-        if (built != null && config.threads() && built.ownsCurrentThread()) {
+        boolean fromWithin = listeners.ownsCurrentThread() || (built != null && built.ownsCurrentThread());
+        if (config.threads() && fromWithin) {
             Threads.start("converter-" + config.name() + "-close", this::end);
         } else {
             end();
@@ -392,6 +394,11 @@ public final class SystemEventConverter implements AutoCloseable {
     /** The step of a converter without threads: converts one event that waits; false if none does. */
     public boolean step() {
         return built().loop.step();
+    }
+
+    /** The time that it goes by. */
+    public Clock clock() {
+        return config.clock();
     }
 
     /** What the converter knows. @throws IllegalStateException if it is not built yet */

@@ -1,0 +1,28 @@
+package org.evoloop.service;
+
+import java.io.PrintStream;
+import org.evoloop.console.Console;
+
+/** What stands behind a control socket. */
+interface Commands {
+    /** See {@link Console#perform}. */
+    int perform(String line, PrintStream results, PrintStream errors) throws InterruptedException;
+
+    /** Whether the program is about to end. */
+    boolean isEnding();
+
+    /** Those of a console. */
+    static Commands of(Console console) {
+        return new Commands() {
+            @Override
+            public int perform(String line, PrintStream results, PrintStream errors) throws InterruptedException {
+                return console.perform(line, results, errors);
+            }
+
+            @Override
+            public boolean isEnding() {
+                return console.isEnding();
+            }
+        };
+    }
+}

@@ -1,0 +1,183 @@
+package org.evoloop.service;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.net.StandardProtocolFamily;
+import java.net.UnixDomainSocketAddress;
+import java.nio.channels.SelectionKey;
+import java.nio.channels.Selector;
+import java.nio.channels.ServerSocketChannel;
+import java.nio.channels.SocketChannel;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.time.Duration;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Queue;
+import java.util.Set;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.SynchronousQueue;
+import java.util.concurrent.ThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
+import org.evoloop.time.Clock;
+import org.evoloop.time.Threads;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * The control socket: takes commands, one a line, and answers each with a {@link Reply}.
+ *
+ * <p>No client costs another one anything: all are read by one thread that waits for none of them, at most {@value #CLIENTS}
+ * are connected, each of whom has one command in progress, and whoever comes when there is no room takes the place of the
+ * one that has been idle for longest.
+ *
+ * <p>Threading: connections belong to the server's own thread; commands run on threads of their own.
+ */
+final class ControlServer implements AutoCloseable {
+    static final int CLIENTS = 32;
+
+    private static final Logger LOG = LoggerFactory.getLogger(ControlServer.class);
+    private static final int BACKLOG = 128;
+    private static final Duration END_LIMIT = Duration.ofSeconds(2);
+
+    private final Path path;
+    private final Commands commands;
+    private final Clock clock;
+    private final Selector selector;
+    private final ServerSocketChannel door;
+    private final SelectionKey doorKey;
+    private final Thread thread = new Thread(this::serve, "evoloop-control");
+    private final Queue<Runnable> tasks = new ConcurrentLinkedQueue<>();
+    private final ThreadPoolExecutor workers;
+
+    /** The one that has been idle for longest is first. */
+    private final Set<Connection> connections = new LinkedHashSet<>();
+
+    private volatile boolean closing;
+
+    /**
+     * Opens the socket; a file in its place is removed.
+     *
+     * @param path in a private directory
+     * @param clock for the deadlines of clients
+     */
+    ControlServer(Path path, Commands commands, Clock clock) throws IOException {
+        this.path = path;
+        this.commands = commands;
+        this.clock = clock;
+        this.workers = new ThreadPoolExecutor(0, CLIENTS, 10, TimeUnit.SECONDS, new SynchronousQueue<>(), task -> {
+            Thread worker = new Thread(task, "evoloop-control-command");
+            worker.setDaemon(true);
+            return worker;
+        });
+        Files.deleteIfExists(path);
+        selector = Selector.open();
+        door = ServerSocketChannel.open(StandardProtocolFamily.UNIX);
+        door.bind(UnixDomainSocketAddress.of(path), BACKLOG);
+        Files.setPosixFilePermissions(path, PosixFilePermissions.fromString("rw-------"));
+        door.configureBlocking(false);
+        doorKey = door.register(selector, SelectionKey.OP_ACCEPT);
+        thread.setDaemon(true);
+        thread.start();
+    }
+
+    Clock clock() {
+        return clock;
+    }
+
+    Commands commands() {
+        return commands;
+    }
+
+    /** Runs {@code task} on the server's thread. */
+    void later(Runnable task) {
+        tasks.add(task);
+        selector.wakeup();
+    }
+
+    /** Runs {@code command} on a thread of its own. */
+    void work(Runnable command) {
+        workers.execute(command);
+    }
+
+    private void serve() {
+        while (!closing) {
+            try {
+                selector.select(this::serve);
+                for (Runnable task = tasks.poll(); task != null; task = tasks.poll()) {
+                    task.run();
+                }
+            } catch (IOException | UncheckedIOException failure) {
+                LOG.warn("the control socket {}: {}", path, failure.getMessage());
+            }
+        }
+        List.copyOf(connections).forEach(Connection::drop);
+    }
+
+    private void serve(SelectionKey key) {
+        if (key.attachment() instanceof Connection connection) {
+            connection.advance();
+        } else if (hasRoom()) {
+            admit();
+        } else {
+            // All have a command in progress; whoever knocks waits until one is done.
+            key.interestOps(0);
+        }
+    }
+
+    private boolean hasRoom() {
+        if (connections.size() >= CLIENTS) {
+            connections.stream().filter(Connection::isIdle).findFirst().ifPresent(Connection::drop);
+        }
+        return connections.size() < CLIENTS;
+    }
+
+    private void admit() {
+        try {
+            SocketChannel channel = door.accept();
+            if (channel != null) {
+                channel.configureBlocking(false);
+                Connection connection = new Connection(this, channel, selector);
+                connections.add(connection);
+                connection.advance();
+            }
+        } catch (IOException failure) {
+            throw new UncheckedIOException(failure);
+        }
+    }
+
+    /** This one has just been idle no longer. */
+    void served(Connection connection) {
+        if (connections.remove(connection)) {
+            connections.add(connection);
+        }
+        doorKey.interestOps(SelectionKey.OP_ACCEPT);
+    }
+
+    void gone(Connection connection) {
+        connections.remove(connection);
+        doorKey.interestOps(SelectionKey.OP_ACCEPT);
+    }
+
+    /** Removes the socket and ends all connections. Idempotent. */
+    @Override
+    public void close() {
+        try {
+            Files.deleteIfExists(path);
+        } catch (IOException failure) {
+            LOG.warn("the control socket {} cannot be removed: {}", path, failure.getMessage());
+        }
+        later(() -> closing = true);
+        workers.shutdownNow();
+        if (!Threads.join(thread, END_LIMIT)) {
+            LOG.warn("thread {} did not end within {} ms", thread.getName(), END_LIMIT.toMillis());
+        }
+        try {
+            door.close();
+            selector.close();
+        } catch (IOException failure) {
+            LOG.warn("the control socket {}: {}", path, failure.getMessage());
+        }
+    }
+}

@@ -1,0 +1,153 @@
+package org.evoloop.service;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.PrintStream;
+import java.net.StandardProtocolFamily;
+import java.net.UnixDomainSocketAddress;
+import java.nio.ByteBuffer;
+import java.nio.channels.Channels;
+import java.nio.channels.SocketChannel;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
+
+/** {@code ctl NAME COMMAND [ARGUMENT ...]}: gives a command to a running instance; without a name, lists those that run. */
+public final class Ctl {
+    private static final String USAGE = """
+            usage: ctl [NAME COMMAND [ARGUMENT ...]]
+
+            Gives a command of the console to the running converter that was started with --name NAME, such as:
+
+              ctl lamp status --json
+              ctl lamp help            # lists its commands
+              ctl                      # lists the instances that run
+
+            Exit status: 0 success, 1 the command failed, 2 wrong usage, or no such instance.
+            """;
+
+    private final Instances instances;
+    private final PrintStream out;
+    private final PrintStream err;
+
+    Ctl(Instances instances, PrintStream out, PrintStream err) {
+        this.instances = instances;
+        this.out = out;
+        this.err = err;
+    }
+
+    public static void main(String[] arguments) {
+        System.exit(run(List.of(arguments)));
+    }
+
+    /** Runs the client. @return the exit status */
+    public static int run(List<String> arguments) {
+        return new Ctl(new Instances(System.getenv()), System.out, System.err).call(arguments);
+    }
+
+    int call(List<String> arguments) {
+        if (arguments.isEmpty()) {
+            running().keySet().forEach(out::println);
+            return 0;
+        }
+        String name = arguments.get(0);
+        if (name.equals("--help") || name.equals("-h")) {
+            out.print(USAGE);
+            return 0;
+        }
+        try {
+            Instances.requireName(name);
+            if (arguments.size() == 1) {
+                throw new IllegalArgumentException(
+                        "say what " + name + " shall do: ctl " + name + " help lists its commands");
+            }
+            return command(name, line(arguments.subList(1, arguments.size())));
+        } catch (IllegalArgumentException mistake) {
+            err.println("error: " + mistake.getMessage());
+            return 2;
+        } catch (IOException failure) {
+            err.println("error: " + name + " does not answer: " + failure.getMessage());
+            return 1;
+        }
+    }
+
+    /** As it would be typed at the console. */
+    private static String line(List<String> words) {
+        String line = words.stream()
+                .map(word ->
+                        word.matches("[^\\s'\"]+") ? word : word.contains("'") ? '"' + word + '"' : "'" + word + "'")
+                .collect(Collectors.joining(" "));
+        if (line.contains("\n") || line.contains("\r")) {
+            throw new IllegalArgumentException("a command is one line");
+        }
+        return line;
+    }
+
+    private Map<String, Path> running() {
+        Map<String, Path> found = new LinkedHashMap<>();
+        for (Path socket : instances.sockets()) {
+            if (answers(socket)) {
+                found.putIfAbsent(Instances.nameOf(socket), socket);
+            }
+        }
+        return found;
+    }
+
+    private static boolean answers(Path socket) {
+        try {
+            connect(socket).close();
+            return true;
+        } catch (IOException leftByOneThatDied) {
+            return false;
+        }
+    }
+
+    private static SocketChannel connect(Path socket) throws IOException {
+        SocketChannel channel = SocketChannel.open(StandardProtocolFamily.UNIX);
+        try {
+            channel.connect(UnixDomainSocketAddress.of(socket));
+            return channel;
+        } catch (IOException failure) {
+            channel.close();
+            throw failure;
+        }
+    }
+
+    private int command(String name, String line) throws IOException {
+        Map<String, Path> running = running();
+        Path socket = running.get(name);
+        if (socket == null) {
+            throw new IllegalArgumentException("no instance named " + name + " is running; "
+                    + (running.isEmpty() ? "none is" : "there are " + String.join(", ", running.keySet())));
+        }
+        try (SocketChannel channel = connect(socket)) {
+            ByteBuffer request = StandardCharsets.UTF_8.encode(line + "\n");
+            while (request.hasRemaining()) {
+                channel.write(request);
+            }
+            // No further request: the instance closes the connection after its answer, or when it has ended.
+            channel.shutdownOutput();
+            return show(new BufferedReader(Channels.newReader(channel, StandardCharsets.UTF_8)));
+        }
+    }
+
+    private int show(BufferedReader answer) throws IOException {
+        int status = -1;
+        for (String line = answer.readLine(); line != null; line = answer.readLine()) {
+            if (line.startsWith(Reply.OUT)) {
+                out.println(line.substring(Reply.OUT.length()));
+            } else if (line.startsWith(Reply.ERR)) {
+                err.println(line.substring(Reply.ERR.length()));
+            } else if (line.startsWith(Reply.END)) {
+                status = Integer.parseInt(line.substring(Reply.END.length()));
+            }
+        }
+        if (status < 0) {
+            throw new IOException("it has closed the connection");
+        }
+        return status;
+    }
+}

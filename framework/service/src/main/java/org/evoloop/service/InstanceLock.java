@@ -1,0 +1,68 @@
+package org.evoloop.service;
+
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.channels.FileChannel;
+import java.nio.channels.FileLock;
+import java.nio.channels.OverlappingFileLockException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The right to a name: a lock on a file, which the system takes back when its holder dies, however it dies. The file stays, for
+ * somebody may be about to lock it.
+ */
+final class InstanceLock implements AutoCloseable {
+    private final FileChannel file;
+
+    private InstanceLock(FileChannel file) {
+        this.file = file;
+    }
+
+    /**
+     * @param directory a private one
+     * @throws IllegalArgumentException if a live instance has the name
+     */
+    static InstanceLock acquire(Path directory, String name) throws IOException {
+        Path path = directory.resolve(name + ".lock");
+        FileChannel file = FileChannel.open(
+                path,
+                Set.of(StandardOpenOption.CREATE, StandardOpenOption.READ, StandardOpenOption.WRITE),
+                PosixFilePermissions.asFileAttribute(PosixFilePermissions.fromString("rw-------")));
+        boolean ours = false;
+        try {
+            ours = tryLock(file) != null;
+            if (!ours) {
+                throw new IllegalArgumentException("an instance named " + name + " is running already (process "
+                        + Files.readString(path).strip() + "); give this one another --name, or end that one: ctl "
+                        + name
+                        + " exit");
+            }
+            file.truncate(0);
+            file.write(ByteBuffer.wrap((ProcessHandle.current().pid() + "\n").getBytes(StandardCharsets.US_ASCII)));
+            return new InstanceLock(file);
+        } finally {
+            if (!ours) {
+                file.close();
+            }
+        }
+    }
+
+    private static @Nullable FileLock tryLock(FileChannel file) throws IOException {
+        try {
+            return file.tryLock();
+        } catch (OverlappingFileLockException thisProcess) {
+            return null;
+        }
+    }
+
+    @Override
+    public void close() throws IOException {
+        file.close();
+    }
+}

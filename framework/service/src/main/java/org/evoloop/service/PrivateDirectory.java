@@ -1,0 +1,62 @@
+package org.evoloop.service;
+
+import java.io.IOException;
+import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.Files;
+import java.nio.file.LinkOption;
+import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermission;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.util.Set;
+
+/** A directory that nobody else may enter. */
+final class PrivateDirectory {
+    private static final Set<PosixFilePermission> OURS_ALONE = PosixFilePermissions.fromString("rwx------");
+
+    private PrivateDirectory() {}
+
+    /**
+     * Makes {@code directory}, or sees to it that the one that is there is private.
+     *
+     * @throws IOException if it cannot be made, or is somebody else's; the message says what to do
+     */
+    static void prepare(Path directory) throws IOException {
+        try {
+            // With its mode from the beginning: there is no moment in which others may enter.
+            Files.createDirectory(directory, PosixFilePermissions.asFileAttribute(OURS_ALONE));
+        } catch (FileAlreadyExistsException there) {
+            requireOwn(directory);
+            if (!Files.getPosixFilePermissions(directory).equals(OURS_ALONE)) {
+                Files.setPosixFilePermissions(directory, OURS_ALONE);
+            }
+        } catch (IOException failure) {
+            throw new IOException(
+                    "the directory " + directory + " for control sockets cannot be made (" + failure
+                            + "); set XDG_RUNTIME_DIR to a directory of your own",
+                    failure);
+        }
+    }
+
+    private static void requireOwn(Path directory) throws IOException {
+        if (!Files.isDirectory(directory, LinkOption.NOFOLLOW_LINKS)
+                || !owner(directory).equals(user())) {
+            throw new IOException(
+                    directory + " is not a directory of this user; it is where control sockets are kept. Remove"
+                            + " it, or set XDG_RUNTIME_DIR to a directory of your own");
+        }
+    }
+
+    /** Whoever runs this process owns the files that it makes. */
+    private static Object user() throws IOException {
+        Path made = Files.createTempFile("evoloop", "");
+        try {
+            return owner(made);
+        } finally {
+            Files.delete(made);
+        }
+    }
+
+    private static Object owner(Path file) throws IOException {
+        return Files.getAttribute(file, "unix:uid", LinkOption.NOFOLLOW_LINKS);
+    }
+}

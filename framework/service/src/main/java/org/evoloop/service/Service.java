@@ -1,0 +1,130 @@
+package org.evoloop.service;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Map;
+import org.evoloop.console.Console;
+import org.evoloop.converter.SystemEventConverter;
+import org.evoloop.time.Clock;
+import org.evoloop.time.SystemClock;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Runs a console unattended, as far as {@link ServiceOptions} say so.
+ *
+ * <pre>{@code
+ * try (Service service = Service.open(options)) {
+ *     // ... build the converter and its console
+ *     return service.run(console);
+ * }
+ * }</pre>
+ *
+ * <p>Lifecycle: {@link #open} takes the name before anything touches the device; {@link #run} opens control socket and loop,
+ * tells the service manager, and returns when the console has ended; {@link #close} gives the name back, last of all.
+ *
+ * <p>Threading: open, run and close on one thread.
+ */
+public final class Service implements AutoCloseable {
+    private static final Logger LOG = LoggerFactory.getLogger(Service.class);
+
+    private final ServiceOptions options;
+    private final Clock clock;
+    private final Map<String, String> environment;
+    private final @Nullable Path socket;
+    private final @Nullable InstanceLock lock;
+    private @Nullable ControlServer server;
+    private volatile boolean closed;
+
+    private Service(ServiceOptions options, Clock clock, Map<String, String> environment) throws IOException {
+        this.options = options;
+        this.clock = clock;
+        this.environment = environment;
+        String name = options.name();
+        if (name == null) {
+            socket = null;
+            lock = null;
+        } else {
+            Path directory = new Instances(environment).directory();
+            socket = Instances.socket(directory, name);
+            PrivateDirectory.prepare(directory);
+            lock = InstanceLock.acquire(directory, name);
+        }
+    }
+
+    /**
+     * Takes the name, if there is one.
+     *
+     * @throws IllegalArgumentException if a live instance has the name, or its socket's path would be too long
+     * @throws IOException if there is no place for the socket; the message says what to do
+     */
+    public static Service open(ServiceOptions options) throws IOException {
+        return open(options, new SystemClock(), System.getenv());
+    }
+
+    /** The same with another clock, which it closes, and environment. */
+    static Service open(ServiceOptions options, Clock clock, Map<String, String> environment) throws IOException {
+        try {
+            return new Service(options, clock, environment);
+        } catch (IOException | RuntimeException refused) {
+            clock.close();
+            throw refused;
+        }
+    }
+
+    /**
+     * Runs {@code console} until it ends.
+     *
+     * @return the exit status for the process, see {@link Console#run}; 1 if a converter was closed by a component of its own
+     *     while nobody was there to see it
+     * @throws IOException if the control socket cannot be opened
+     */
+    public int run(Console console) throws IOException {
+        Path own = socket;
+        if (own != null) {
+            server = new ControlServer(own, Commands.of(console), clock);
+            // For an end that comes past this class.
+            Runtime.getRuntime().addShutdownHook(new Thread(() -> remove(own), "evoloop-control-removal"));
+        }
+        try (ServiceManager manager = new ServiceManager(environment, console, clock, options.start())) {
+            if (options.start()) {
+                console.outliveInput();
+                console.converters().forEach(SystemEventConverter::start);
+            }
+            manager.ready();
+            return console.run();
+        }
+    }
+
+    private void remove(Path socket) {
+        if (closed) {
+            // It may be another process's by now.
+            return;
+        }
+        try {
+            Files.deleteIfExists(socket);
+        } catch (IOException left) {
+            // The next instance of the name removes it.
+        }
+    }
+
+    /** Gives the name back: who waits for the end of the program, such as {@code ctl NAME exit}, learns of it. Idempotent. */
+    @Override
+    public void close() {
+        ControlServer open = server;
+        if (open != null) {
+            open.close();
+        }
+        closed = true;
+        if (lock != null) {
+            try {
+                lock.close();
+            } catch (IOException failure) {
+                LOG.warn("the name {} cannot be given back: {}", options.name(), failure.getMessage());
+            }
+        }
+        clock.close();
+    }
+}

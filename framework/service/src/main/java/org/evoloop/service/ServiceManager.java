@@ -1,0 +1,123 @@
+package org.evoloop.service;
+
+import java.time.Duration;
+import java.util.Locale;
+import java.util.Map;
+import java.util.stream.Collectors;
+import org.evoloop.console.Console;
+import org.evoloop.converter.ConverterStatus;
+import org.evoloop.converter.SystemEventConverter;
+import org.evoloop.loop.LoopState;
+import org.evoloop.time.Clock;
+import org.evoloop.time.Threads;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Tells the service manager how the converters fare, and ends an unattended program whose converters have ended.
+ *
+ * <p>The watchdog hears of it only while every converter answers its {@link Pulse}.
+ *
+ * <p>Threading: looks on a thread of its own, since a converter may keep it waiting.
+ */
+final class ServiceManager implements AutoCloseable {
+    private static final Logger LOG = LoggerFactory.getLogger(ServiceManager.class);
+    private static final Duration LOOK = Duration.ofSeconds(1);
+    private static final Duration STATUS_PERIOD = Duration.ofSeconds(10);
+    private static final Duration END_LIMIT = Duration.ofSeconds(2);
+
+    private final Console console;
+    private final Clock clock;
+    private final boolean unattended;
+    private final Notifier notifier;
+    private final Pulse pulse;
+    private final Thread thread = new Thread(this::look, "evoloop-pulse");
+    private String toldStatus = "";
+
+    ServiceManager(Map<String, String> environment, Console console, Clock clock, boolean unattended) {
+        this.console = console;
+        this.clock = clock;
+        this.unattended = unattended;
+        this.notifier = new Notifier(environment);
+        this.pulse = new Pulse(console.converters());
+        thread.setDaemon(true);
+        console.onEnd(reason -> notifier.start("STOPPING=1", "STATUS=stopping: " + reason));
+    }
+
+    /** The program does its work. */
+    void ready() {
+        toldStatus = status();
+        notifier.send("READY=1", toldStatus);
+        if (unattended || notifier.isThere()) {
+            thread.start();
+        }
+    }
+
+    private void look() {
+        Duration watchdog = notifier.watchdog();
+        // Three times in the watchdog's period, so that one that comes late is none too late.
+        long periodNanos = (watchdog == null ? STATUS_PERIOD : watchdog.dividedBy(3)).toNanos();
+        Duration rest = Duration.ofNanos(Math.min(LOOK.toNanos(), periodNanos));
+        long told = clock.nanoTime();
+        try {
+            while (!console.isEnding()) {
+                clock.sleep(rest);
+                endWithTheConverters();
+                if (clock.nanoTime() - told >= periodNanos) {
+                    told = clock.nanoTime();
+                    tell(watchdog != null);
+                }
+            }
+        } catch (InterruptedException end) {
+            // The program ends, and the service manager has been told.
+        }
+    }
+
+    private void endWithTheConverters() {
+        if (unattended && console.converters().stream().allMatch(ServiceManager::hasEnded)) {
+            LOG.warn("the converter was closed by a component of its own; the program ends");
+            console.end("the converter was closed by a component of its own", 1);
+        }
+    }
+
+    private static boolean hasEnded(SystemEventConverter converter) {
+        return converter.status().loop() == LoopState.EXITED;
+    }
+
+    private void tell(boolean watched) throws InterruptedException {
+        if (notifier.isThere() && !console.isEnding()) {
+            String trouble = pulse.trouble();
+            String status = trouble.isEmpty() ? status() : "STATUS=" + trouble;
+            if (watched && trouble.isEmpty()) {
+                notifier.send("WATCHDOG=1", status);
+            } else if (!status.equals(toldStatus)) {
+                notifier.send(status);
+            }
+            toldStatus = status;
+        }
+    }
+
+    private String status() {
+        return "STATUS="
+                + console.converters().stream()
+                        .map(SystemEventConverter::status)
+                        .map(ServiceManager::status)
+                        .collect(Collectors.joining("; "));
+    }
+
+    private static String status(ConverterStatus status) {
+        ConverterStatus.Link link = status.link();
+        return status.name() + " " + status.loop().name().toLowerCase(Locale.ROOT) + ": "
+                + status.states().original() + " / " + status.states().evolved()
+                + (link == null ? "" : ", " + link.text());
+    }
+
+    @Override
+    public void close() {
+        thread.interrupt();
+        if (!Threads.join(thread, END_LIMIT)) {
+            LOG.warn("thread {} did not end within {} ms", thread.getName(), END_LIMIT.toMillis());
+        }
+        notifier.close();
+    }
+}

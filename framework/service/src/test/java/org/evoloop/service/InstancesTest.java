@@ -1,0 +1,141 @@
+package org.evoloop.service;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import org.evoloop.time.ManualClock;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Names, where their sockets are, and whose they are. */
+class InstancesTest {
+    @TempDir
+    private Path runtime;
+
+    private Service open(String name) throws IOException {
+        return Service.open(
+                new ServiceOptions(false, name), new ManualClock(), Map.of("XDG_RUNTIME_DIR", runtime.toString()));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"", "a b", "../lamp", "a/b", "-x", "lämpchen", "a.b", "a\n"})
+    void aNameOfOtherCharactersIsRefused(String name) {
+        assertThatThrownBy(() -> new ServiceOptions(false, name))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("use letters, digits, - and _");
+    }
+
+    @Test
+    void theOptionsAreTakenOutOfTheCommandLine() {
+        List<String> line = new ArrayList<>(List.of("--models", "x", "--name", "lamp-2", "--start"));
+
+        assertThat(ServiceOptions.takeFrom(line)).isEqualTo(new ServiceOptions(true, "lamp-2"));
+        assertThat(line).containsExactly("--models", "x");
+        assertThatThrownBy(() -> ServiceOptions.takeFrom(new ArrayList<>(List.of("--name"))))
+                .hasMessage("--name needs a name, as in --name lamp");
+    }
+
+    @Test
+    void theSocketIsInTheSessionsDirectoryOrTheUnitsOrTheUsersOwn() {
+        assertThat(new Instances(Map.of("XDG_RUNTIME_DIR", "/s", "RUNTIME_DIRECTORY", "/r")).directory())
+                .isEqualTo(Path.of("/s/evoloop"));
+        assertThat(new Instances(Map.of("RUNTIME_DIRECTORY", "/r:/second")).directory())
+                .isEqualTo(Path.of("/r"));
+        assertThat(new Instances(Map.of()).directory())
+                .isEqualTo(Path.of(System.getProperty("java.io.tmpdir"), "evoloop-" + System.getProperty("user.name")));
+    }
+
+    @Test
+    void aPathThatIsTooLongIsToldWithItsLength() {
+        Path directory = Path.of("/" + "d".repeat(99));
+
+        assertThat(Instances.socket(directory, "l")).isEqualTo(directory.resolve("l.sock"));
+        assertThatThrownBy(() -> Instances.socket(directory, "la"))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("a path of 108 bytes, and 107 are allowed");
+    }
+
+    @Test
+    void aNameIsTakenOnceAndCanBeTakenAgain() throws Exception {
+        try (Service first = open("lamp");
+                Service other = open("lamp-2")) {
+            assertThat(first).isNotSameAs(other);
+            assertThatThrownBy(() -> open("lamp"))
+                    .isInstanceOf(IllegalArgumentException.class)
+                    .hasMessage("an instance named lamp is running already (process "
+                            + ProcessHandle.current().pid()
+                            + "); give this one another --name, or end that one: ctl lamp exit");
+        }
+        open("lamp").close();
+    }
+
+    @Test
+    void theDirectoryIsPrivateAlsoIfItWasThere() throws Exception {
+        Path directory = Files.createDirectory(runtime.resolve("evoloop"));
+        Files.setPosixFilePermissions(directory, PosixFilePermissions.fromString("rwxr-xr-x"));
+
+        open("lamp").close();
+
+        assertThat(PosixFilePermissions.toString(Files.getPosixFilePermissions(directory)))
+                .isEqualTo("rwx------");
+    }
+
+    @Test
+    void aLinkInTheDirectorysPlaceIsNotFollowed(@TempDir Path elsewhere) throws Exception {
+        Files.createSymbolicLink(runtime.resolve("evoloop"), elsewhere);
+
+        assertThatThrownBy(() -> open("lamp"))
+                .isInstanceOf(IOException.class)
+                .hasMessageContaining("is not a directory of this user");
+    }
+
+    @Test
+    void theClientTellsWhichInstancesThereAre() throws Exception {
+        ByteArrayOutputStream text = new ByteArrayOutputStream();
+        PrintStream all = new PrintStream(text, true, StandardCharsets.UTF_8);
+        Ctl ctl = new Ctl(new Instances(Map.of("XDG_RUNTIME_DIR", runtime.toString())), all, all);
+        Path directory = Files.createDirectory(runtime.resolve("evoloop"));
+        Files.createFile(directory.resolve("dead.sock"));
+
+        try (ControlServer lamp = new ControlServer(directory.resolve("lamp.sock"), new Echo(), new ManualClock())) {
+            assertThat(lamp.commands().isEnding()).isFalse();
+            assertThat(ctl.call(List.of())).isZero();
+            assertThat(ctl.call(List.of("lamp", "press", "a b", "it's"))).isZero();
+            assertThat(ctl.call(List.of("lamp", "fail"))).isEqualTo(1);
+            assertThat(ctl.call(List.of("lump", "status"))).isEqualTo(2);
+            assertThat(ctl.call(List.of("lamp"))).isEqualTo(2);
+            assertThat(ctl.call(List.of("a b", "status"))).isEqualTo(2);
+        }
+
+        assertThat(text.toString(StandardCharsets.UTF_8).lines())
+                .contains("lamp", "press 'a b' \"it's\"", "no")
+                .anyMatch(line -> line.startsWith("error: no instance named lump is running; there are lamp"))
+                .contains("error: say what lamp shall do: ctl lamp help lists its commands")
+                .doesNotContain("dead");
+    }
+
+    private static final class Echo implements Commands {
+        @Override
+        public int perform(String line, PrintStream results, PrintStream errors) {
+            results.println(line.equals("fail") ? "no" : line);
+            return line.equals("fail") ? 1 : 0;
+        }
+
+        @Override
+        public boolean isEnding() {
+            return false;
+        }
+    }
+}

@@ -1,0 +1,78 @@
+package org.evoloop.service;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import java.util.concurrent.CountDownLatch;
+import org.evoloop.PaperModels;
+import org.evoloop.console.Console;
+import org.evoloop.console.ConsoleCommand;
+import org.evoloop.converter.EventExecute;
+import org.evoloop.converter.PushMonitor;
+import org.evoloop.converter.StateKnowledge;
+import org.evoloop.converter.SystemEventConverter;
+import org.evoloop.evolution.Step;
+import org.evoloop.function.NewFunction;
+import org.evoloop.loop.LoopConfig;
+import org.evoloop.time.Clock;
+import org.evoloop.time.SystemClock;
+
+/** The paper's light bulb as a program, which can also be told to close itself, and to hang. */
+final class LampProgram {
+    private LampProgram() {}
+
+    public static void main(String[] arguments) throws Exception {
+        List<String> options = new ArrayList<>(List.of(arguments));
+        int status;
+        try (Service service = Service.open(ServiceOptions.takeFrom(options));
+                Clock clock = new SystemClock()) {
+            PushMonitor wallSwitch = new PushMonitor("WallSwitch");
+            SystemEventConverter converter = new SystemEventConverter(LoopConfig.defaults("lamp", clock));
+            converter.addMonitor(wallSwitch);
+            converter.addExecute(new Lamp());
+            converter.addKnowledge(new LampKnowledge());
+            converter.build();
+            Console console = new Console(converter, System.in, System.out, System.err);
+            console.addCommand(ConsoleCommand.of("switch", "", (words, out) -> wallSwitch.press("switch")));
+            console.addCommand(ConsoleCommand.of("close", "", (words, out) -> converter.close()));
+            console.addCommand(
+                    ConsoleCommand.of("hang", "", (words, out) -> clock.schedule(Duration.ZERO, LampProgram::hang)));
+            status = service.run(console);
+        } catch (IllegalArgumentException mistake) {
+            System.err.println("error: " + mistake.getMessage());
+            status = 2;
+        }
+        System.exit(status);
+    }
+
+    private static void hang() {
+        try {
+            new CountDownLatch(1).await();
+        } catch (InterruptedException end) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    private static final class Lamp extends EventExecute {
+        @Override
+        protected Set<String> sendableEvents() {
+            return Set.of("switch");
+        }
+
+        @Override
+        protected void send(Step step) {}
+    }
+
+    private static final class LampKnowledge extends StateKnowledge {
+        LampKnowledge() {
+            super(PaperModels.lightBulb());
+        }
+
+        @Override
+        protected void registerNewFunctions() {
+            timer("wait", "timeout", Duration.ofSeconds(2));
+            function("incandescentOn", NewFunction.none());
+        }
+    }
+}

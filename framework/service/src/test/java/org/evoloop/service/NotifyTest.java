@@ -1,0 +1,154 @@
+package org.evoloop.service;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.Map;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** What a service manager is told, at a datagram socket like its own. */
+@Timeout(value = 120, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+@EnabledOnOs(OS.LINUX)
+class NotifyTest {
+    /** Prints each message as one line, with blanks for its line feeds; what only marks the end of one is left out. */
+    private static final String MANAGER = """
+            import socket, sys
+            address = sys.argv[1]
+            manager = socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM)
+            manager.bind(chr(0) + address[1:] if address[0] == "@" else address)
+            print("bound", flush=True)
+            while True:
+                message = manager.recv(65536).decode()
+                if message != "BARRIER=1":
+                    print(message.replace(chr(10), " "), flush=True)
+            """;
+
+    @TempDir
+    private Path runtime;
+
+    private Process manager;
+    private Process lamp;
+
+    @AfterEach
+    void leaveNoProcess() throws InterruptedException {
+        for (Process process : new Process[] {manager, lamp}) {
+            if (process != null) {
+                process.destroyForcibly().waitFor();
+            }
+        }
+    }
+
+    private static boolean hasPrograms() {
+        return hasProgram("python3") && hasProgram("systemd-notify");
+    }
+
+    private static boolean hasProgram(String name) {
+        try {
+            return new ProcessBuilder(name, "--version").start().waitFor() == 0;
+        } catch (IOException none) {
+            return false;
+        } catch (InterruptedException stop) {
+            Thread.currentThread().interrupt();
+            return false;
+        }
+    }
+
+    private BufferedReader manage(String address) throws IOException {
+        manager = new ProcessBuilder("python3", "-c", MANAGER, address).start();
+        BufferedReader messages = manager.inputReader(StandardCharsets.UTF_8);
+        assertThat(messages.readLine()).isEqualTo("bound");
+        return messages;
+    }
+
+    private void startLamp(String address, String watchdogMicros) throws IOException {
+        ProcessBuilder builder = new ProcessBuilder(
+                        System.getProperty("java.home") + "/bin/java",
+                        "-cp",
+                        System.getProperty("java.class.path"),
+                        LampProgram.class.getName(),
+                        "--start",
+                        "--name",
+                        "lamp")
+                .redirectOutput(ProcessBuilder.Redirect.DISCARD)
+                .redirectError(ProcessBuilder.Redirect.DISCARD);
+        builder.environment()
+                .putAll(Map.of(
+                        "NOTIFY_SOCKET", address,
+                        "WATCHDOG_USEC", watchdogMicros,
+                        "XDG_RUNTIME_DIR", runtime.toString()));
+        lamp = builder.start();
+    }
+
+    private void tell(String command) throws Exception {
+        try (Client client = new Client(runtime.resolve("evoloop/lamp.sock"))) {
+            client.send(command + "\n");
+            assertThat(client.line()).isEqualTo("end 0");
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"file", "@evoloop-test"})
+    void itIsReadyThenAliveThenStopping(String kind) throws Exception {
+        assumeTrue(hasPrograms());
+        String address = kind.equals("file")
+                ? runtime.resolve("notify").toString()
+                : kind + ProcessHandle.current().pid();
+        BufferedReader messages = manage(address);
+        startLamp(address, "600000");
+
+        assertThat(messages.readLine()).isEqualTo("READY=1 STATUS=lamp running: off / off");
+        assertThat(messages.readLine()).isEqualTo("WATCHDOG=1 STATUS=lamp running: off / off");
+        tell("exit");
+        String last = messages.readLine();
+        while (last.startsWith("WATCHDOG=1")) {
+            last = messages.readLine();
+        }
+        assertThat(last).isEqualTo("STOPPING=1 STATUS=stopping: exit");
+    }
+
+    @Test
+    void theWatchdogHearsNothingOfALoopThatHangs() throws Exception {
+        assumeTrue(hasPrograms());
+        String address = runtime.resolve("notify").toString();
+        BufferedReader messages = manage(address);
+        startLamp(address, "600000");
+        assertThat(messages.readLine()).startsWith("READY=1");
+        assertThat(messages.readLine()).startsWith("WATCHDOG=1");
+
+        tell("hang");
+
+        String next = messages.readLine();
+        while (next.startsWith("WATCHDOG=1")) {
+            next = messages.readLine();
+        }
+        assertThat(next).isEqualTo("STATUS=lamp has a clock that does not run its tasks");
+        tell("exit");
+        assertThat(messages.readLine()).startsWith("STOPPING=1");
+    }
+
+    @Test
+    void theWatchdogIsHeededOnlyByTheProcessThatItIsFor() {
+        long own = ProcessHandle.current().pid();
+        Map<String, String> watched = Map.of("NOTIFY_SOCKET", "/run/n", "WATCHDOG_USEC", "3000000");
+
+        assertThat(new Notifier(watched).watchdog()).isEqualTo(Duration.ofSeconds(3));
+        assertThat(new Notifier(Map.of("WATCHDOG_USEC", "3000000")).watchdog()).isNull();
+        assertThat(new Notifier(Map.of("NOTIFY_SOCKET", "/run/n", "WATCHDOG_USEC", "x")).watchdog())
+                .isNull();
+        assertThat(new Notifier(Map.of("NOTIFY_SOCKET", "/n", "WATCHDOG_USEC", "3000000", "WATCHDOG_PID", own + "1"))
+                        .watchdog())
+                .isNull();
+    }
+}

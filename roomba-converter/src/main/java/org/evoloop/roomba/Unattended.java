@@ -1,0 +1,22 @@
+package org.evoloop.roomba;
+
+import org.evoloop.service.ServiceOptions;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Option;
+
+/** The options of a program that runs by itself. */
+final class Unattended {
+    @Option(names = "--start", description = "Converts events at once, and goes on when the standard input ends.")
+    private boolean start;
+
+    @Option(
+            names = "--name",
+            paramLabel = "NAME",
+            description = "Takes commands for NAME: ctl NAME status (default: nothing listens).")
+    private @Nullable String name;
+
+    /** @throws IllegalArgumentException if the name is not one */
+    ServiceOptions options() {
+        return new ServiceOptions(start, name);
+    }
+}
