@@ -75,12 +75,14 @@ KNOWN = [
     Known("./evoloop test --stress", why_not="takes some minutes of both processors; a test run of its own"),
     typed("./evoloop lightbulb", input="start\nswitch\nstatus\nexit\n", shows="switch"),
     typed("./evoloop lightbulb --help", shows="--models"),
-    Known("./evoloop lightbulb --start --name lamp", why_not="goes on until somebody ends it; ServiceProcessTest runs one"),
+    Known("./evoloop lightbulb --start --name lamp < /dev/null &", why_not="goes on until somebody ends it; ServiceProcessTest runs one"),
     typed("./evoloop ctl", shows=""),
-    typed("./evoloop ctl --help", shows="status --json"),
-    Known("./evoloop ctl lamp status", run="./evoloop ctl --help", shows="status --json"),
+    Known("./evoloop ctl lamp status --json", run="./evoloop ctl --help", shows="status --json"),
     Known("./evoloop ctl lamp switch", run="./evoloop ctl --help", shows="status --json"),
     Known("./evoloop ctl lamp exit", run="./evoloop ctl --help", shows="status --json"),
+    Known("java -jar roomba-converter.jar ctl lamp status", run="./evoloop ctl --help", shows="status --json"),
+    Known("java -jar /opt/evoloop/roomba-converter.jar ctl roomba status", run="./evoloop ctl --help", shows="status --json"),
+    Known("java -cp fan.jar org.evoloop.service.Ctl fan status", why_not=ELSEWHERE),
     Known("./evoloop ctl NAME COMMAND ...", run="./evoloop ctl --help", shows="status --json"),
     typed("./evoloop setup --help", shows="apt-get"),
     typed("./evoloop install"),
@@ -169,6 +171,9 @@ KNOWN = [
         "./mvnw package -pl roomba-converter -am",
         run="./mvnw -q package -pl roomba-converter -am -Dmaven.test.skip=true",
         slow=True,
+    ),
+    typed(
+        "./mvnw -Dslow -pl framework/journal -am test -Dtest=KillTest -Dsurefire.failIfNoSpecifiedTests=false", slow=True
     ),
     typed("./mvnw -pl framework/check -am -Dslow -Dtest=CheckGrowthTest -Dsurefire.failIfNoSpecifiedTests=false test", slow=True),
     Known(

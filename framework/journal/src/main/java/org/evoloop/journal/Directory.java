@@ -103,11 +103,17 @@ final class Directory implements AutoCloseable {
         for (Path file : segments(path)) {
             add(file, file.toFile().length());
         }
-        Piece newest = pieces.peekLast();
-        if (newest != null && SegmentReader.isBlank(newest.file())) {
-            LOG.info("{} was being created when its process ended, and is left out", newest.file());
+        Piece newest = pieces.pollLast();
+        if (newest != null) {
             total -= newest.bytes();
-            delete(pieces.removeLast().file());
+            long written = SegmentReader.writtenBytes(newest.file());
+            if (written > 0) {
+                // A killed process leaves the room behind that it did not need.
+                add(newest.file(), written);
+            } else {
+                LOG.info("{} was being created when its process ended, and is left out", newest.file());
+                delete(newest.file());
+            }
         }
         ArrayDeque<Path> last = new ArrayDeque<>();
         long sum = 0;

@@ -60,9 +60,17 @@ final class SegmentReader {
         records = 0;
     }
 
-    /** Whether {@code file} was being created when the process or the computer ended, and holds nothing yet. */
-    static boolean isBlank(Path file) {
-        return Preamble.isBlank(read(file));
+    /** How much of {@code file} is not blank; 0 if it was being created when the process or the computer ended. */
+    static long writtenBytes(Path file) {
+        byte[] bytes = read(file);
+        if (Preamble.isBlank(bytes)) {
+            return 0;
+        }
+        int written = bytes.length;
+        while (bytes[written - 1] == 0) {
+            written--;
+        }
+        return written;
     }
 
     private static byte[] read(Path file) {

@@ -50,6 +50,17 @@ class ConverterRecoveryTest {
     }
 
     @Test
+    void historyReachesBackBeyondProcessesThatWereKilledAtOnce() throws Exception {
+        robot.press("Clean");
+        robot.settle();
+        for (int life = 0; life < 3; life++) {
+            robot.copyAndRevive();
+        }
+
+        assertThat(robot.outcomes()).containsExactly("Clean HANDLED");
+    }
+
+    @Test
     void aStepThatWasBeingSentIsInDoubtAndNotSentAgain() throws Exception {
         robot.meanwhile = robot::copy;
         robot.press("Clean");
