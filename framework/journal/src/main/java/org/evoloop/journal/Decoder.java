@@ -17,19 +17,18 @@ import org.evoloop.evolution.Step;
 import org.evoloop.evolution.Values;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
+import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.Transition;
 import org.jspecify.annotations.Nullable;
 
 /** Reads the inputs of one segment, in order. */
 final class Decoder {
     private final Cursor cursor;
-    private final Arcs arcs;
     private final Rules rules;
 
     /** @param rules by which the segment was written */
-    Decoder(Cursor cursor, Arcs arcs, Rules rules) {
+    Decoder(Cursor cursor, Rules rules) {
         this.cursor = cursor;
-        this.arcs = arcs;
         this.rules = rules;
     }
 
@@ -182,14 +181,22 @@ final class Decoder {
     }
 
     private Transition original() {
-        State source = state();
-        Event event = event();
-        return arcs.original(source, event, state());
+        return transitionOf(rules.table().models().original());
     }
 
     private Transition evolved() {
+        return transitionOf(rules.table().models().evolved());
+    }
+
+    private Transition transitionOf(StateMachine model) {
         State source = state();
         Event event = event();
-        return arcs.evolved(source, event, state());
+        State target = state();
+        Transition found = model.transition(source, event).orElse(null);
+        if (found == null || !found.target().equals(target)) {
+            throw new Cursor.Senseless(
+                    "the model '" + model.name() + "' has no transition " + source + " --" + event + "--> " + target);
+        }
+        return found;
     }
 }

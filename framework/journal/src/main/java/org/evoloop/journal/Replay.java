@@ -49,7 +49,7 @@ final class Replay {
         Rules rules = head.rules(present);
         Core core = new Core(rules, snapshot(file, segment), past);
         past.at(() -> wallTime(head, core));
-        Decoder decoder = new Decoder(segment.cursor(), Arcs.of(present.table().models()), rules);
+        Decoder decoder = new Decoder(segment.cursor(), rules);
         while (segment.next()) {
             Input input;
             try {
