@@ -34,7 +34,7 @@ public record ConsoleCommand(
          *
          * @param arguments as many as the usage says
          * @param out for results, which are shown in one piece when this returns
-         * @throws Exception any failure: its message, which should say how to mend it, becomes the console's error line
+         * @throws Exception any failure: its message, which should say how to fix it, becomes the console's error line
          */
         void run(List<String> arguments, PrintStream out) throws Exception;
     }

@@ -21,7 +21,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** What has no flat machine, or no meaning, is refused with its place and how to mend it. */
+/** What has no flat machine, or no meaning, is refused with its place and how to fix it. */
 class FlatteningRefusalTest {
 
     /** The chart: i to A, states A, B and C, where C has the regions {D, E} and {F}, and a pseudostate of each kind. */

@@ -16,7 +16,7 @@ final class BoundedInput extends InputStream {
     private long fileBytes;
     private long tokenBytes;
 
-    /** @param refusal makes an exception of what is wrong and how to mend it */
+    /** @param refusal makes an exception of what is wrong and how to fix it */
     BoundedInput(InputStream bytes, BiFunction<String, String, ModelException> refusal) {
         this.bytes = bytes;
         this.refusal = refusal;

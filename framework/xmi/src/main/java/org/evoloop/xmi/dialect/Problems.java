@@ -39,7 +39,7 @@ public final class Problems {
      * Adds one, once.
      *
      * @param line counted from 1; 0 for what stands in no line
-     * @param text with kind, name and id of the element, and how to mend it
+     * @param text with kind, name and id of the element, and how to fix it
      */
     public void add(int line, String text) {
         Problem problem = new Problem(line, text);

@@ -2,7 +2,7 @@ package org.evoloop.roomba.link;
 
 /**
  * The cable to the robot cannot be used. The message is written for the person who plugged it in: it names the port,
- * the fault and how to mend it, and needs no stack trace.
+ * the fault and how to fix it, and needs no stack trace.
  */
 public final class LinkException extends RuntimeException {
     private final Fault fault;

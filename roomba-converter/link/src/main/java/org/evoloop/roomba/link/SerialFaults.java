@@ -10,7 +10,7 @@ import java.util.List;
 import java.util.stream.Stream;
 import org.evoloop.roomba.link.LinkException.Fault;
 
-/** What can be wrong with a serial port, in words that tell how to mend it. */
+/** What can be wrong with a serial port, in words that tell how to fix it. */
 final class SerialFaults {
     /** Error numbers of Linux, as jSerialComm passes them on; it uses 2 for a port that this program has open, too. */
     private static final int EPERM = 1;

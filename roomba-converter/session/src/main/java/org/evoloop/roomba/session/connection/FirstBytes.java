@@ -27,7 +27,7 @@ public final class FirstBytes {
         return length == 0;
     }
 
-    /** What is probably wrong, and how to mend it. */
+    /** What is probably wrong, and how to fix it. */
     synchronized String diagnosis(String port) {
         if (length == 0) {
             return port

@@ -2,7 +2,7 @@ package org.evoloop.roomba.session.connection;
 
 /**
  * The cable is fine, but the robot at its other end does not do what it must. The message is written for its owner: it
- * names the port, what is wrong and how to mend it, and needs no stack trace.
+ * names the port, what is wrong and how to fix it, and needs no stack trace.
  */
 public final class RobotException extends RuntimeException {
     public RobotException(String message) {
