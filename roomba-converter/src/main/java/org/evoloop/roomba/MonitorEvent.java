@@ -48,7 +48,7 @@ final class MonitorEvent extends PushMonitor implements SessionListener {
     }
 
     @Override
-    public void seen(Activity activity) {
+    public void seen(SeenActivity activity) {
         push(foundIn(RobotEvents.state(activity).name()));
     }
 

@@ -1,7 +1,7 @@
 package org.evoloop.roomba;
 
 import java.util.Optional;
-import org.evoloop.roomba.session.SessionListener.Activity;
+import org.evoloop.roomba.session.SessionListener.SeenActivity;
 import org.evoloop.roomba.session.inference.ActivityEstimate;
 import org.evoloop.statemachine.State;
 
@@ -24,7 +24,7 @@ final class RobotEvents {
     private RobotEvents() {}
 
     /** The state of the robot's model in which it does this; empty if that knows none. */
-    static Optional<String> stateName(ActivityEstimate.Activity activity) {
+    static Optional<String> stateName(ActivityEstimate.EstimatedActivity activity) {
         return switch (activity) {
             case STANDBY -> Optional.of(STATE_OFF);
             case ON -> Optional.of(STATE_ON);
@@ -35,7 +35,7 @@ final class RobotEvents {
     }
 
     /** The state of the robot's model in which it does this. */
-    static State state(Activity activity) {
+    static State state(SeenActivity activity) {
         return new State(
                 switch (activity) {
                     case ON -> STATE_ON;

@@ -6,7 +6,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import org.evoloop.evolution.ModelPair;
-import org.evoloop.roomba.session.SessionListener.Activity;
+import org.evoloop.roomba.session.SessionListener.SeenActivity;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
@@ -48,7 +48,7 @@ final class WaysBack {
             for (Transition entry : entries(move)) {
                 targets.add(before(entry));
             }
-            for (Activity activity : Activity.values()) {
+            for (SeenActivity activity : SeenActivity.values()) {
                 targets.add(RobotEvents.state(activity));
             }
             targets.removeIf(target -> moves.contains(target) || !canBeReached(target, move));

@@ -10,7 +10,7 @@ import org.evoloop.evolution.ModelPair;
 import org.evoloop.roomba.move.MoveOptions;
 import org.evoloop.roomba.move.StartPointSensor;
 import org.evoloop.roomba.oi.Button;
-import org.evoloop.roomba.simulator.robot.Activity;
+import org.evoloop.roomba.simulator.robot.RobotActivity;
 import org.evoloop.roomba.simulator.robot.RobotOptions;
 import org.evoloop.xmi.XmiFile;
 import org.junit.jupiter.api.Test;
@@ -55,7 +55,7 @@ class AuthorsModelTest {
             assertThat(roomba.states()).isEqualTo(at("Clean", "SpotWait"));
             roomba.advance(Duration.ofMillis(700));
             assertThat(roomba.states()).isEqualTo(at("On", "On"));
-            assertThat(roomba.truth().activity()).isEqualTo(Activity.ON);
+            assertThat(roomba.truth().activity()).isEqualTo(RobotActivity.ON);
         }
     }
 

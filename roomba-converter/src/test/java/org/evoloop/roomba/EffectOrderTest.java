@@ -17,7 +17,7 @@ import org.evoloop.roomba.oi.OiMode;
 import org.evoloop.roomba.oi.Opcode;
 import org.evoloop.roomba.session.SessionOptions;
 import org.evoloop.roomba.simulator.SimulatorServer;
-import org.evoloop.roomba.simulator.robot.Activity;
+import org.evoloop.roomba.simulator.robot.RobotActivity;
 import org.evoloop.roomba.simulator.robot.RobotOptions;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.time.Clock;
@@ -71,7 +71,7 @@ class EffectOrderTest {
         clock.close();
     }
 
-    private Activity truth() {
+    private RobotActivity truth() {
         return robot.robot().state().activity();
     }
 
@@ -83,7 +83,7 @@ class EffectOrderTest {
         return roomba.converter().status().doubt();
     }
 
-    private void awaitBoth(Activity activity) {
+    private void awaitBoth(RobotActivity activity) {
         await().atMost(PATIENCE)
                 .until(() ->
                         truth() == activity && record().toUpperCase(Locale.ROOT).equals(activity.name()));
@@ -97,10 +97,10 @@ class EffectOrderTest {
 
     private void startCleaning() {
         roomba.controller().press(RobotEvents.CLEAN);
-        awaitBoth(Activity.ON);
+        awaitBoth(RobotActivity.ON);
         await().atMost(PATIENCE).until(() -> robot.robot().state().oiMode() == OiMode.SAFE);
         roomba.controller().press(RobotEvents.CLEAN);
-        awaitBoth(Activity.CLEAN);
+        awaitBoth(RobotActivity.CLEAN);
     }
 
     @Test
@@ -108,14 +108,14 @@ class EffectOrderTest {
         hold.after(Opcode.SAFE.code());
         roomba.controller().press(RobotEvents.CLEAN);
         hold.await();
-        awaitBoth(Activity.ON);
+        awaitBoth(RobotActivity.ON);
         clock.sleep(STEP_LIMIT.plusSeconds(1));
         assertThat(doubt()).as("given up, and known all the same").isEmpty();
         assertThat(record()).isEqualTo(RobotEvents.STATE_ON);
         hold.release();
         roomba.converter().exchange("ExecuteCommand", "ExecuteCommand2");
         roomba.controller().press(RobotEvents.SPOT);
-        awaitBoth(Activity.SPOT);
+        awaitBoth(RobotActivity.SPOT);
     }
 
     @Test
@@ -128,7 +128,7 @@ class EffectOrderTest {
         assertThat(doubt()).contains("nobody knows whether Clean had its effect");
         roomba.converter().exchange("ExecuteCommand", "ExecuteCommand2");
         await().atMost(PATIENCE).until(() -> doubt().isEmpty());
-        assertThat(truth()).isEqualTo(Activity.CLEAN);
+        assertThat(truth()).isEqualTo(RobotActivity.CLEAN);
         assertThat(record()).isEqualTo(RobotEvents.STATE_CLEAN);
     }
 
@@ -139,7 +139,7 @@ class EffectOrderTest {
         roomba.controller().press(RobotEvents.CLEAN);
         hold.await();
         robot.robot().press(Button.CLEAN);
-        awaitBoth(Activity.ON);
+        awaitBoth(RobotActivity.ON);
         hold.release();
         await().atMost(PATIENCE).until(() -> roomba.converter().status().queue().depth() == 0);
         awaitAgreement();
@@ -148,7 +148,7 @@ class EffectOrderTest {
     @Test
     void aRobotThatIsLiftedAndSetToWorkWhileACommandIsOnItsWay() throws Exception {
         roomba.controller().press(RobotEvents.CLEAN);
-        awaitBoth(Activity.ON);
+        awaitBoth(RobotActivity.ON);
         await().atMost(PATIENCE).until(() -> roomba.session().isUnderControl());
         hold.before(Opcode.CLEAN.code());
         roomba.controller().press(RobotEvents.CLEAN);
@@ -157,9 +157,9 @@ class EffectOrderTest {
         await().atMost(PATIENCE).until(() -> !roomba.session().isUnderControl());
         robot.robot().setDown();
         robot.robot().press(Button.SPOT);
-        awaitBoth(Activity.SPOT);
+        awaitBoth(RobotActivity.SPOT);
         hold.release();
-        await().atMost(PATIENCE).until(() -> truth() == Activity.ON);
+        await().atMost(PATIENCE).until(() -> truth() == RobotActivity.ON);
         awaitAgreement();
     }
 
@@ -169,10 +169,10 @@ class EffectOrderTest {
         startCleaning();
         await().atMost(PATIENCE).until(() -> asked.locate().equals(Optional.of(RobotEvents.STATE_CLEAN)));
         roomba.controller().press(RobotEvents.CLEAN);
-        awaitBoth(Activity.ON);
+        awaitBoth(RobotActivity.ON);
         assertThat(asked.locate()).contains(RobotEvents.STATE_ON);
         roomba.controller().press(RobotEvents.SPOT);
-        awaitBoth(Activity.SPOT);
+        awaitBoth(RobotActivity.SPOT);
         assertThat(asked.locate()).contains(RobotEvents.STATE_SPOT);
         robot.unplug();
         await().atMost(PATIENCE).until(() -> !roomba.session().isUp());

@@ -18,7 +18,7 @@ import org.evoloop.roomba.session.SessionListener;
 import org.evoloop.roomba.session.SessionOptions;
 import org.evoloop.roomba.session.Telemetry;
 import org.evoloop.roomba.simulator.SimulatorServer;
-import org.evoloop.roomba.simulator.robot.Activity;
+import org.evoloop.roomba.simulator.robot.RobotActivity;
 import org.evoloop.roomba.simulator.robot.RobotOptions;
 import org.evoloop.roomba.simulator.robot.SimulatedRoomba;
 import org.evoloop.time.Clock;
@@ -63,7 +63,7 @@ class EnduranceTest {
                     .as("no wrong event")
                     .hasSize(events);
             assertThat(stepped.states().original().name()).isEqualTo("Clean");
-            assertThat(stepped.truth().activity()).isEqualTo(Activity.CLEAN);
+            assertThat(stepped.truth().activity()).isEqualTo(RobotActivity.CLEAN);
             assertThat(stepped.roomba.session().isUp()).isTrue();
             assertThat(gap.longestNanos).as("no stall").isPositive().isLessThan(1_000_000_000);
             Counts after = Counts.of(stepped);

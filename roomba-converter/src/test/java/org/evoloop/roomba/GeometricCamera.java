@@ -38,7 +38,7 @@ final class GeometricCamera implements MarkerCamera {
     private final List<Runnable> listeners = new CopyOnWriteArrayList<>();
     private @Nullable Pose marker;
     private Look newest =
-            new Look(0, 0, new CameraHealth(CameraHealth.State.OPENING, "it is opening"), Optional.empty());
+            new Look(0, 0, new CameraHealth(CameraHealth.Condition.OPENING, "it is opening"), Optional.empty());
     private boolean stalled;
     private @Nullable RuntimeException broken;
     double lostShare = 0.05;

@@ -7,7 +7,7 @@ import java.time.Duration;
 import org.evoloop.roomba.oi.Button;
 import org.evoloop.roomba.oi.OiMode;
 import org.evoloop.roomba.session.SessionOptions;
-import org.evoloop.roomba.simulator.robot.Activity;
+import org.evoloop.roomba.simulator.robot.RobotActivity;
 import org.evoloop.roomba.simulator.robot.RobotOptions;
 import org.junit.jupiter.api.Test;
 
@@ -28,7 +28,7 @@ class ModeOffsetEndToEndTest {
     private static void assertCleansOn(SteppedRoomba roomba) {
         for (long passed = 0; passed < LONG.toMillis(); passed += 300) {
             roomba.advance(Duration.ofMillis(300));
-            assertThat(roomba.truth().activity()).isEqualTo(Activity.CLEAN);
+            assertThat(roomba.truth().activity()).isEqualTo(RobotActivity.CLEAN);
         }
     }
 

@@ -8,7 +8,7 @@ import static org.evoloop.roomba.SteppedRoomba.at;
 import java.time.Duration;
 import org.evoloop.PaperPair;
 import org.evoloop.roomba.move.MoveOptions;
-import org.evoloop.roomba.simulator.robot.Activity;
+import org.evoloop.roomba.simulator.robot.RobotActivity;
 import org.evoloop.roomba.simulator.room.Pose;
 import org.junit.jupiter.api.Test;
 
@@ -27,7 +27,7 @@ class MoveEndsTest {
             trip.advance(Duration.ofSeconds(6));
             trip.stepped.press(RobotEvents.CLEAN).advance(Duration.ofSeconds(1));
             assertThat(trip.stepped.states()).isEqualTo(at("Clean", "Clean"));
-            assertThat(trip.truth().activity()).isEqualTo(Activity.CLEAN);
+            assertThat(trip.truth().activity()).isEqualTo(RobotActivity.CLEAN);
         }
     }
 

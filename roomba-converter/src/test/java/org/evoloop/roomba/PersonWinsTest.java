@@ -11,7 +11,7 @@ import org.evoloop.evolution.ModelPair;
 import org.evoloop.roomba.move.MoveOptions;
 import org.evoloop.roomba.oi.Button;
 import org.evoloop.roomba.oi.OiMode;
-import org.evoloop.roomba.simulator.robot.Activity;
+import org.evoloop.roomba.simulator.robot.RobotActivity;
 import org.evoloop.roomba.simulator.room.Pose;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.StateMachineBuilder;
@@ -60,7 +60,7 @@ class PersonWinsTest {
             assertThat(trip.truth().oiMode()).isEqualTo(OiMode.SAFE);
             trip.stepped.press(RobotEvents.CLEAN).advance(Duration.ofSeconds(1));
             assertThat(trip.stepped.states()).isEqualTo(at("Clean", "Clean"));
-            assertThat(trip.truth().activity()).isEqualTo(Activity.CLEAN);
+            assertThat(trip.truth().activity()).isEqualTo(RobotActivity.CLEAN);
         }
     }
 
@@ -90,7 +90,7 @@ class PersonWinsTest {
             trip.stepped.robot.press(Button.CLEAN);
             trip.advance(Duration.ofSeconds(1));
             assertThat(trip.stepped.states()).isEqualTo(at("Spot", "Spot"));
-            assertThat(trip.truth().activity()).isEqualTo(Activity.SPOT);
+            assertThat(trip.truth().activity()).isEqualTo(RobotActivity.SPOT);
         }
     }
 

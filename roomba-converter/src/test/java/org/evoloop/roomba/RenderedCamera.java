@@ -35,7 +35,7 @@ final class RenderedCamera implements MarkerCamera {
     private final Eye eye;
     private final MarkerFinder finder = OpenCv.vision().finder(MarkerSpec.DEFAULT, CameraModel.DEFAULT);
     private Look newest =
-            new Look(0, 0, new CameraHealth(CameraHealth.State.OPENING, "it is opening"), Optional.empty());
+            new Look(0, 0, new CameraHealth(CameraHealth.Condition.OPENING, "it is opening"), Optional.empty());
     private long pictures;
     private boolean closed;
 

@@ -8,7 +8,7 @@ import java.util.stream.LongStream;
 import org.evoloop.converter.ConverterStatus;
 import org.evoloop.roomba.oi.Button;
 import org.evoloop.roomba.oi.OiMode;
-import org.evoloop.roomba.simulator.robot.Activity;
+import org.evoloop.roomba.simulator.robot.RobotActivity;
 import org.evoloop.roomba.simulator.robot.RobotOptions;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -49,9 +49,9 @@ class SteppedRandomWalkTest {
     }
 
     private static boolean agree(SteppedRoomba roomba) {
-        Activity activity = roomba.truth().activity();
+        RobotActivity activity = roomba.truth().activity();
         return roomba.states().original().name().equalsIgnoreCase(activity.name())
-                && roomba.truth().oiMode() == (activity == Activity.ON ? OiMode.SAFE : OiMode.PASSIVE);
+                && roomba.truth().oiMode() == (activity == RobotActivity.ON ? OiMode.SAFE : OiMode.PASSIVE);
     }
 
     private static String doSomething(SteppedRoomba roomba, Random random) {
@@ -70,7 +70,7 @@ class SteppedRandomWalkTest {
             }
             case 3 -> {
                 // The original model does not know that SPOT pauses cleaning, so nobody presses it then.
-                if (roomba.truth().activity() != Activity.CLEAN) {
+                if (roomba.truth().activity() != RobotActivity.CLEAN) {
                     roomba.robotPress(Button.SPOT);
                 }
                 return "robot's SPOT";

@@ -11,7 +11,7 @@ import org.evoloop.converter.HistoryEntry;
 import org.evoloop.core.Outcome;
 import org.evoloop.roomba.oi.Button;
 import org.evoloop.roomba.oi.OiMode;
-import org.evoloop.roomba.simulator.robot.Activity;
+import org.evoloop.roomba.simulator.robot.RobotActivity;
 import org.evoloop.roomba.simulator.robot.RobotState;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -27,7 +27,7 @@ class SteppedScenariosTest {
         roomba.close();
     }
 
-    private void assertTruth(Activity activity, OiMode mode) {
+    private void assertTruth(RobotActivity activity, OiMode mode) {
         roomba.advance(SOON);
         RobotState truth = roomba.truth();
         assertThat(truth.activity()).isEqualTo(activity);
@@ -43,16 +43,16 @@ class SteppedScenariosTest {
     void remoteStart() {
         roomba.robotPress(Button.CLEAN);
         assertThat(roomba.states()).isEqualTo(at("On", "On"));
-        assertTruth(Activity.ON, OiMode.SAFE);
+        assertTruth(RobotActivity.ON, OiMode.SAFE);
 
         roomba.robotPress(Button.SPOT);
         assertThat(roomba.states()).isEqualTo(at("On", "Move"));
         roomba.until(() -> roomba.states().equals(at("Spot", "Spot")), Duration.ofSeconds(20));
         assertNear(1000, 500, 30);
-        assertTruth(Activity.SPOT, OiMode.PASSIVE);
+        assertTruth(RobotActivity.SPOT, OiMode.PASSIVE);
 
         roomba.until(() -> roomba.states().equals(at("On", "On")), Duration.ofSeconds(60));
-        assertTruth(Activity.ON, OiMode.SAFE);
+        assertTruth(RobotActivity.ON, OiMode.SAFE);
         assertNear(1000, 500, 60);
         assertThat(roomba.roomba.converter().history())
                 .extracting(HistoryEntry::detail)
@@ -62,10 +62,10 @@ class SteppedScenariosTest {
     private void startCleaning() {
         roomba.press("Clean");
         assertThat(roomba.states()).isEqualTo(at("On", "On"));
-        assertTruth(Activity.ON, OiMode.SAFE);
+        assertTruth(RobotActivity.ON, OiMode.SAFE);
         roomba.press("Clean");
         assertThat(roomba.states()).isEqualTo(at("Clean", "Clean"));
-        assertTruth(Activity.CLEAN, OiMode.PASSIVE);
+        assertTruth(RobotActivity.CLEAN, OiMode.PASSIVE);
     }
 
     @Test
@@ -73,10 +73,10 @@ class SteppedScenariosTest {
         startCleaning();
         roomba.press("Clean");
         assertThat(roomba.states()).isEqualTo(at("Clean", "SpotWait"));
-        assertTruth(Activity.CLEAN, OiMode.PASSIVE);
+        assertTruth(RobotActivity.CLEAN, OiMode.PASSIVE);
         roomba.press("Clean");
         assertThat(roomba.states()).isEqualTo(at("Spot", "Spot"));
-        assertTruth(Activity.SPOT, OiMode.PASSIVE);
+        assertTruth(RobotActivity.SPOT, OiMode.PASSIVE);
         assertThat(roomba.last().detail()).isEqualTo("Clean, Spot");
     }
 
@@ -85,10 +85,10 @@ class SteppedScenariosTest {
         startCleaning();
         roomba.robotPress(Button.CLEAN);
         assertThat(roomba.states()).isEqualTo(at("On", "SpotWait"));
-        assertTruth(Activity.ON, OiMode.SAFE);
+        assertTruth(RobotActivity.ON, OiMode.SAFE);
         roomba.robotPress(Button.CLEAN);
         assertThat(roomba.states()).isEqualTo(at("Spot", "Spot"));
-        assertTruth(Activity.SPOT, OiMode.PASSIVE);
+        assertTruth(RobotActivity.SPOT, OiMode.PASSIVE);
     }
 
     @Test
@@ -96,7 +96,7 @@ class SteppedScenariosTest {
         startCleaning();
         roomba.press("Clean").advance(Duration.ofMillis(4_900));
         assertThat(roomba.states()).isEqualTo(at("Clean", "SpotWait"));
-        assertTruth(Activity.ON, OiMode.SAFE);
+        assertTruth(RobotActivity.ON, OiMode.SAFE);
         assertThat(roomba.states()).isEqualTo(at("On", "On"));
     }
 

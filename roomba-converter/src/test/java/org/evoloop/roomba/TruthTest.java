@@ -12,7 +12,7 @@ import org.evoloop.roomba.link.MemoryLink;
 import org.evoloop.roomba.oi.Button;
 import org.evoloop.roomba.oi.Opcode;
 import org.evoloop.roomba.session.SessionOptions;
-import org.evoloop.roomba.simulator.robot.Activity;
+import org.evoloop.roomba.simulator.robot.RobotActivity;
 import org.evoloop.roomba.simulator.robot.RobotOptions;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -133,11 +133,11 @@ class TruthTest {
 
     /** Also a robot that ends its spot cleaning by itself at the last moment must have its time. */
     private static void letThingsBecomeQuiet(SteppedRoomba stepped) {
-        Activity before;
+        RobotActivity before;
         do {
             before = stepped.truth().activity();
             stepped.advance(QUIET);
-            if (before == Activity.DOCK) {
+            if (before == RobotActivity.DOCK) {
                 // The original model has no such state. The robot's search ends when it is lifted.
                 stepped.robot.lift();
                 stepped.advance(QUIET);

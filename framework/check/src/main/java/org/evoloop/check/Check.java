@@ -23,8 +23,8 @@ public final class Check {
     public static List<Finding> run(CheckInput input) {
         ModelPair pair = input.pair();
         List<Finding> findings = new ArrayList<>();
-        MachineRules original = new MachineRules(Element.Side.ORIGINAL, pair.original());
-        MachineRules evolved = new MachineRules(Element.Side.NEW, pair.evolved());
+        MachineRules original = new MachineRules(Element.ModelRole.ORIGINAL, pair.original());
+        MachineRules evolved = new MachineRules(Element.ModelRole.NEW, pair.evolved());
         findings.addAll(original.findings());
         // What the new model has taken over from the device's is told once, there.
         Set<Breach> known = new HashSet<>();

@@ -45,7 +45,7 @@ final class Conditions {
     private void missing(Event event) {
         findings.add(new Finding(
                 Rule.CONDITION_1,
-                new Element.OfEvent(Element.Side.ORIGINAL, event),
+                new Element.OfEvent(Element.ModelRole.ORIGINAL, event),
                 "event " + event + " of the original model is missing in the new model",
                 "use it there under the same name, capital letters and guards included"));
     }
@@ -53,7 +53,7 @@ final class Conditions {
     private static Finding finding(MissingState state, String message) {
         return new Finding(
                 Rule.CONDITION_2,
-                new Element.OfState(Element.Side.ORIGINAL, state.state()),
+                new Element.OfState(Element.ModelRole.ORIGINAL, state.state()),
                 message,
                 state.matter().mend());
     }
@@ -77,7 +77,7 @@ final class Conditions {
                 && missing.stream().noneMatch(state -> state.state().equals(device))) {
             findings.add(new Finding(
                     Rule.INITIAL_DIFFERS,
-                    new Element.OfState(Element.Side.NEW, system),
+                    new Element.OfState(Element.ModelRole.NEW, system),
                     "the new model starts in " + system + ", the device in " + device,
                     "let the new model start in " + device));
         }

@@ -42,7 +42,7 @@ final class ConverterRules {
     private void unsendable(Event trigger) {
         findings.add(new Finding(
                 Rule.UNSENDABLE_EVENT,
-                new Element.OfEvent(Element.Side.ORIGINAL, trigger),
+                new Element.OfEvent(Element.ModelRole.ORIGINAL, trigger),
                 "event " + trigger
                         + " of the original model can neither be sent nor is it declared to be the device's own",
                 "let the converter send it, or declare it: spontaneousEvents of a monitor, option --spontaneous, or the"
@@ -57,7 +57,7 @@ final class ConverterRules {
         if (input.pair().isNew(state) && !timed && !known) {
             findings.add(new Finding(
                     Rule.NO_FUNCTION,
-                    new Element.OfState(Element.Side.NEW, state),
+                    new Element.OfState(Element.ModelRole.NEW, state),
                     "new state " + state + " has no function",
                     "register one in registerNewFunctions, NewFunction.none() if nothing has to run"));
         }
@@ -76,7 +76,7 @@ final class ConverterRules {
                     && !raised.contains(trigger.name())) {
                 findings.add(new Finding(
                         Rule.UNRAISED_EVENT,
-                        new Element.OfEvent(Element.Side.NEW, trigger),
+                        new Element.OfEvent(Element.ModelRole.NEW, trigger),
                         "nobody raises event " + trigger,
                         "let a monitor, a timer or a function raise it, or write it as it is raised"));
             }
@@ -93,7 +93,7 @@ final class ConverterRules {
                 if (guarded != null) {
                     findings.add(new Finding(
                             Rule.UNBOUND_GUARD,
-                            new Element.OfTransition(Element.Side.NEW, guarded),
+                            new Element.OfTransition(Element.ModelRole.NEW, guarded),
                             "guard [" + text + "] of " + guarded + " is not bound",
                             "call guard(\"" + text + "\", ...) in registerNewFunctions"));
                 }

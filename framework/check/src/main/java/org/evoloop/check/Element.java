@@ -11,19 +11,19 @@ import org.evoloop.statemachine.Transition;
  */
 public sealed interface Element {
     /** Which of the two machines it belongs to. */
-    Side side();
+    ModelRole side();
 
     /** The state, event or transition. */
     Object part();
 
     /** The machines of a pair. */
-    enum Side {
+    enum ModelRole {
         ORIGINAL,
         NEW
     }
 
     /** A state. */
-    record OfState(Side side, State state) implements Element {
+    record OfState(ModelRole side, State state) implements Element {
         @Override
         public Object part() {
             return state;
@@ -36,7 +36,7 @@ public sealed interface Element {
     }
 
     /** An event. */
-    record OfEvent(Side side, Event event) implements Element {
+    record OfEvent(ModelRole side, Event event) implements Element {
         @Override
         public Object part() {
             return event;
@@ -49,7 +49,7 @@ public sealed interface Element {
     }
 
     /** A transition. */
-    record OfTransition(Side side, Transition transition) implements Element {
+    record OfTransition(ModelRole side, Transition transition) implements Element {
         @Override
         public Object part() {
             return transition;

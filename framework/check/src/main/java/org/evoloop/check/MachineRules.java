@@ -24,7 +24,7 @@ final class MachineRules {
     private static final Pattern LIKE_A_TIMER =
             Pattern.compile("(?i)(?:tm|after|at|when)[\\s(\\[{_]*[0-9]+(?:\\.[0-9]+)?\\s*(?:ms|s|sec|min|h)?[)\\]}]*");
 
-    private final Element.Side side;
+    private final Element.ModelRole side;
     private final StateMachine machine;
     private final GuardedTriggers guards;
     private final Set<State> reachable = new LinkedHashSet<>();
@@ -35,7 +35,7 @@ final class MachineRules {
     private final Set<Event> likeTimers = new HashSet<>();
     private final List<Finding> findings = new ArrayList<>();
 
-    MachineRules(Element.Side side, StateMachine machine) {
+    MachineRules(Element.ModelRole side, StateMachine machine) {
         this.side = side;
         this.machine = machine;
         this.guards = new GuardedTriggers(machine);
@@ -86,7 +86,7 @@ final class MachineRules {
     }
 
     private String name() {
-        return side == Element.Side.ORIGINAL ? "the original model" : "the new model";
+        return side == Element.ModelRole.ORIGINAL ? "the original model" : "the new model";
     }
 
     private Element element(Transition transition) {

@@ -56,7 +56,7 @@ final class PairNotes {
         }
         byState.forEach((state, swallowed) -> findings.add(new Finding(
                 Rule.SWALLOWED_EVENT,
-                new Element.OfState(Element.Side.NEW, swallowed.first().evolved()),
+                new Element.OfState(Element.ModelRole.NEW, swallowed.first().evolved()),
                 "new state " + state + " swallows " + names(swallowed.events()) + ", which the device knows in "
                         + names(swallowed.where()),
                 "nothing, if such an event is to do nothing there; else draw a transition for it")));
@@ -95,7 +95,7 @@ final class PairNotes {
         }
         byState.forEach((passage, passed) -> findings.add(new Finding(
                 Rule.PASSED_EFFECT,
-                new Element.OfState(Element.Side.ORIGINAL, passage.state()),
+                new Element.OfState(Element.ModelRole.ORIGINAL, passage.state()),
                 "on the way through " + passage.state() + " the device does " + String.join("; ", passage.effects())
                         + ": " + names(passed.transitions()),
                 "nothing, if that may happen; else give an event of the way a cost, or do not let it pass the state",

@@ -101,7 +101,7 @@ final class PairRules {
                     && !live.contains(transition)) {
                 findings.add(new Finding(
                         Rule.DEAD_TRANSITION,
-                        new Element.OfTransition(Element.Side.NEW, transition),
+                        new Element.OfTransition(Element.ModelRole.NEW, transition),
                         transition + " of the new model is never taken, since the device is never where it raises "
                                 + transition.event().trigger() + " by itself",
                         "give it an event that comes there, or remove it"));
@@ -147,7 +147,7 @@ final class PairRules {
                                 .toList());
         findings.add(new Finding(
                 rule,
-                new Element.OfTransition(Element.Side.NEW, transition(decision)),
+                new Element.OfTransition(Element.ModelRole.NEW, transition(decision)),
                 "in " + decision.before()
                         + (first.deviceActed() ? ", when the device has acted on it by itself, " : " ")
                         + decision.reason() + others,
@@ -167,7 +167,7 @@ final class PairRules {
                     && !isToldOtherwise(transition)) {
                 findings.add(new Finding(
                         Rule.DEGRADATION,
-                        new Element.OfTransition(Element.Side.ORIGINAL, transition),
+                        new Element.OfTransition(Element.ModelRole.ORIGINAL, transition),
                         "what the device does on " + transition + " can no longer be had",
                         "nothing, if the new model is to do without; else draw a transition that leads there"));
             }
@@ -198,7 +198,7 @@ final class PairRules {
                         .orElseThrow();
                 findings.add(new Finding(
                         Rule.UNBOUND_EFFECT,
-                        new Element.OfTransition(Element.Side.NEW, named),
+                        new Element.OfTransition(Element.ModelRole.NEW, named),
                         "effect " + text + " of " + named + " is not bound",
                         "call effect(\"" + text + "\", ...) in registerNewFunctions"));
             }

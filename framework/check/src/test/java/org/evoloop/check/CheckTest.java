@@ -250,7 +250,7 @@ class CheckTest {
             assertThat(finding)
                     .hasToString(
                             "trap-state: state Warm of the new model cannot be left; draw a transition to another state");
-            assertThat(finding.element().side()).isEqualTo(Element.Side.NEW);
+            assertThat(finding.element().side()).isEqualTo(Element.ModelRole.NEW);
         });
     }
 }

@@ -45,7 +45,7 @@ class OneCauseTest {
         };
 
         assertThat(check(machine("original", device), machine("new", device)))
-                .allSatisfy(finding -> assertThat(finding.element().side()).isEqualTo(Element.Side.ORIGINAL))
+                .allSatisfy(finding -> assertThat(finding.element().side()).isEqualTo(Element.ModelRole.ORIGINAL))
                 .extracting(Finding::rule)
                 .containsExactly(Rule.UNREACHABLE_STATE, Rule.DEAD_TRANSITION, Rule.TRAP_STATE, Rule.TIMER_CANNOT_FIRE);
     }

@@ -75,7 +75,7 @@ final class StatusJson {
                 .toString();
     }
 
-    private static @Nullable JsonObject link(ConverterStatus.@Nullable Link link) {
+    private static @Nullable JsonObject link(ConverterStatus.@Nullable LinkStatus link) {
         return link == null ? null : new JsonObject().put("up", link.up()).put("text", link.text());
     }
 

@@ -85,7 +85,7 @@ final class StatusText {
                 + (function.progress().isEmpty() ? "" : ": " + function.progress());
     }
 
-    private static String link(ConverterStatus.@Nullable Link link) {
+    private static String link(ConverterStatus.@Nullable LinkStatus link) {
         if (link == null) {
             return "none";
         }

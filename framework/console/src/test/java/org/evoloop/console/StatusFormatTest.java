@@ -41,7 +41,7 @@ class StatusFormatTest {
                             2,
                             "Motors.execute: \"no\\answer\"\t\u00e9")),
             new ConverterStatus.RunningFunction("Move", "function-Move-7", ""),
-            new ConverterStatus.Link(true, "/dev/ttyUSB0"));
+            new ConverterStatus.LinkStatus(true, "/dev/ttyUSB0"));
 
     @Test
     void asText() {

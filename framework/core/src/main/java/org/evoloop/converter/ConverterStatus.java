@@ -38,7 +38,7 @@ public record ConverterStatus(
         ConversionTime conversionTime,
         List<ComponentStatus> components,
         RunningFunction function,
-        @Nullable Link link) {
+        @Nullable LinkStatus link) {
 
     /** How many events had which outcome, see {@link Outcome}. */
     public record EventCounts(long handled, long ignored, long stale, long failed) {}
@@ -61,5 +61,5 @@ public record ConverterStatus(
     public record RunningFunction(String state, String thread, String progress) {}
 
     /** The connection, see {@link DeviceLink}. */
-    public record Link(boolean up, String text) {}
+    public record LinkStatus(boolean up, String text) {}
 }

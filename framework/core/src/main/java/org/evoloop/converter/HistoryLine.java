@@ -70,7 +70,7 @@ final class HistoryLine {
         if (decision instanceof Decision.Resynchronization) {
             return "the device was found in " + decision.after().original();
         }
-        if (decision instanceof Decision.NewFunction) {
+        if (decision instanceof Decision.NewState) {
             return "new function of " + decision.after().evolved();
         }
         List<String> steps = new ArrayList<>();

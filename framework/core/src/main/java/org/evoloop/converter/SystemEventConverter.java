@@ -421,7 +421,7 @@ public final class SystemEventConverter implements AutoCloseable {
                 built.driver.conversionTime(),
                 built.loop.components(),
                 built.visits.runningFunction(),
-                device == null ? null : new ConverterStatus.Link(device.isUp(), device.describe()));
+                device == null ? null : new ConverterStatus.LinkStatus(device.isUp(), device.describe()));
     }
 
     private Optional<Instant> lastKnownSince(LoopState loop, @Nullable DeviceLink device) {

@@ -74,7 +74,7 @@ final class Transcript {
         keepStates(decision.before());
         keep(" mode: {}", mode(decision));
         keep("Plan", "");
-        traced = decision instanceof Decision.ExistingFunction || decision instanceof Decision.Sending;
+        traced = decision instanceof Decision.ExistingState || decision instanceof Decision.Sending;
         if (!traced || decision.steps().isEmpty()) {
             keep(" MAPE-K loop does not send events. ", "");
         }
@@ -82,7 +82,7 @@ final class Transcript {
         if (!decision.steps().isEmpty() && decision.steps().get(0).byDevice()) {
             step(decision.steps().get(0));
         }
-        entered = decision instanceof Decision.NewFunction ? decision.after().evolved() : null;
+        entered = decision instanceof Decision.NewState ? decision.after().evolved() : null;
     }
 
     /** A detour counts as new: no single function of the device does what it does. */
@@ -93,8 +93,8 @@ final class Transcript {
         if (decision instanceof Decision.Resynchronization || decision instanceof Decision.Inquiry) {
             return "Resynchronize";
         }
-        boolean isNew = decision instanceof Decision.NewFunction
-                || (decision instanceof Decision.ExistingFunction existing && existing.isDetour());
+        boolean isNew = decision instanceof Decision.NewState
+                || (decision instanceof Decision.ExistingState existing && existing.isDetour());
         return isNew ? "Use new functions" : "Use existing functions";
     }
 

@@ -44,7 +44,7 @@ public final class Core implements Inputs {
                 null,
                 0,
                 0,
-                new Snapshot.Visit(0, true, null, Map.of()),
+                new Snapshot.OpenVisit(0, true, null, Map.of()),
                 List.of(),
                 false,
                 false,

@@ -33,7 +33,7 @@ final class Ledger {
     final Outputs out;
 
     Ledger(Rules rules, Snapshot snapshot, Outputs out) {
-        Snapshot.Visit visit = snapshot.visit();
+        Snapshot.OpenVisit visit = snapshot.visit();
         this.rules = rules;
         this.out = out;
         this.open = snapshot.open();
@@ -53,7 +53,7 @@ final class Ledger {
                 place.lastDoubt(),
                 place.steps(),
                 place.lastStepNanos(),
-                new Snapshot.Visit(stay.number(), stay.isOver(), stay.by(), stay.inOrder()),
+                new Snapshot.OpenVisit(stay.number(), stay.isOver(), stay.by(), stay.inOrder()),
                 line.waiting(),
                 line.isLosing(),
                 followOwed,

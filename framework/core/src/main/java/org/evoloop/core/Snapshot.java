@@ -33,7 +33,7 @@ public record Snapshot(
         @Nullable Doubt doubt,
         long steps,
         long lastStepNanos,
-        Visit visit,
+        OpenVisit visit,
         List<Pending> waiting,
         boolean losing,
         boolean followOwed,
@@ -48,7 +48,8 @@ public record Snapshot(
      * @param by the transition that led into the state; null if none did
      * @param deadlines when its timers are due, those that were not heard yet
      */
-    public record Visit(long number, boolean over, @Nullable Transition by, Map<Event, Long> deadlines) {}
+    public record OpenVisit(
+            long number, boolean over, @Nullable Transition by, Map<Event, Long> deadlines) {}
 
     /** The same on a clock that shows {@code nanos} more: every time in it is so much later. */
     public Snapshot later(long nanos) {
@@ -60,7 +61,7 @@ public record Snapshot(
                 doubt == null ? null : doubt.later(nanos),
                 steps,
                 lastStepNanos + nanos,
-                new Visit(visit.number(), visit.over(), visit.by(), deadlines),
+                new OpenVisit(visit.number(), visit.over(), visit.by(), deadlines),
                 waiting.stream().map(pending -> pending.later(nanos)).toList(),
                 losing,
                 followOwed,

@@ -72,7 +72,7 @@ public sealed interface Decision {
     record NotAcceptable(Configuration before, Configuration after, List<Step> steps) implements Decision {}
 
     /** The new model's next state is one that the device has; the steps take the device there. */
-    record ExistingFunction(
+    record ExistingState(
             Configuration before, Configuration after, List<Step> steps, Transition transition, List<String> effects)
             implements Decision {
 
@@ -83,7 +83,7 @@ public sealed interface Decision {
     }
 
     /** The next state is new: its function starts here, and nothing is sent. */
-    record NewFunction(
+    record NewState(
             Configuration before, Configuration after, List<Step> steps, Transition transition, List<String> effects)
             implements Decision {}
 

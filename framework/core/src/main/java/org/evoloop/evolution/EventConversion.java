@@ -122,7 +122,7 @@ final class EventConversion {
         Target target = target(transition.target());
         List<State> goals = target.goals();
         if (goals.isEmpty()) {
-            return new Decision.NewFunction(
+            return new Decision.NewState(
                     before, target.with(original), steps, transition, effectsLeft(transition, steps));
         }
         Optional<List<Step>> way = taken ? planner.shortestPath(original, goals) : wayFor(original, same, goals);
@@ -147,7 +147,7 @@ final class EventConversion {
         List<Step> all = joined(steps, way);
         State reached =
                 all.isEmpty() ? before.original() : all.get(all.size() - 1).target();
-        return new Decision.ExistingFunction(
+        return new Decision.ExistingState(
                 before, target.with(reached), all, transition, effectsLeft(transition, joined(done, way)));
     }
 
@@ -161,7 +161,7 @@ final class EventConversion {
         List<Step> done = own == null ? List.of() : List.of(own);
         List<State> goals = target.goals();
         if (goals.isEmpty()) {
-            return new Decision.NewFunction(
+            return new Decision.NewState(
                     at, target.with(at.original()), List.of(), transition, effectsLeft(transition, done));
         }
         if (follow && own != null && goals.contains(own.target())) {

@@ -50,7 +50,7 @@ public abstract class ControlLoopFunction<O, A, P> implements NewFunction {
      * @param <R> what comes of it
      */
     @FunctionalInterface
-    public interface Stage<I, R> {
+    public interface Transformation<I, R> {
         /**
          * What comes of {@code input}.
          *
@@ -96,8 +96,8 @@ public abstract class ControlLoopFunction<O, A, P> implements NewFunction {
     public static <O, A, P> NewFunction every(
             Duration period,
             Sensor<? extends O> sensor,
-            Stage<? super O, ? extends A> analyze,
-            Stage<? super A, ? extends P> plan,
+            Transformation<? super O, ? extends A> analyze,
+            Transformation<? super A, ? extends P> plan,
             Effector<? super P> effector) {
         return new PeriodicLoop<O, A, P>(period, sensor, analyze, plan, effector);
     }

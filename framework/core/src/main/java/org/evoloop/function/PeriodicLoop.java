@@ -13,15 +13,15 @@ import org.jspecify.annotations.Nullable;
 final class PeriodicLoop<O, A, P> extends ControlLoopFunction<O, A, P> {
     private final Duration period;
     private final Sensor<? extends O> sensor;
-    private final Stage<? super O, ? extends A> analyze;
-    private final Stage<? super A, ? extends P> plan;
+    private final Transformation<? super O, ? extends A> analyze;
+    private final Transformation<? super A, ? extends P> plan;
     private final Effector<? super P> effector;
 
     PeriodicLoop(
             Duration period,
             Sensor<? extends O> sensor,
-            Stage<? super O, ? extends A> analyze,
-            Stage<? super A, ? extends P> plan,
+            Transformation<? super O, ? extends A> analyze,
+            Transformation<? super A, ? extends P> plan,
             Effector<? super P> effector) {
         this.period = Clock.requireDelay(period);
         if (period.isZero()) {

@@ -165,7 +165,8 @@ class StatusAndHistoryTest {
                 return "a cable, in good shape";
             }
         });
-        assertThat(robot.converter.status().link()).isEqualTo(new ConverterStatus.Link(true, "a cable, in good shape"));
+        assertThat(robot.converter.status().link())
+                .isEqualTo(new ConverterStatus.LinkStatus(true, "a cable, in good shape"));
     }
 
     @Test

@@ -30,7 +30,7 @@ final class Likeness {
     }
 
     private List<Object> ofCore() {
-        Snapshot.Visit visit = now.visit();
+        Snapshot.OpenVisit visit = now.visit();
         return list(
                 now.open(),
                 now.at(),

@@ -19,7 +19,7 @@ final class Snapshots {
         return made(of, of.at(), null, of.visit(), of.waiting(), of.work(), of.tally());
     }
 
-    static Snapshot visit(Snapshot of, Snapshot.Visit visit) {
+    static Snapshot visit(Snapshot of, Snapshot.OpenVisit visit) {
         return made(of, of.at(), of.doubt(), visit, of.waiting(), of.work(), of.tally());
     }
 
@@ -63,7 +63,7 @@ final class Snapshots {
             Snapshot of,
             Configuration at,
             @Nullable Doubt doubt,
-            Snapshot.Visit visit,
+            Snapshot.OpenVisit visit,
             List<Pending> waiting,
             @Nullable Work work,
             Tally tally) {

@@ -34,7 +34,7 @@ class DecisionTableTest {
     void sendsTheIncomingEventOnIfItLeadsThere() {
         Decision decision = decide(robot, at("On", "On"), "Clean", false);
 
-        assertThat(decision).isInstanceOf(Decision.ExistingFunction.class);
+        assertThat(decision).isInstanceOf(Decision.ExistingState.class);
         assertThat(steps(decision)).containsExactly("On --Clean--> Clean");
         assertThat(decision.after()).isEqualTo(at("Clean", "Clean"));
     }
@@ -49,14 +49,14 @@ class DecisionTableTest {
         Decision decision = decide(robot, at("Clean", "SpotWait"), "Clean", false);
 
         assertThat(steps(decision)).containsExactly("Clean --Clean--> On", "On --Spot--> Spot");
-        assertThat(((Decision.ExistingFunction) decision).isDetour()).isTrue();
+        assertThat(((Decision.ExistingState) decision).isDetour()).isTrue();
     }
 
     @Test
     void startsANewFunctionWithoutSendingAnything() {
         Decision decision = decide(robot, at("On", "On"), "Spot", false);
 
-        assertThat(decision).isInstanceOf(Decision.NewFunction.class);
+        assertThat(decision).isInstanceOf(Decision.NewState.class);
         assertThat(decision.steps()).isEmpty();
         assertThat(decision.after()).isEqualTo(at("On", "Move"));
     }
@@ -65,7 +65,7 @@ class DecisionTableTest {
     void sendsNothingIfTheDeviceIsThereAlready() {
         Decision decision = decide(robot, at("On", "SpotWait"), "timeout", false);
 
-        assertThat(decision).isInstanceOf(Decision.ExistingFunction.class);
+        assertThat(decision).isInstanceOf(Decision.ExistingState.class);
         assertThat(decision.steps()).isEmpty();
         assertThat(decision.after()).isEqualTo(at("On", "On"));
     }
@@ -74,7 +74,7 @@ class DecisionTableTest {
     void movesTheOriginalModelFirstIfTheDeviceHasActed() {
         Decision decision = decide(robot, at("Clean", "Clean"), "Clean", true);
 
-        assertThat(decision).isInstanceOf(Decision.NewFunction.class);
+        assertThat(decision).isInstanceOf(Decision.NewState.class);
         assertThat(steps(decision)).containsExactly("Clean --Clean--> On (by the device)");
         assertThat(decision.after()).isEqualTo(at("On", "SpotWait"));
     }

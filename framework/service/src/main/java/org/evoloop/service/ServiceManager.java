@@ -106,7 +106,7 @@ final class ServiceManager implements AutoCloseable {
     }
 
     private static String status(ConverterStatus status) {
-        ConverterStatus.Link link = status.link();
+        ConverterStatus.LinkStatus link = status.link();
         return status.name() + " " + status.loop().name().toLowerCase(Locale.ROOT) + ": "
                 + status.states().original() + " / " + status.states().evolved()
                 + (link == null ? "" : ", " + link.text());

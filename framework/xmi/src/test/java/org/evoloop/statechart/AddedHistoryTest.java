@@ -59,7 +59,7 @@ class AddedHistoryTest {
         List<String> sent = new ArrayList<>();
         for (String event : List.of("p", "z", "h", "p")) {
             Decision decision = table.decide(at, new Event(event), false);
-            assertThat(decision).isInstanceOf(Decision.ExistingFunction.class);
+            assertThat(decision).isInstanceOf(Decision.ExistingState.class);
             decision.steps().forEach(step -> sent.add(step.toString()));
             at = decision.after();
         }

@@ -5,7 +5,7 @@ import java.util.Deque;
 import java.util.Optional;
 import org.evoloop.roomba.camera.Look;
 import org.evoloop.roomba.move.phase.Sight;
-import org.evoloop.roomba.session.Pose;
+import org.evoloop.roomba.session.OdometryPose;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -25,14 +25,14 @@ final class GoalWatch {
     /** For so many times as long the robot's way is known; looks are younger. */
     private static final int TRAIL_FRAMES = 6;
 
-    private record Footprint(long nanos, Pose pose) {}
+    private record Footprint(long nanos, OdometryPose pose) {}
 
     private final long frameLimitNanos;
     private final Deque<Footprint> trail = new ArrayDeque<>();
     private long frame;
     private int inARow;
-    private @Nullable Pose last;
-    private @Nullable Pose goal;
+    private @Nullable OdometryPose last;
+    private @Nullable OdometryPose goal;
     private long goalNanos;
 
     GoalWatch(long frameLimitNanos) {
@@ -59,7 +59,7 @@ final class GoalWatch {
         return new Sight(stale, frame, look.takenNanos(), inARow > 0, Optional.ofNullable(goal), goalNanos);
     }
 
-    private void see(Pose place, long takenNanos) {
+    private void see(OdometryPose place, long takenNanos) {
         inARow = isSame(last, place) ? inARow + 1 : 1;
         last = place;
         boolean follows = isSame(goal, place) && takenNanos - goalNanos < FORGOTTEN_FRAMES * frameLimitNanos;
@@ -69,13 +69,13 @@ final class GoalWatch {
         }
     }
 
-    private static boolean isSame(@Nullable Pose known, Pose place) {
+    private static boolean isSame(@Nullable OdometryPose known, OdometryPose place) {
         return known != null && known.distanceTo(place.xMm(), place.yMm()) <= SAME_MM;
     }
 
     /** Where the robot was when a frame was taken: the last known pose before that. */
-    private Pose poseAt(long nanos) {
-        Pose pose = trail.getFirst().pose();
+    private OdometryPose poseAt(long nanos) {
+        OdometryPose pose = trail.getFirst().pose();
         for (Footprint footprint : trail) {
             if (footprint.nanos() - nanos > 0) {
                 break;

@@ -26,7 +26,7 @@ final class MonitorSenses extends Monitor<Percept> implements SessionListener {
     private final Clock clock;
     private final boolean threads;
     private String pressed = "";
-    private Optional<Activity> work = Optional.empty();
+    private Optional<SeenActivity> work = Optional.empty();
 
     /** @param threads false if each frame itself must take the loop's step */
     MonitorSenses(MapeLoop<Percept, ?, ?> loop, StartPointSensor sensor, Clock clock, boolean threads) {
@@ -54,8 +54,8 @@ final class MonitorSenses extends Monitor<Percept> implements SessionListener {
     }
 
     @Override
-    public void seen(Activity activity) {
-        work = activity == Activity.ON ? Optional.empty() : Optional.of(activity);
+    public void seen(SeenActivity activity) {
+        work = activity == SeenActivity.ON ? Optional.empty() : Optional.of(activity);
     }
 
     private void takeStep() {

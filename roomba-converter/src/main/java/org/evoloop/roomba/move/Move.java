@@ -17,7 +17,7 @@ import org.evoloop.roomba.move.phase.Phase;
 import org.evoloop.roomba.move.phase.Situation;
 import org.evoloop.roomba.oi.ActuatorCommand.DriveDirect;
 import org.evoloop.roomba.session.RoombaSession;
-import org.evoloop.roomba.session.SessionListener.Activity;
+import org.evoloop.roomba.session.SessionListener.SeenActivity;
 import org.evoloop.roomba.session.Telemetry;
 import org.evoloop.roomba.session.connection.RobotException;
 import org.evoloop.time.Clock;
@@ -53,7 +53,7 @@ public final class Move extends ControlLoopFunction<Percept, Situation, Maneuver
          *
          * @param work what the robot does by itself, since somebody has used its own buttons; empty if it stands
          */
-        String event(Optional<Activity> work);
+        String event(Optional<SeenActivity> work);
     }
 
     private final RoombaSession session;

@@ -14,7 +14,7 @@ import org.evoloop.roomba.oi.OiMode;
 import org.evoloop.roomba.oi.Packet;
 import org.evoloop.roomba.oi.PacketGroup;
 import org.evoloop.roomba.oi.SensorValues;
-import org.evoloop.roomba.session.Pose;
+import org.evoloop.roomba.session.OdometryPose;
 import org.evoloop.roomba.session.Telemetry;
 import org.junit.jupiter.api.Test;
 
@@ -33,7 +33,7 @@ class GoalWatchTest {
                 frame, millis(takenMillis), CameraHealth.SEEING, Stream.of(seen).findFirst());
     }
 
-    private Telemetry telemetry(Pose pose) {
+    private Telemetry telemetry(OdometryPose pose) {
         return new Telemetry(
                 ++frame,
                 SensorValues.of(
@@ -41,12 +41,12 @@ class GoalWatchTest {
                 pose);
     }
 
-    private Sight at(long nowMillis, Pose pose, Look look) {
+    private Sight at(long nowMillis, OdometryPose pose, Look look) {
         return watch.update(new Percept(millis(nowMillis), telemetry(pose), look, Ending.NONE));
     }
 
     private Sight at(long nowMillis, Look look) {
-        return at(nowMillis, Pose.ORIGIN, look);
+        return at(nowMillis, OdometryPose.ORIGIN, look);
     }
 
     @Test
@@ -55,7 +55,7 @@ class GoalWatchTest {
         assertThat(at(40, look(2, 30, AHEAD)).goal()).isEmpty();
         assertThat(at(55, look(2, 30, AHEAD)).goal()).as("the same look again").isEmpty();
         Sight third = at(70, look(3, 60, AHEAD));
-        assertThat(third.goal()).contains(new Pose(1_000, 0, 0));
+        assertThat(third.goal()).contains(new OdometryPose(1_000, 0, 0));
         assertThat(third.goalNanos()).isEqualTo(millis(60));
     }
 
@@ -75,20 +75,20 @@ class GoalWatchTest {
         at(40, look(2, 30, AHEAD));
         at(70, look(3, 60, AHEAD));
         at(100, look(4, 90));
-        assertThat(at(130, look(5, 120, new Sighting(1_020, 0))).goal()).contains(new Pose(1_020, 0, 0));
-        assertThat(at(160, look(6, 150, new Sighting(500, 0))).goal()).contains(new Pose(1_020, 0, 0));
+        assertThat(at(130, look(5, 120, new Sighting(1_020, 0))).goal()).contains(new OdometryPose(1_020, 0, 0));
+        assertThat(at(160, look(6, 150, new Sighting(500, 0))).goal()).contains(new OdometryPose(1_020, 0, 0));
     }
 
     @Test
     void aLookCountsFromWhereTheRobotWasWhenItWasTaken() {
-        at(0, new Pose(0, 0, 0), look(0, 0));
+        at(0, new OdometryPose(0, 0, 0), look(0, 0));
         for (int count = 1; count <= 3; count++) {
             at(
                     100 * count,
-                    new Pose(100 * count, 0, 0),
+                    new OdometryPose(100 * count, 0, 0),
                     look(count, 100 * (count - 1), new Sighting(1_100 - 100 * count, 0)));
         }
-        Sight sight = at(310, new Pose(310, 0, 0), look(3, 200));
+        Sight sight = at(310, new OdometryPose(310, 0, 0), look(3, 200));
         assertThat(sight.goal().orElseThrow().xMm()).isCloseTo(1_000, within(1e-9));
     }
 

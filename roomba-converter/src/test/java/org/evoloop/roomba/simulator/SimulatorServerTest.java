@@ -37,7 +37,7 @@ import org.evoloop.roomba.oi.SensorValues;
 import org.evoloop.roomba.oi.StreamFramer;
 import org.evoloop.roomba.simulator.eye.Effects;
 import org.evoloop.roomba.simulator.eye.EyeOptions;
-import org.evoloop.roomba.simulator.robot.Activity;
+import org.evoloop.roomba.simulator.robot.RobotActivity;
 import org.evoloop.roomba.simulator.robot.RobotOptions;
 import org.evoloop.roomba.simulator.robot.RobotState;
 import org.evoloop.roomba.simulator.room.Pose;
@@ -130,7 +130,7 @@ class SimulatorServerTest {
             client.send(START, SAFE, START, new InputCommand.Stream(WATCHED));
             await().until(() -> !client.frames.isEmpty());
             assertThat(new WorldCommands(server.robot()).execute("press spot")).isEqualTo("ok");
-            await().until(() -> server.robot().state().activity() == Activity.ON);
+            await().until(() -> server.robot().state().activity() == RobotActivity.ON);
             await().until(() -> client.frames.get(client.frames.size() - 1).currentMilliAmps() > -300);
 
             List<SensorValues> frames = List.copyOf(client.frames);

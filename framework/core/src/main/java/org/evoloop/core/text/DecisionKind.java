@@ -28,9 +28,9 @@ public enum DecisionKind {
     public static DecisionKind of(Decision decision) {
         if (decision instanceof Decision.NotAcceptable) {
             return NOT_ACCEPTABLE;
-        } else if (decision instanceof Decision.ExistingFunction) {
+        } else if (decision instanceof Decision.ExistingState) {
             return EXISTING_FUNCTION;
-        } else if (decision instanceof Decision.NewFunction) {
+        } else if (decision instanceof Decision.NewState) {
             return NEW_FUNCTION;
         } else if (decision instanceof Decision.Resynchronization) {
             return RESYNCHRONIZATION;
@@ -68,9 +68,9 @@ public enum DecisionKind {
             List<String> effects,
             String reason) {
         if (transition != null && this == EXISTING_FUNCTION) {
-            return new Decision.ExistingFunction(before, after, steps, transition, effects);
+            return new Decision.ExistingState(before, after, steps, transition, effects);
         } else if (transition != null && this == NEW_FUNCTION) {
-            return new Decision.NewFunction(before, after, steps, transition, effects);
+            return new Decision.NewState(before, after, steps, transition, effects);
         }
         return switch (this) {
             case NOT_ACCEPTABLE -> new Decision.NotAcceptable(before, after, steps);

@@ -40,7 +40,7 @@ final class SnapshotReader {
         lines.next("sent");
         long steps = lines.total();
         long lastStepNanos = ended(lines.number());
-        Snapshot.Visit visit = visit();
+        Snapshot.OpenVisit visit = visit();
         boolean losing = truth("losing");
         boolean owed = truth("owed");
         List<Pending> waiting = many("waiting", this::pending);
@@ -92,7 +92,7 @@ final class SnapshotReader {
         return ended(new Configuration(names.originalState(), names.evolvedState()));
     }
 
-    private Snapshot.Visit visit() {
+    private Snapshot.OpenVisit visit() {
         lines.next("visit");
         long number = lines.total();
         boolean over = ended(lines.choice("over", "on"));
@@ -104,7 +104,7 @@ final class SnapshotReader {
             deadlines.put(event, ended(lines.number()));
             return event;
         });
-        return new Snapshot.Visit(number, over, by, deadlines);
+        return new Snapshot.OpenVisit(number, over, by, deadlines);
     }
 
     private @Nullable Transition transition(String name) {

@@ -61,7 +61,7 @@ final class SnapshotWriter {
         line(name, new Quoted(at.original().name()), new Quoted(at.evolved().name()));
     }
 
-    private void visit(Snapshot.Visit visit) {
+    private void visit(Snapshot.OpenVisit visit) {
         line("visit", visit.number(), visit.over() ? "over" : "on");
         transition("by", visit.by());
         line("deadlines", visit.deadlines().size());

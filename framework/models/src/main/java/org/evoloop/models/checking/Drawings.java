@@ -5,7 +5,7 @@ import org.evoloop.check.Element;
 /** The drawings of both machines of a pair. */
 public record Drawings(Drawing original, Drawing evolved) {
     private Drawing of(Element element) {
-        return element.side() == Element.Side.ORIGINAL ? original : evolved;
+        return element.side() == Element.ModelRole.ORIGINAL ? original : evolved;
     }
 
     /** {@code robot.xml, line 12, id ek-39}, or the file alone. */

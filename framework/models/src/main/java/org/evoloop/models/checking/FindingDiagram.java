@@ -23,15 +23,15 @@ public final class FindingDiagram {
 
     /** Both machines where something happens in both; else the one that is concerned. */
     public static List<Diagram> of(ModelPair pair, Finding finding) {
-        Stream<Diagram> original = Stream.of(draw(pair.original(), Element.Side.ORIGINAL, finding));
-        Stream<Diagram> evolved = Stream.of(draw(pair.evolved(), Element.Side.NEW, finding));
+        Stream<Diagram> original = Stream.of(draw(pair.original(), Element.ModelRole.ORIGINAL, finding));
+        Stream<Diagram> evolved = Stream.of(draw(pair.evolved(), Element.ModelRole.NEW, finding));
         if (!finding.example().isEmpty()) {
             return Stream.concat(original, evolved).toList();
         }
-        return (finding.element().side() == Element.Side.ORIGINAL ? original : evolved).toList();
+        return (finding.element().side() == Element.ModelRole.ORIGINAL ? original : evolved).toList();
     }
 
-    private static Diagram draw(StateMachine machine, Element.Side side, Finding finding) {
+    private static Diagram draw(StateMachine machine, Element.ModelRole side, Finding finding) {
         Set<Arc> arcs = new HashSet<>();
         Set<String> vertices = new HashSet<>();
         for (Turn turn : finding.example()) {
@@ -51,8 +51,8 @@ public final class FindingDiagram {
                 arc -> arcs.contains(arc) ? Tone.MARKED : Tone.PLAIN);
     }
 
-    private static List<Transition> taken(Turn turn, Element.Side side) {
-        if (side == Element.Side.ORIGINAL) {
+    private static List<Transition> taken(Turn turn, Element.ModelRole side) {
+        if (side == Element.ModelRole.ORIGINAL) {
             return turn.decision().steps().stream().map(Step::transition).toList();
         }
         Transition transition = turn.decision().transition();

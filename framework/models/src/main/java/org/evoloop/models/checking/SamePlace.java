@@ -19,7 +19,7 @@ public final class SamePlace {
     private SamePlace() {}
 
     /** What is equal in findings that have one cause. */
-    private record Cause(Rule rule, Element.Side side, String place, String event) {}
+    private record Cause(Rule rule, Element.ModelRole side, String place, String event) {}
 
     /** The same findings, in order, of each cause one. */
     public static List<Finding> merge(List<Finding> findings, Drawings drawings) {

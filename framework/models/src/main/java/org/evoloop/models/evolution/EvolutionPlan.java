@@ -104,7 +104,7 @@ public record EvolutionPlan(ModelPair pair, DeviceEvents device, List<Line> line
         if (decision instanceof Decision.Impossible) {
             return Kind.IMPOSSIBLE;
         }
-        if (!(decision instanceof Decision.ExistingFunction)) {
+        if (!(decision instanceof Decision.ExistingState)) {
             return Kind.NEW_FUNCTION;
         }
         List<Step> sent =

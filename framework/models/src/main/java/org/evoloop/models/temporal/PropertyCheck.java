@@ -38,7 +38,7 @@ public final class PropertyCheck {
                         : example.get(example.size() - 1).decision().after();
                 findings.add(new Finding(
                         Rule.PROPERTY,
-                        new Element.OfState(Element.Side.NEW, end.evolved()),
+                        new Element.OfState(Element.ModelRole.NEW, end.evolved()),
                         "'" + property.name() + "' (" + file + ", line " + property.line() + ") does not hold",
                         "change the new model, or the property if it asks for too much",
                         example));

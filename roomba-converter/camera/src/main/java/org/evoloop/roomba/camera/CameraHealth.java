@@ -1,11 +1,11 @@
 package org.evoloop.roomba.camera;
 
 /**
- * What state a camera is in.
+ * How a camera is.
  *
- * @param reason for people, with the mend; empty while it sees
+ * @param reason for people, with how to fix it; empty while it sees
  */
-public record CameraHealth(State state, String reason) {
+public record CameraHealth(Condition state, String reason) {
 
     /**
      * <pre>
@@ -14,7 +14,7 @@ public record CameraHealth(State state, String reason) {
      *      '-- after a pause -- GONE &lt;--unplugged, given up-------'        any --close--&gt; CLOSED
      * </pre>
      */
-    public enum State {
+    public enum Condition {
         /** It was asked to open and has shown nothing yet. */
         OPENING,
         /** Frames come. */
@@ -27,5 +27,5 @@ public record CameraHealth(State state, String reason) {
         CLOSED
     }
 
-    public static final CameraHealth SEEING = new CameraHealth(State.SEEING, "");
+    public static final CameraHealth SEEING = new CameraHealth(Condition.SEEING, "");
 }

@@ -16,14 +16,14 @@ public final class Odometry {
     /** Distance between the wheels (specification, packet 20). */
     static final double WHEEL_BASE_MM = 235.0;
 
-    private Pose pose = Pose.ORIGIN;
+    private OdometryPose pose = OdometryPose.ORIGIN;
     private @Nullable SensorValues last;
 
-    /** At {@link Pose#ORIGIN}, before any reading. */
+    /** At {@link OdometryPose#ORIGIN}, before any reading. */
     public Odometry() {}
 
     /** Takes the next reading and returns where the robot is. */
-    public Pose update(SensorValues values) {
+    public OdometryPose update(SensorValues values) {
         SensorValues earlier = last;
         last = values;
         if (earlier != null) {
@@ -36,13 +36,13 @@ public final class Odometry {
         return pose;
     }
 
-    private static Pose moved(Pose from, double leftMm, double rightMm) {
+    private static OdometryPose moved(OdometryPose from, double leftMm, double rightMm) {
         double turned = (rightMm - leftMm) / WHEEL_BASE_MM;
         double travelled = (leftMm + rightMm) / 2;
         // The chord of the arc; for small turns sin(x)/x is 1.
         double chord = Math.abs(turned) < 1e-9 ? travelled : 2 * travelled / turned * Math.sin(turned / 2);
         double direction = from.headingRad() + turned / 2;
-        return new Pose(
+        return new OdometryPose(
                 from.xMm() + chord * Math.cos(direction),
                 from.yMm() + chord * Math.sin(direction),
                 from.headingRad() + turned);

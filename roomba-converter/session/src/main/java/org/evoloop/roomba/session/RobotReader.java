@@ -10,7 +10,7 @@ import org.evoloop.roomba.oi.Command;
 import org.evoloop.roomba.oi.Packet;
 import org.evoloop.roomba.oi.SensorValues;
 import org.evoloop.roomba.oi.StreamFramer;
-import org.evoloop.roomba.session.SessionListener.Activity;
+import org.evoloop.roomba.session.SessionListener.SeenActivity;
 import org.evoloop.roomba.session.connection.Connection;
 import org.evoloop.roomba.session.connection.FirstBytes;
 import org.evoloop.roomba.session.inference.ActivityEstimate;
@@ -115,7 +115,7 @@ final class RobotReader implements Connection.Owner {
             listeners.forEach(listener -> listener.obeyed(obeyed));
         }
         switch (control.update(now)) {
-            case ON -> tellSeen(Activity.ON);
+            case ON -> tellSeen(SeenActivity.ON);
             case AS_ESTIMATED -> tellActivity();
             case NOTHING -> {}
         }
@@ -136,7 +136,7 @@ final class RobotReader implements Connection.Owner {
         listeners.forEach(listener -> listener.pressed(button, robotActs));
         if (robotActs) {
             estimate.pressed(button);
-            if (estimate.activity() == ActivityEstimate.Activity.SPOT) {
+            if (estimate.activity() == ActivityEstimate.EstimatedActivity.SPOT) {
                 spotWatch.started();
             } else {
                 spotWatch.forget();
@@ -148,14 +148,14 @@ final class RobotReader implements Connection.Owner {
     /** Tells what the robot does, as far as it is one of the things that its model knows. */
     private void tellActivity() {
         switch (estimate.activity()) {
-            case ON -> tellSeen(Activity.ON);
-            case CLEAN -> tellSeen(Activity.CLEAN);
-            case SPOT -> tellSeen(Activity.SPOT);
+            case ON -> tellSeen(SeenActivity.ON);
+            case CLEAN -> tellSeen(SeenActivity.CLEAN);
+            case SPOT -> tellSeen(SeenActivity.SPOT);
             default -> LOG.debug("the robot is in {}", estimate.activity());
         }
     }
 
-    private void tellSeen(Activity activity) {
+    private void tellSeen(SeenActivity activity) {
         listeners.forEach(listener -> listener.seen(activity));
     }
 
@@ -188,14 +188,14 @@ final class RobotReader implements Connection.Owner {
      *
      * @param since the number of a frame; what is told has to be newer
      */
-    synchronized ActivityEstimate.@Nullable Activity known(long since) {
+    synchronized ActivityEstimate.@Nullable EstimatedActivity known(long since) {
         Telemetry now = latest;
         if (now == null || now.frame() <= since || !effect.isOver() || control.isRegaining()) {
             return null;
         }
         if (now.isUnderControl()) {
             control.forgetCommand();
-            return ActivityEstimate.Activity.ON;
+            return ActivityEstimate.EstimatedActivity.ON;
         }
         return effect.isMissing() || !estimate.isSure() ? null : estimate.activity();
     }
@@ -204,7 +204,7 @@ final class RobotReader implements Connection.Owner {
     synchronized void commanded(Command command) {
         control.commanded(command);
         estimate.commanded(command);
-        if (command instanceof Command.Spot && estimate.activity() == ActivityEstimate.Activity.SPOT) {
+        if (command instanceof Command.Spot && estimate.activity() == ActivityEstimate.EstimatedActivity.SPOT) {
             spotWatch.started();
         }
     }

@@ -169,7 +169,7 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
      * @return empty if that cannot be told, as while it is out of sight; after four and a half seconds at the latest
      * @throws InterruptedException if the thread is told to stop while it waits
      */
-    public Optional<ActivityEstimate.Activity> awaitActivity() throws InterruptedException {
+    public Optional<ActivityEstimate.EstimatedActivity> awaitActivity() throws InterruptedException {
         Telemetry last = reader.latest();
         // A frame may have been on its way when it was asked; without waiting there is none on its way.
         long since = last == null || !options.mayWait() ? 0 : last.frame() + 1;

@@ -12,7 +12,7 @@ import org.evoloop.roomba.session.inference.SpotWatch;
 public interface SessionListener {
 
     /** What a robot that nobody controls is seen to do. */
-    enum Activity {
+    enum SeenActivity {
         /** Nothing; it is on. */
         ON,
         CLEAN,
@@ -36,5 +36,5 @@ public interface SessionListener {
     default void spotEnded(SpotWatch.Ending how) {}
 
     /** The robot does this now, whatever it was taken to do; it may be known already. */
-    default void seen(Activity activity) {}
+    default void seen(SeenActivity activity) {}
 }

@@ -12,7 +12,7 @@ import org.evoloop.roomba.oi.SensorValues;
  * @param values the sensors
  * @param pose where the robot is by its wheels
  */
-public record Telemetry(long frame, SensorValues values, Pose pose) {
+public record Telemetry(long frame, SensorValues values, OdometryPose pose) {
 
     /** Whether the robot obeys drive commands. */
     public boolean isUnderControl() {

@@ -20,13 +20,13 @@ class OdometryTest {
     private int right;
 
     /** Rolls both wheels on by so many counts. */
-    private Pose roll(int leftCounts, int rightCounts) {
+    private OdometryPose roll(int leftCounts, int rightCounts) {
         left += leftCounts;
         right += rightCounts;
         return odometry.update(encoders(left, right));
     }
 
-    private static void assertPose(Pose pose, double xMm, double yMm, double headingRad) {
+    private static void assertPose(OdometryPose pose, double xMm, double yMm, double headingRad) {
         assertThat(pose.xMm()).isCloseTo(xMm, within(0.001));
         assertThat(pose.yMm()).isCloseTo(yMm, within(0.001));
         assertThat(pose.headingRad()).isCloseTo(headingRad, within(0.00001));
@@ -34,7 +34,7 @@ class OdometryTest {
 
     @Test
     void theFirstReadingIsTheOrigin() {
-        assertThat(odometry.update(encoders(12_345, -321))).isEqualTo(Pose.ORIGIN);
+        assertThat(odometry.update(encoders(12_345, -321))).isEqualTo(OdometryPose.ORIGIN);
     }
 
     @Test
@@ -50,11 +50,11 @@ class OdometryTest {
         int counts = 1_000;
         double turned = counts * MM_A_REVOLUTION / COUNTS_A_REVOLUTION / 235;
         double radius = 235 / 2.0;
-        Pose inOne = roll(0, counts);
+        OdometryPose inOne = roll(0, counts);
         assertPose(inOne, radius * Math.sin(turned), radius * (1 - Math.cos(turned)), turned);
 
         Odometry inMany = new Odometry();
-        Pose pose = Pose.ORIGIN;
+        OdometryPose pose = OdometryPose.ORIGIN;
         for (int i = 0; i <= counts; i++) {
             pose = inMany.update(encoders(0, i));
         }
@@ -64,7 +64,7 @@ class OdometryTest {
     @Test
     void oppositeWheelsTurnOnTheSpotToTheLeft() {
         roll(0, 0);
-        Pose pose = roll(-415, 415);
+        OdometryPose pose = roll(-415, 415);
         assertPose(pose, 0, 0, 2 * 415 * Odometry.MM_PER_COUNT / 235);
         assertThat(pose.headingRad()).isCloseTo(Math.PI / 2, within(0.005));
     }
@@ -86,7 +86,7 @@ class OdometryTest {
                     Odometry there = new Odometry();
                     int[] at = {0, 0};
                     there.update(encoders(0, 0));
-                    Pose last = Pose.ORIGIN;
+                    OdometryPose last = OdometryPose.ORIGIN;
                     for (int i = 0; i + 1 < counts.size(); i += 2) {
                         last = there.update(step(at, counts, i, 1));
                     }
@@ -109,7 +109,7 @@ class OdometryTest {
             Odometry round = new Odometry();
             double turnAStep = more * Odometry.MM_PER_COUNT / Odometry.WHEEL_BASE_MM;
             long steps = Math.round(2 * Math.PI / turnAStep);
-            Pose pose = Pose.ORIGIN;
+            OdometryPose pose = OdometryPose.ORIGIN;
             for (int i = 0; i <= steps; i++) {
                 pose = round.update(encoders(i * inner, i * (inner + more)));
             }
@@ -121,7 +121,7 @@ class OdometryTest {
 
     @Test
     void aPoseTellsDistanceAndBearing() {
-        Pose pose = new Pose(100, 200, 7 * Math.PI / 2);
+        OdometryPose pose = new OdometryPose(100, 200, 7 * Math.PI / 2);
         assertThat(pose.distanceTo(400, 600)).isCloseTo(500, within(0.001));
         assertThat(pose.bearingTo(100, 0)).isCloseTo(0, within(0.001));
         assertThat(pose.bearingTo(200, 200)).isCloseTo(Math.PI / 2, within(0.001));

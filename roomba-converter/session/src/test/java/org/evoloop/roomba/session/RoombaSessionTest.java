@@ -46,7 +46,7 @@ class RoombaSessionTest {
             }
 
             @Override
-            public void seen(Activity activity) {
+            public void seen(SeenActivity activity) {
                 told.add("seen " + activity);
             }
         });

@@ -1,7 +1,7 @@
 package org.evoloop.roomba.move.phase;
 
 import java.util.Optional;
-import org.evoloop.roomba.session.Pose;
+import org.evoloop.roomba.session.OdometryPose;
 
 /** Drives towards the goal that is in sight. */
 record Approach(Memory memory) implements Phase {
@@ -20,11 +20,11 @@ record Approach(Memory memory) implements Phase {
 
     @Override
     public Step next(Situation now) {
-        Optional<Pose> seen = now.sight().goalSince(memory.seenSince(now));
+        Optional<OdometryPose> seen = now.sight().goalSince(memory.seenSince(now));
         if (seen.isEmpty()) {
             return Phase.standing(Look.around(memory, now));
         }
-        Pose goal = seen.get();
+        OdometryPose goal = seen.get();
         double remainingMm = now.distanceTo(goal) - memory.target().distanceMm();
         double bearingRad = now.bearingTo(goal);
         if (remainingMm <= memory.target().toleranceMm() / 2) {

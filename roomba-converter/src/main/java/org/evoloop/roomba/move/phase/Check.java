@@ -1,7 +1,7 @@
 package org.evoloop.roomba.move.phase;
 
 import java.util.Optional;
-import org.evoloop.roomba.session.Pose;
+import org.evoloop.roomba.session.OdometryPose;
 
 /** Stands, looks, and sees whether the robot has arrived; mends what is not as wanted. */
 record Check(Memory memory, Calm calm) implements Phase {
@@ -25,14 +25,14 @@ record Check(Memory memory, Calm calm) implements Phase {
     @Override
     public Step next(Situation now) {
         Calm calmer = calm.with(now.sight());
-        Optional<Pose> seen = now.sight().goalSince(calm.fromNanos());
+        Optional<OdometryPose> seen = now.sight().goalSince(calm.fromNanos());
         if (seen.isPresent() && calmer.looks() >= Sight.BELIEVED_LOOKS) {
             return judge(now, seen.get());
         }
         return Phase.standing(calmer.isInVain(now.sight()) ? Look.around(memory, now) : new Check(memory, calmer));
     }
 
-    private Step judge(Situation now, Pose goal) {
+    private Step judge(Situation now, OdometryPose goal) {
         double bearingRad = now.bearingTo(goal);
         double remainingMm = now.distanceTo(goal) - memory.target().distanceMm();
         if (memory.target().facing() && Math.abs(bearingRad) > FACING_RAD) {

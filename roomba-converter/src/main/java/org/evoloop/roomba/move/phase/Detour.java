@@ -2,7 +2,7 @@ package org.evoloop.roomba.move.phase;
 
 import java.util.Optional;
 import org.evoloop.roomba.move.phase.Situation.Obstacle;
-import org.evoloop.roomba.session.Pose;
+import org.evoloop.roomba.session.OdometryPose;
 
 /** Goes round an obstacle: back off, turn away from it, go on a little, and look around from there. */
 final class Detour {
@@ -30,7 +30,7 @@ final class Detour {
 
     static Phase around(Phase phase, Situation now) {
         Memory memory = phase.memory();
-        Pose place = now.pose().beyond(AHEAD_MM, Math.toRadians(45) * bearing(now.obstacle()));
+        OdometryPose place = now.pose().beyond(AHEAD_MM, Math.toRadians(45) * bearing(now.obstacle()));
         boolean again = phase instanceof Leg && memory.side() != 0;
         int side = again ? memory.side() : side(memory, now.obstacle());
         Memory wiser = memory.withDetour(place, side);

@@ -1,6 +1,6 @@
 package org.evoloop.roomba.move.phase;
 
-import org.evoloop.roomba.session.Pose;
+import org.evoloop.roomba.session.OdometryPose;
 
 /**
  * Drives straight on, so slowly that whatever is in the way may be touched.
@@ -8,10 +8,10 @@ import org.evoloop.roomba.session.Pose;
  * @param lengthMm negative is backwards, where nothing is felt: only as far as the robot came from there
  * @param alert whether it ends when the goal comes into sight; a detour must not, for it would lead back at once
  */
-record Leg(Memory memory, double lengthMm, boolean alert, Pose from, Phase then) implements Phase {
+record Leg(Memory memory, double lengthMm, boolean alert, OdometryPose from, Phase then) implements Phase {
 
     static Leg of(Memory memory, double lengthMm, Phase then) {
-        return new Leg(memory, lengthMm, false, Pose.ORIGIN, then);
+        return new Leg(memory, lengthMm, false, OdometryPose.ORIGIN, then);
     }
 
     /** The same, but it ends when the goal comes into sight. */

@@ -3,7 +3,7 @@ package org.evoloop.roomba.move.phase;
 import java.time.Duration;
 import java.util.List;
 import java.util.stream.Stream;
-import org.evoloop.roomba.session.Pose;
+import org.evoloop.roomba.session.OdometryPose;
 
 /**
  * What Move remembers from phase to phase; places are in the coordinates of the robot's wheels.
@@ -22,8 +22,8 @@ public record Memory(
         Target target,
         Duration frameLimit,
         Duration settle,
-        List<Pose> stations,
-        List<Pose> obstacles,
+        List<OdometryPose> stations,
+        List<OdometryPose> obstacles,
         int side,
         int inARow) {
     /** A goal that was not seen for so many times as long as a frame may take is lost: after 0.6 s, or 50 mm. */
@@ -34,17 +34,17 @@ public record Memory(
         this(target, frameLimit, settle, List.of(), List.of(), 0, 0);
     }
 
-    Memory withStation(Pose place) {
+    Memory withStation(OdometryPose place) {
         return new Memory(target, frameLimit, settle, and(stations, place), obstacles, side, 0);
     }
 
     /** Something stands there that is not in the way now. */
-    Memory withObstacle(Pose place) {
+    Memory withObstacle(OdometryPose place) {
         return new Memory(target, frameLimit, settle, stations, and(obstacles, place), side, inARow);
     }
 
     /** Something is in the way there, and the robot goes round it to this side. */
-    Memory withDetour(Pose place, int newSide) {
+    Memory withDetour(OdometryPose place, int newSide) {
         return new Memory(target, frameLimit, settle, stations, and(obstacles, place), newSide, inARow + 1);
     }
 
@@ -53,7 +53,7 @@ public record Memory(
         return now.nanos() - LOST_FRAMES * frameLimit.toNanos();
     }
 
-    private static List<Pose> and(List<Pose> places, Pose more) {
+    private static List<OdometryPose> and(List<OdometryPose> places, OdometryPose more) {
         return Stream.concat(places.stream(), Stream.of(more)).toList();
     }
 }

@@ -1,7 +1,7 @@
 package org.evoloop.roomba.move.phase;
 
 import java.util.Optional;
-import org.evoloop.roomba.session.Pose;
+import org.evoloop.roomba.session.OdometryPose;
 
 /**
  * What is known of the starting point.
@@ -17,12 +17,12 @@ import org.evoloop.roomba.session.Pose;
  * @param goalNanos when that was seen last
  */
 public record Sight(
-        boolean stale, long frame, long takenNanos, boolean promising, Optional<Pose> goal, long goalNanos) {
+        boolean stale, long frame, long takenNanos, boolean promising, Optional<OdometryPose> goal, long goalNanos) {
     /** So many looks in a row must show the same place until it is believed. */
     public static final int BELIEVED_LOOKS = 3;
 
     /** The goal, if it was seen at this moment or later. */
-    public Optional<Pose> goalSince(long nanos) {
+    public Optional<OdometryPose> goalSince(long nanos) {
         return goal.filter(seen -> goalNanos - nanos >= 0);
     }
 }

@@ -2,7 +2,7 @@ package org.evoloop.roomba.move.phase;
 
 import org.evoloop.roomba.oi.Packet;
 import org.evoloop.roomba.oi.SensorValues;
-import org.evoloop.roomba.session.Pose;
+import org.evoloop.roomba.session.OdometryPose;
 import org.evoloop.roomba.session.Telemetry;
 
 /**
@@ -20,7 +20,14 @@ import org.evoloop.roomba.session.Telemetry;
  * @param end why Move must end now, if it must
  */
 public record Situation(
-        long nanos, Pose pose, boolean obeys, Obstacle obstacle, boolean edge, boolean near, Sight sight, Ending end) {
+        long nanos,
+        OdometryPose pose,
+        boolean obeys,
+        Obstacle obstacle,
+        boolean edge,
+        boolean near,
+        Sight sight,
+        Ending end) {
 
     /** Of the light bumper's sensors those to the left and right of the middle. */
     private static final int AHEAD_BITS = 0b1100;
@@ -63,11 +70,11 @@ public record Situation(
     }
 
     /** How far the robot must turn to look at a place, counterclockwise, -pi to pi. */
-    double bearingTo(Pose place) {
+    double bearingTo(OdometryPose place) {
         return pose.bearingTo(place.xMm(), place.yMm());
     }
 
-    double distanceTo(Pose place) {
+    double distanceTo(OdometryPose place) {
         return pose.distanceTo(place.xMm(), place.yMm());
     }
 }

@@ -4,7 +4,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
-import org.evoloop.roomba.session.Pose;
+import org.evoloop.roomba.session.OdometryPose;
 
 /** Chooses where to look around next. */
 final class Wandering {
@@ -39,8 +39,9 @@ final class Wandering {
      *
      * @param goal where it was seen last
      */
-    static Phase on(Memory memory, Pose pose, Optional<Pose> goal) {
-        Pose home = goal.or(() -> memory.stations().stream().findFirst()).orElse(pose);
+    static Phase on(Memory memory, OdometryPose pose, Optional<OdometryPose> goal) {
+        OdometryPose home =
+                goal.or(() -> memory.stations().stream().findFirst()).orElse(pose);
         Choice best = IntStream.range(0, DIRECTIONS)
                 .mapToObj(which -> choice(memory, pose, home, 2 * Math.PI * which / DIRECTIONS))
                 .max(Comparator.comparingDouble(Choice::worthMm))
@@ -51,13 +52,13 @@ final class Wandering {
                 Leg.of(memory, best.lengthMm(), new Look.Around(memory)).alertly());
     }
 
-    private static Choice choice(Memory memory, Pose pose, Pose home, double bearingRad) {
+    private static Choice choice(Memory memory, OdometryPose pose, OdometryPose home, double bearingRad) {
         double lengthMm = STEP_MM;
         while (lengthMm < LONGEST_MM
                 && nearest(memory.obstacles(), pose.beyond(lengthMm + STEP_MM, bearingRad)) > CLEAR_MM) {
             lengthMm += STEP_MM;
         }
-        Pose end = pose.beyond(lengthMm, bearingRad);
+        OdometryPose end = pose.beyond(lengthMm, bearingRad);
         double worthMm =
                 Math.min(FAR_MM, nearest(memory.stations(), end)) - ASTRAY * end.distanceTo(home.xMm(), home.yMm());
         return new Choice(
@@ -66,7 +67,7 @@ final class Wandering {
                 lengthMm < SHORTEST_MM ? lengthMm - LAST_MM : worthMm);
     }
 
-    private static double nearest(List<Pose> places, Pose end) {
+    private static double nearest(List<OdometryPose> places, OdometryPose end) {
         return places.stream()
                 .mapToDouble(place -> end.distanceTo(place.xMm(), place.yMm()))
                 .min()

@@ -3,7 +3,7 @@ package org.evoloop.roomba.move.phase;
 import java.time.Duration;
 import java.util.Optional;
 import org.evoloop.roomba.move.phase.Situation.Obstacle;
-import org.evoloop.roomba.session.Pose;
+import org.evoloop.roomba.session.OdometryPose;
 
 /** Situations for tests by value: a robot under control at the origin that sees nothing, and what differs from that. */
 final class Given {
@@ -11,7 +11,7 @@ final class Given {
     static final Memory MEMORY = new Memory(MARKER, Duration.ofMillis(300), Duration.ofMillis(250));
     static final Situation NOTHING = new Situation(
             0,
-            Pose.ORIGIN,
+            OdometryPose.ORIGIN,
             true,
             Obstacle.NONE,
             false,
@@ -60,7 +60,7 @@ final class Given {
                         sight.frame(),
                         sight.takenNanos(),
                         true,
-                        Optional.of(new Pose(xMm, yMm, 0)),
+                        Optional.of(new OdometryPose(xMm, yMm, 0)),
                         sight.takenNanos()),
                 situation.end());
     }

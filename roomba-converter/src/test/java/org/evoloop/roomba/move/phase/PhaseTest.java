@@ -9,7 +9,7 @@ import static org.evoloop.roomba.move.phase.Given.touching;
 
 import java.util.Optional;
 import org.evoloop.roomba.move.phase.Situation.Obstacle;
-import org.evoloop.roomba.session.Pose;
+import org.evoloop.roomba.session.OdometryPose;
 import org.junit.jupiter.api.Test;
 
 class PhaseTest {
@@ -104,8 +104,8 @@ class PhaseTest {
 
     @Test
     void wandersAwayFromWhereItLookedInVainAndFromWhatWasInTheWay() {
-        Memory wiser = MEMORY.withStation(new Pose(0, 0, 0)).withObstacle(new Pose(400, 0, 0));
-        Phase turn = Wandering.on(wiser, Pose.ORIGIN, Optional.of(new Pose(900, -900, 0)));
+        Memory wiser = MEMORY.withStation(new OdometryPose(0, 0, 0)).withObstacle(new OdometryPose(400, 0, 0));
+        Phase turn = Wandering.on(wiser, OdometryPose.ORIGIN, Optional.of(new OdometryPose(900, -900, 0)));
         assertThat(Math.toDegrees(((Turn) turn).headingRad())).isBetween(270.0, 359.0);
     }
 }

@@ -16,7 +16,7 @@ import org.evoloop.roomba.oi.ActuatorCommand.DriveDirect;
 import org.evoloop.roomba.oi.Button;
 import org.evoloop.roomba.oi.Command;
 import org.evoloop.roomba.oi.OiMode;
-import org.evoloop.roomba.simulator.robot.Activity;
+import org.evoloop.roomba.simulator.robot.RobotActivity;
 import org.evoloop.roomba.simulator.robot.RobotState;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeEach;
@@ -62,9 +62,9 @@ class SimulatedRoombaExtensionTest {
 
     @Test
     void itsButtonsArePressed() throws Exception {
-        assertThat(roomba.state().activity()).isEqualTo(Activity.OFF);
+        assertThat(roomba.state().activity()).isEqualTo(RobotActivity.OFF);
         roomba.press(Button.CLEAN);
-        roomba.until(robot -> robot.activity() != Activity.OFF);
+        roomba.until(robot -> robot.activity() != RobotActivity.OFF);
         roomba.robot().lift();
     }
 

@@ -3,7 +3,7 @@ package org.evoloop.roomba.camera.live;
 import java.time.Duration;
 import java.util.Locale;
 import org.evoloop.roomba.camera.CameraHealth;
-import org.evoloop.roomba.camera.CameraHealth.State;
+import org.evoloop.roomba.camera.CameraHealth.Condition;
 
 /**
  * What state a camera is in, by what has happened to it and by how long ago that was.
@@ -21,20 +21,20 @@ final class HealthTracker {
     HealthTracker(String camera, Duration staleAfter) {
         this.camera = camera;
         staleNanos = staleAfter.toNanos();
-        now = new CameraHealth(State.OPENING, camera + " is being opened");
+        now = new CameraHealth(Condition.OPENING, camera + " is being opened");
     }
 
     /** It is tried to open it. */
     synchronized void opening() {
         damagedSince = 0;
-        if (now.state() == State.GONE) {
-            now = new CameraHealth(State.OPENING, "trying again: " + now.reason());
+        if (now.state() == Condition.GONE) {
+            now = new CameraHealth(Condition.OPENING, "trying again: " + now.reason());
         }
     }
 
     /** A frame was looked at that came {@code takenNanos}. */
     synchronized void seeing(long takenNanos) {
-        if (now.state() != State.CLOSED) {
+        if (now.state() != Condition.CLOSED) {
             now = CameraHealth.SEEING;
             lastFrameNanos = takenNanos;
             damagedSince = 0;
@@ -47,29 +47,29 @@ final class HealthTracker {
 
     /** Frames come, and looking at them fails. */
     synchronized void blind(String reason) {
-        if (now.state() != State.CLOSED) {
-            now = new CameraHealth(State.STALLED, reason);
+        if (now.state() != Condition.CLOSED) {
+            now = new CameraHealth(Condition.STALLED, reason);
         }
     }
 
     synchronized void gone(String reason) {
-        if (now.state() != State.CLOSED) {
-            now = new CameraHealth(State.GONE, reason);
+        if (now.state() != Condition.CLOSED) {
+            now = new CameraHealth(Condition.GONE, reason);
         }
     }
 
     synchronized void closed() {
-        now = new CameraHealth(State.CLOSED, camera + " is closed");
+        now = new CameraHealth(Condition.CLOSED, camera + " is closed");
     }
 
     synchronized CameraHealth at(long nanos) {
         long ageNanos = nanos - lastFrameNanos;
-        if (now.state() != State.SEEING || ageNanos <= staleNanos) {
+        if (now.state() != Condition.SEEING || ageNanos <= staleNanos) {
             return now;
         }
         String age = String.format(Locale.ROOT, "%.1f s", ageNanos / 1e9);
         return new CameraHealth(
-                State.STALLED,
+                Condition.STALLED,
                 damagedSince == 0
                         ? camera + " has sent no frame for " + age + "; see to its cable and power"
                         : camera + " has sent " + damagedSince + " damaged frames and no good one for " + age

@@ -93,7 +93,7 @@ public final class CameraCommand implements Callable<Integer> {
             out.flush();
             before = counts;
             cpuBefore = cpu;
-            if (!settings.source().isLive() && look.health().state() == CameraHealth.State.GONE) {
+            if (!settings.source().isLive() && look.health().state() == CameraHealth.Condition.GONE) {
                 break;
             }
         }

@@ -9,7 +9,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Supplier;
 import org.evoloop.roomba.camera.CameraException;
-import org.evoloop.roomba.camera.CameraHealth.State;
+import org.evoloop.roomba.camera.CameraHealth.Condition;
 import org.evoloop.roomba.camera.CameraSource;
 import org.evoloop.roomba.camera.vision.Frame;
 import org.evoloop.roomba.camera.vision.FrameReader;
@@ -88,7 +88,7 @@ class GrabberTest {
         for (int attempt = 1; attempt < 9; attempt++) {
             awaitPause();
             assertThat(tried).hasValue(attempt);
-            assertThat(health.at(clock.nanoTime()).state()).isEqualTo(State.GONE);
+            assertThat(health.at(clock.nanoTime()).state()).isEqualTo(Condition.GONE);
             clock.advance(Duration.ofMillis(pauseMillis - 1));
             assertThat(clock.pendingTasks()).isOne();
             clock.advance(Duration.ofMillis(1));
@@ -107,7 +107,7 @@ class GrabberTest {
 
         awaitPause();
         assertThat(closed).hasValue(1);
-        assertThat(health.at(0).state()).isEqualTo(State.GONE);
+        assertThat(health.at(0).state()).isEqualTo(Condition.GONE);
         assertThat(grabber.damagedFrames()).isZero();
         clock.advance(Duration.ofMillis(250));
         say(Outcome.FRAME);

@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.time.Duration;
 import org.evoloop.roomba.camera.CameraHealth;
-import org.evoloop.roomba.camera.CameraHealth.State;
+import org.evoloop.roomba.camera.CameraHealth.Condition;
 import org.junit.jupiter.api.Test;
 
 class HealthTrackerTest {
@@ -12,21 +12,21 @@ class HealthTrackerTest {
 
     private final HealthTracker health = new HealthTracker("camera x", Duration.ofMillis(300));
 
-    private void assertHealth(long nanos, State state, String reason) {
+    private void assertHealth(long nanos, Condition state, String reason) {
         assertThat(health.at(nanos)).isEqualTo(new CameraHealth(state, reason));
     }
 
     @Test
     void opensThenSeesThenStallsWithTimeAlone() {
-        assertHealth(0, State.OPENING, "camera x is being opened");
+        assertHealth(0, Condition.OPENING, "camera x is being opened");
         health.seeing(SECOND);
-        assertHealth(SECOND + 300_000_000, State.SEEING, "");
+        assertHealth(SECOND + 300_000_000, Condition.SEEING, "");
         assertHealth(
                 SECOND + 301_000_000,
-                State.STALLED,
+                Condition.STALLED,
                 "camera x has sent no frame for 0.3 s; see to its cable and power");
         health.seeing(2 * SECOND);
-        assertHealth(2 * SECOND, State.SEEING, "");
+        assertHealth(2 * SECOND, Condition.SEEING, "");
     }
 
     @Test
@@ -34,10 +34,10 @@ class HealthTrackerTest {
         health.seeing(SECOND);
         health.damaged();
         health.damaged();
-        assertHealth(SECOND, State.SEEING, "");
+        assertHealth(SECOND, Condition.SEEING, "");
         assertHealth(
                 3 * SECOND,
-                State.STALLED,
+                Condition.STALLED,
                 "camera x has sent 2 damaged frames and no good one for 2.0 s; see to its cable, or ask it for "
                         + "smaller frames");
     }
@@ -45,9 +45,9 @@ class HealthTrackerTest {
     @Test
     void remembersWhyItWasGoneWhileItTriesAgain() {
         health.gone("camera x does not exist; plug it in");
-        assertHealth(0, State.GONE, "camera x does not exist; plug it in");
+        assertHealth(0, Condition.GONE, "camera x does not exist; plug it in");
         health.opening();
-        assertHealth(0, State.OPENING, "trying again: camera x does not exist; plug it in");
+        assertHealth(0, Condition.OPENING, "trying again: camera x does not exist; plug it in");
     }
 
     @Test
@@ -57,6 +57,6 @@ class HealthTrackerTest {
         health.gone("late");
         health.opening();
         health.blind("late");
-        assertHealth(SECOND, State.CLOSED, "camera x is closed");
+        assertHealth(SECOND, Condition.CLOSED, "camera x is closed");
     }
 }

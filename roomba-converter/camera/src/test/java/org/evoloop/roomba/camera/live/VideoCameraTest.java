@@ -11,7 +11,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
-import org.evoloop.roomba.camera.CameraHealth.State;
+import org.evoloop.roomba.camera.CameraHealth.Condition;
 import org.evoloop.roomba.camera.CameraSource;
 import org.evoloop.roomba.camera.Look;
 import org.evoloop.roomba.camera.Scene;
@@ -49,7 +49,7 @@ class VideoCameraTest {
         return VideoCamera.open(OpenCv.vision(), settings, clock);
     }
 
-    private static void awaitState(VideoCamera camera, State state) {
+    private static void awaitState(VideoCamera camera, Condition state) {
         await().atMost(20, TimeUnit.SECONDS)
                 .untilAsserted(
                         () -> assertThat(camera.newest().health().state()).isEqualTo(state));
@@ -68,7 +68,7 @@ class VideoCameraTest {
 
             Look look = awaitMarker(camera);
 
-            assertThat(look.health().state()).isEqualTo(State.SEEING);
+            assertThat(look.health().state()).isEqualTo(Condition.SEEING);
             assertThat(look.sighting().orElseThrow().distanceMm()).isCloseTo(AHEAD.distanceMm(), within(30.0));
             assertThat(look.sighting().orElseThrow().bearingRad()).isCloseTo(AHEAD.bearingRad(), within(0.01));
             assertThat(clock.nanoTime() - look.takenNanos())
@@ -104,13 +104,13 @@ class VideoCameraTest {
             awaitMarker(camera);
 
             server.pause();
-            awaitState(camera, State.STALLED);
+            awaitState(camera, Condition.STALLED);
             assertThat(camera.newest().health().reason())
                     .startsWith("camera " + server.url() + " has sent no frame for ")
                     .endsWith("; see to its cable and power");
 
             server.repeat(MARKER);
-            awaitState(camera, State.SEEING);
+            awaitState(camera, Condition.SEEING);
         }
     }
 
@@ -122,10 +122,10 @@ class VideoCameraTest {
             awaitMarker(camera);
 
             server.refuse();
-            awaitState(camera, State.GONE);
+            awaitState(camera, Condition.GONE);
 
             server.repeat(MARKER);
-            awaitState(camera, State.SEEING);
+            awaitState(camera, Condition.SEEING);
             assertThat(server.connections()).isGreaterThan(1);
         }
     }
@@ -137,7 +137,7 @@ class VideoCameraTest {
             url = server.url();
         }
         try (VideoCamera camera = open(url)) {
-            awaitState(camera, State.GONE);
+            awaitState(camera, Condition.GONE);
             assertThat(camera.newest().health().reason())
                     .isEqualTo("camera " + url + " cannot be opened; does that very address answer with Motion JPEG, "
                             + "not with a page that shows it?");
@@ -164,14 +164,14 @@ class VideoCameraTest {
             server.repeat(MARKER);
             awaitMarker(camera);
             server.pause();
-            awaitState(camera, State.STALLED);
+            awaitState(camera, Condition.STALLED);
 
             long before = System.nanoTime();
             camera.close();
             camera.close();
 
             assertThat(Duration.ofNanos(System.nanoTime() - before)).isLessThan(Duration.ofSeconds(5));
-            assertThat(camera.newest().health().state()).isEqualTo(State.CLOSED);
+            assertThat(camera.newest().health().state()).isEqualTo(Condition.CLOSED);
         }
     }
 
@@ -185,7 +185,7 @@ class VideoCameraTest {
                 Scene.of(new Sighting(980, 0), 3),
                 Scene.of(new Sighting(960, 0), 4));
         try (VideoCamera camera = open(folder.resolve("%02d.png").toString())) {
-            awaitState(camera, State.GONE);
+            awaitState(camera, Condition.GONE);
             assertThat(camera.counts()).isEqualTo(new VideoCamera.Counts(4, 3, 0));
             assertThat(camera.newest().sighting().orElseThrow().distanceMm()).isCloseTo(960, within(20.0));
         }
@@ -199,7 +199,7 @@ class VideoCameraTest {
             Files.write(folder.resolve(i + ".jpg"), file);
         }
         try (VideoCamera camera = open(folder.resolve("%d.jpg").toString())) {
-            awaitState(camera, State.GONE);
+            awaitState(camera, Condition.GONE);
             assertThat(camera.counts()).isEqualTo(new VideoCamera.Counts(3, 3, 1));
         }
     }
@@ -215,7 +215,7 @@ class VideoCameraTest {
             await().until(() -> camera.newest().frame() > 20);
         }
         try (VideoCamera camera = open(video.toString())) {
-            awaitState(camera, State.GONE);
+            awaitState(camera, Condition.GONE);
             assertThat(camera.counts().looked()).isPositive();
             assertThat(camera.counts().detections()).isEqualTo(camera.counts().looked());
         }
@@ -225,7 +225,7 @@ class VideoCameraTest {
     void tellsWhyADeviceOrFileCannotBeOpened() {
         for (String source : List.of("/dev/video99", "/nowhere/film.avi")) {
             try (VideoCamera camera = open(source)) {
-                awaitState(camera, State.GONE);
+                awaitState(camera, Condition.GONE);
                 assertThat(camera.newest().health().reason()).startsWith("camera " + source + " does not exist; ");
             }
         }

@@ -21,7 +21,7 @@ public final class ActivityEstimate {
     public static final int START_FRAMES = 200;
 
     /** What the robot is taken to do. */
-    public enum Activity {
+    public enum EstimatedActivity {
         STANDBY,
         ON,
         CLEAN,
@@ -35,14 +35,14 @@ public final class ActivityEstimate {
     }
 
     private final Motion motion = new Motion();
-    private Activity activity = Activity.STANDBY;
+    private EstimatedActivity activity = EstimatedActivity.STANDBY;
     private boolean atWork;
     private int startFramesLeft;
 
     /** Before any command and any frame. */
     public ActivityEstimate() {}
 
-    public Activity activity() {
+    public EstimatedActivity activity() {
         return activity;
     }
 
@@ -50,15 +50,15 @@ public final class ActivityEstimate {
     public void pressed(Button button) {
         if (activity.isWork()) {
             if (button == Button.CLEAN || button == Button.SPOT || button == Button.DOCK) {
-                activity = Activity.ON;
+                activity = EstimatedActivity.ON;
             }
-        } else if (activity == Activity.STANDBY) {
-            activity = button == Button.CLEAN ? Activity.ON : Activity.STANDBY;
+        } else if (activity == EstimatedActivity.STANDBY) {
+            activity = button == Button.CLEAN ? EstimatedActivity.ON : EstimatedActivity.STANDBY;
         } else {
             activity = switch (button) {
-                case CLEAN -> Activity.CLEAN;
-                case SPOT -> Activity.SPOT;
-                case DOCK -> Activity.DOCK;
+                case CLEAN -> EstimatedActivity.CLEAN;
+                case SPOT -> EstimatedActivity.SPOT;
+                case DOCK -> EstimatedActivity.DOCK;
                 default -> activity;
             };
         }
@@ -72,23 +72,24 @@ public final class ActivityEstimate {
     /** A command was sent; one that starts work pauses a robot that is at work. */
     public void commanded(Command command) {
         if (command instanceof Command.Safe || command instanceof Command.Full) {
-            activity = Activity.ON;
+            activity = EstimatedActivity.ON;
         } else if (command instanceof Command.Clean || command instanceof Command.Spot) {
-            Activity wanted = command instanceof Command.Clean ? Activity.CLEAN : Activity.SPOT;
-            activity = activity.isWork() ? Activity.ON : wanted;
+            EstimatedActivity wanted =
+                    command instanceof Command.Clean ? EstimatedActivity.CLEAN : EstimatedActivity.SPOT;
+            activity = activity.isWork() ? EstimatedActivity.ON : wanted;
             startFramesLeft = START_FRAMES;
         }
     }
 
     /** It is under control: whatever it did has ended. */
     public void controlled() {
-        activity = Activity.ON;
+        activity = EstimatedActivity.ON;
     }
 
     /** It has come to rest, or never began. */
     public void seenAtRest() {
         if (activity.isWork()) {
-            activity = Activity.ON;
+            activity = EstimatedActivity.ON;
         }
     }
 
@@ -125,7 +126,7 @@ public final class ActivityEstimate {
         boolean begun = motion.poweredFrames() == WORK_FRAMES && workIsNews;
         if (begun && !activity.isWork()) {
             // It was not known to be at work, so it cleans, as by its schedule.
-            activity = Activity.CLEAN;
+            activity = EstimatedActivity.CLEAN;
         }
         return begun;
     }

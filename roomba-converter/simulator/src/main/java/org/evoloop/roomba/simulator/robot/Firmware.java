@@ -37,7 +37,7 @@ final class Firmware {
     private final Reporter reporter;
     private final Consumer<byte[]> sink;
     private OiMode mode = OiMode.OFF;
-    private Activity activity = Activity.OFF;
+    private RobotActivity activity = RobotActivity.OFF;
     private @Nullable Behavior behavior;
     private boolean untilEmpty;
     private boolean wasDocked;
@@ -80,15 +80,15 @@ final class Firmware {
             case FULL -> takeControl(OiMode.FULL);
             case POWER -> {
                 enter(OiMode.PASSIVE);
-                rest(Activity.OFF);
+                rest(RobotActivity.OFF);
             }
-            case CLEAN -> startOrPause(Activity.CLEAN);
+            case CLEAN -> startOrPause(RobotActivity.CLEAN);
             case MAX -> {
-                startOrPause(Activity.CLEAN);
+                startOrPause(RobotActivity.CLEAN);
                 untilEmpty = true;
             }
-            case SPOT -> startOrPause(Activity.SPOT);
-            case SEEK_DOCK -> startOrPause(Activity.DOCK);
+            case SPOT -> startOrPause(RobotActivity.SPOT);
+            case SEEK_DOCK -> startOrPause(RobotActivity.DOCK);
             // The line's rate is no affair of this program, and nobody waits for the schedule's day.
             default -> {}
         }
@@ -137,38 +137,38 @@ final class Firmware {
     private void obey(Button button) {
         switch (button) {
             case CLEAN -> {
-                if (activity == Activity.OFF) {
-                    rest(Activity.ON);
+                if (activity == RobotActivity.OFF) {
+                    rest(RobotActivity.ON);
                 } else {
-                    toggle(Activity.CLEAN);
+                    toggle(RobotActivity.CLEAN);
                 }
             }
-            case SPOT -> toggleUnlessOff(Activity.SPOT);
-            case DOCK -> toggleUnlessOff(Activity.DOCK);
+            case SPOT -> toggleUnlessOff(RobotActivity.SPOT);
+            case DOCK -> toggleUnlessOff(RobotActivity.DOCK);
             case MINUTE, HOUR, DAY, SCHEDULE, CLOCK -> {}
         }
     }
 
-    private void toggleUnlessOff(Activity wanted) {
-        if (activity != Activity.OFF) {
+    private void toggleUnlessOff(RobotActivity wanted) {
+        if (activity != RobotActivity.OFF) {
             toggle(wanted);
         }
     }
 
-    private void startOrPause(Activity wanted) {
+    private void startOrPause(RobotActivity wanted) {
         enter(OiMode.PASSIVE);
         toggle(wanted);
     }
 
-    private void toggle(Activity wanted) {
+    private void toggle(RobotActivity wanted) {
         if (activity.isRunning()) {
-            rest(Activity.ON);
+            rest(RobotActivity.ON);
         } else {
             begin(wanted);
         }
     }
 
-    private void begin(Activity wanted) {
+    private void begin(RobotActivity wanted) {
         activity = wanted;
         untilEmpty = false;
         behavior = switch (wanted) {
@@ -180,9 +180,9 @@ final class Firmware {
 
     private void takeControl(OiMode wanted) {
         if (activity.isRunning()) {
-            rest(Activity.ON);
+            rest(RobotActivity.ON);
         }
-        activity = Activity.ON;
+        activity = RobotActivity.ON;
         mode = wanted;
         protect();
     }
@@ -207,7 +207,7 @@ final class Firmware {
         mode = wanted;
     }
 
-    private void rest(Activity wanted) {
+    private void rest(RobotActivity wanted) {
         body.stop();
         behavior = null;
         activity = wanted;
@@ -221,15 +221,15 @@ final class Firmware {
     void act() {
         boolean docked = body.surroundings().docked();
         if (docked && !wasDocked && activity.isRunning()) {
-            rest(Activity.ON);
+            rest(RobotActivity.ON);
         }
         wasDocked = docked;
         body.allowCharger(!isControlled() && !activity.isRunning());
         if (behavior != null) {
             boolean canMove = body.surroundings().wheelDrops().isEmpty();
             if (!canMove || !behavior.steer(body)) {
-                rest(Activity.ON);
-            } else if (activity == Activity.CLEAN
+                rest(RobotActivity.ON);
+            } else if (activity == RobotActivity.CLEAN
                     && !untilEmpty
                     && body.battery().isLow()) {
                 goHome();
@@ -239,9 +239,9 @@ final class Firmware {
     }
 
     private void goHome() {
-        rest(Activity.ON);
+        rest(RobotActivity.ON);
         if (body.room().dock().isPresent()) {
-            begin(Activity.DOCK);
+            begin(RobotActivity.DOCK);
         }
     }
 
@@ -272,7 +272,7 @@ final class Firmware {
         return mode;
     }
 
-    Activity activity() {
+    RobotActivity activity() {
         return activity;
     }
 

@@ -27,7 +27,7 @@ import org.evoloop.roomba.simulator.room.Pose;
  */
 public record RobotState(
         long timeMillis,
-        Activity activity,
+        RobotActivity activity,
         OiMode oiMode,
         Pose pose,
         double leftMmPerS,

@@ -83,11 +83,11 @@ class ChargingTest {
     @Test
     void cleaningLeavesTheDockAndEndsWhenSomebodyPutsItBack() {
         Bench bench = docked(90).send(new Command.Clean()).seconds(10);
-        assertThat(bench.state().activity()).isEqualTo(Activity.CLEAN);
+        assertThat(bench.state().activity()).isEqualTo(RobotActivity.CLEAN);
         assertThat(bench.state().surroundings().docked()).isFalse();
         assertThat(bench.state().charging()).isFalse();
         bench.robot.dock();
-        assertThat(bench.ticks(1).state().activity()).isEqualTo(Activity.ON);
+        assertThat(bench.ticks(1).state().activity()).isEqualTo(RobotActivity.ON);
         assertThat(bench.ticks(1).state().charging()).isTrue();
     }
 
@@ -110,13 +110,13 @@ class ChargingTest {
     void cleaningEndsWhenTheBatteryIsLowAndMaxWhenItIsEmpty() {
         RobotOptions almostLow = RobotOptions.builder().batteryPercent(11).build();
         Bench cleaning = Bench.in(OiMode.PASSIVE, almostLow).send(new Command.Clean());
-        while (cleaning.ticks(1).state().activity() == Activity.CLEAN) {
+        while (cleaning.ticks(1).state().activity() == RobotActivity.CLEAN) {
             assertThat(cleaning.state().batteryPercent()).isGreaterThanOrEqualTo(10);
         }
-        assertThat(cleaning.state().activity()).isEqualTo(Activity.ON);
+        assertThat(cleaning.state().activity()).isEqualTo(RobotActivity.ON);
         assertThat(cleaning.state().batteryPercent()).isEqualTo(10);
         Bench max = Bench.in(OiMode.PASSIVE, almostLow).send(new Command.Max());
-        while (max.ticks(1).state().activity() == Activity.CLEAN) {
+        while (max.ticks(1).state().activity() == RobotActivity.CLEAN) {
             assertThat(max.state().asleep()).isFalse();
         }
         assertThat(max.state().batteryPercent()).isZero();
@@ -135,11 +135,11 @@ class ChargingTest {
                         RobotOptions.builder().room(room).batteryPercent(10).build())
                 .send(new Command.Clean())
                 .ticks(5);
-        assertThat(bench.state().activity()).isEqualTo(Activity.DOCK);
-        for (int second = 0; second < 300 && bench.state().activity() == Activity.DOCK; second++) {
+        assertThat(bench.state().activity()).isEqualTo(RobotActivity.DOCK);
+        for (int second = 0; second < 300 && bench.state().activity() == RobotActivity.DOCK; second++) {
             bench.seconds(1);
         }
-        assertThat(bench.state().activity()).isEqualTo(Activity.ON);
+        assertThat(bench.state().activity()).isEqualTo(RobotActivity.ON);
         assertThat(bench.seconds(1).state().charging()).isTrue();
         assertThat(bench.state().leftMmPerS()).isZero();
     }

@@ -50,7 +50,7 @@ class ModesTest {
     @Test
     void theRobotBeginsInStandbyWithTheInterfaceOff() {
         RobotState state = new Bench().state();
-        assertThat(state.activity()).isEqualTo(Activity.OFF);
+        assertThat(state.activity()).isEqualTo(RobotActivity.OFF);
         assertThat(state.oiMode()).isEqualTo(OFF);
         assertThat(state.timeMillis()).isZero();
     }
@@ -74,7 +74,7 @@ class ModesTest {
         byte[] ignored = {(byte) 139, 7, (byte) 132, (byte) 135};
         bench.robot.receive(ignored, ignored.length);
         assertThat(bench.state().oiMode()).isEqualTo(PASSIVE);
-        assertThat(bench.state().activity()).isEqualTo(Activity.OFF);
+        assertThat(bench.state().activity()).isEqualTo(RobotActivity.OFF);
     }
 
     @Test
@@ -114,13 +114,13 @@ class ModesTest {
         bench.sent();
         bench.send(new Command.Reset());
         assertThat(bench.sentText()).isEqualTo("Soft reset!\r\n");
-        assertThat(bench.state().activity()).isEqualTo(Activity.OFF);
+        assertThat(bench.state().activity()).isEqualTo(RobotActivity.OFF);
         assertThat(bench.state().oiMode()).isEqualTo(OFF);
         bench.send(Bench.START).seconds(3.9);
         bench.robot.press(Button.CLEAN);
         assertThat(bench.sent()).as("the stream has ended, and it boots").isEmpty();
         assertThat(bench.state().oiMode()).as("deaf").isEqualTo(OFF);
-        assertThat(bench.state().activity()).as("and blind").isEqualTo(Activity.OFF);
+        assertThat(bench.state().activity()).as("and blind").isEqualTo(RobotActivity.OFF);
         String text = bench.seconds(0.2).sentText();
         assertThat(text).startsWith("\u00feRoomba by iRobot!\r\n");
         assertThat(FirmwareVersion.find(text)).contains(new FirmwareVersion(3, 7, 7));
@@ -149,7 +149,7 @@ class ModesTest {
             for (Button button : Button.values()) {
                 Bench bench = Bench.in(mode);
                 bench.robot.press(button);
-                assertThat(bench.state().activity()).isEqualTo(Activity.ON);
+                assertThat(bench.state().activity()).isEqualTo(RobotActivity.ON);
                 assertThat(bench.state().oiMode()).isEqualTo(mode);
                 assertThat(bench.query(Packet.BUTTONS)).isEqualTo(1 << button.bit());
             }

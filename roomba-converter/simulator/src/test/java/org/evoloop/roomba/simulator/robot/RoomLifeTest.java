@@ -93,10 +93,10 @@ class RoomLifeTest {
         Pose from = somewhere(new Random(seed));
         bench.robot.place(from);
         bench.send(new Command.SeekDock());
-        for (int second = 0; second < 1_200 && bench.state().activity() == Activity.DOCK; second++) {
+        for (int second = 0; second < 1_200 && bench.state().activity() == RobotActivity.DOCK; second++) {
             bench.seconds(1);
         }
-        assertThat(bench.state().activity()).as("seed %s from %s", seed, from).isEqualTo(Activity.ON);
+        assertThat(bench.state().activity()).as("seed %s from %s", seed, from).isEqualTo(RobotActivity.ON);
         assertThat(bench.seconds(1).state().charging())
                 .as("seed %s from %s", seed, from)
                 .isTrue();
@@ -122,7 +122,7 @@ class RoomLifeTest {
     @Test
     void spotCleaningInACornerEndsInTime() {
         Bench bench = at(300, 300, 45).send(new Command.Spot()).seconds(46);
-        assertThat(bench.state().activity()).isEqualTo(Activity.ON);
+        assertThat(bench.state().activity()).isEqualTo(RobotActivity.ON);
         assertThat(bench.seconds(0.5).state().leftMmPerS()).isZero();
     }
 
@@ -132,7 +132,7 @@ class RoomLifeTest {
             Bench bench = bench().send(command).seconds(3);
             bench.robot.lift();
             bench.ticks(1);
-            assertThat(bench.state().activity()).as("%s", command).isEqualTo(Activity.ON);
+            assertThat(bench.state().activity()).as("%s", command).isEqualTo(RobotActivity.ON);
             double xMm = bench.state().xMm();
             bench.seconds(1);
             assertThat(bench.state().xMm()).as("in the air").isEqualTo(xMm);
@@ -145,7 +145,7 @@ class RoomLifeTest {
         Room box = RoomFile.read(Files.writeString(folder.resolve("box.txt"), "wall -175 -175 175 175\n"));
         Bench bench = Bench.in(OiMode.PASSIVE, RobotOptions.builder().room(box).build());
         bench.send(new Command.Clean()).seconds(120);
-        assertThat(bench.state().activity()).isEqualTo(Activity.ON);
+        assertThat(bench.state().activity()).isEqualTo(RobotActivity.ON);
     }
 
     @Test

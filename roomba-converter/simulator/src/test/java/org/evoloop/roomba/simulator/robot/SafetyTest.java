@@ -114,7 +114,7 @@ class SafetyTest {
         bench.robot.dock();
         bench.ticks(2).send(Bench.SAFE);
         assertThat(bench.state().oiMode()).isEqualTo(PASSIVE);
-        assertThat(bench.state().activity()).isEqualTo(Activity.ON);
+        assertThat(bench.state().activity()).isEqualTo(RobotActivity.ON);
         bench.send(Bench.FULL).seconds(1);
         assertThat(bench.state().oiMode()).isEqualTo(FULL);
         bench.send(Bench.SAFE);

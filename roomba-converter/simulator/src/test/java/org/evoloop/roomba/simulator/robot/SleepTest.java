@@ -34,7 +34,7 @@ class SleepTest {
         assertThat(bench.state().asleep()).isFalse();
         bench.seconds(0.2);
         assertThat(bench.state().asleep()).isTrue();
-        assertThat(bench.state().activity()).isEqualTo(Activity.OFF);
+        assertThat(bench.state().activity()).isEqualTo(RobotActivity.OFF);
         assertThat(bench.state().oiMode()).isEqualTo(OiMode.OFF);
     }
 
@@ -98,7 +98,7 @@ class SleepTest {
         bench.robot.press(Button.CLEAN);
         assertThat(bench.sentText()).isEqualTo("key-wakeup\r\nslept for 0 minutes 1 seconds\r\n");
         assertThat(bench.state().asleep()).isFalse();
-        assertThat(bench.state().activity()).isEqualTo(Activity.ON);
+        assertThat(bench.state().activity()).isEqualTo(RobotActivity.ON);
         assertThat(bench.ticks(10).sent()).as("the stream is forgotten").isEmpty();
         assertThat(bench.send(Bench.START).query(Packet.OI_MODE)).isEqualTo(1);
     }
@@ -108,7 +108,7 @@ class SleepTest {
     void aPulseOfTheWakeLineWakesIt(int millis) {
         Bench bench = asleep().pulse(millis);
         assertThat(bench.state().asleep()).isFalse();
-        assertThat(bench.state().activity()).isEqualTo(Activity.OFF);
+        assertThat(bench.state().activity()).isEqualTo(RobotActivity.OFF);
         assertThat(bench.send(Bench.START).query(Packet.OI_MODE)).isEqualTo(1);
     }
 

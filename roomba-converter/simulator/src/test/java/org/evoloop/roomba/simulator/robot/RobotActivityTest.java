@@ -1,11 +1,11 @@
 package org.evoloop.roomba.simulator.robot;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.evoloop.roomba.simulator.robot.Activity.CLEAN;
-import static org.evoloop.roomba.simulator.robot.Activity.DOCK;
-import static org.evoloop.roomba.simulator.robot.Activity.OFF;
-import static org.evoloop.roomba.simulator.robot.Activity.ON;
-import static org.evoloop.roomba.simulator.robot.Activity.SPOT;
+import static org.evoloop.roomba.simulator.robot.RobotActivity.CLEAN;
+import static org.evoloop.roomba.simulator.robot.RobotActivity.DOCK;
+import static org.evoloop.roomba.simulator.robot.RobotActivity.OFF;
+import static org.evoloop.roomba.simulator.robot.RobotActivity.ON;
+import static org.evoloop.roomba.simulator.robot.RobotActivity.SPOT;
 
 import java.util.ArrayList;
 import java.util.Collections;
@@ -23,10 +23,10 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 
 /** What the robot does by itself, by its buttons and by commands. */
-class ActivityTest {
+class RobotActivityTest {
 
     /** A robot in Passive mode that does this. */
-    private static Bench doing(Activity activity) {
+    private static Bench doing(RobotActivity activity) {
         Bench bench = Bench.in(OiMode.PASSIVE);
         switch (activity) {
             case OFF -> {}
@@ -49,7 +49,7 @@ class ActivityTest {
         "DOCK,  CLEAN, ON", "DOCK,  SPOT, ON", "DOCK,  DOCK, ON",
         "ON,    CLOCK, ON", "CLEAN, MINUTE, CLEAN"
     })
-    void aButtonLeadsTheRobotOn(Activity from, Button button, Activity to) {
+    void aButtonLeadsTheRobotOn(RobotActivity from, Button button, RobotActivity to) {
         Bench pressed = doing(from);
         pressed.robot.press(button);
         assertThat(pressed.state().activity()).isEqualTo(to);
@@ -66,11 +66,11 @@ class ActivityTest {
 
     @ParameterizedTest
     @EnumSource
-    void aCleaningCommandStartsAlsoFromStandbyAndPausesWhateverRuns(Activity from) {
+    void aCleaningCommandStartsAlsoFromStandbyAndPausesWhateverRuns(RobotActivity from) {
         boolean pauses = from.isRunning();
         List<Command> commands =
                 List.of(new Command.Clean(), new Command.Max(), new Command.Spot(), new Command.SeekDock());
-        List<Activity> started = List.of(CLEAN, CLEAN, SPOT, DOCK);
+        List<RobotActivity> started = List.of(CLEAN, CLEAN, SPOT, DOCK);
         for (int i = 0; i < commands.size(); i++) {
             Bench bench = doing(from).send(commands.get(i));
             assertThat(bench.state().activity())
@@ -82,7 +82,7 @@ class ActivityTest {
 
     @ParameterizedTest
     @EnumSource
-    void controlTurnsTheRobotOnAndEndsWhatItDid(Activity from) {
+    void controlTurnsTheRobotOnAndEndsWhatItDid(RobotActivity from) {
         for (Command command : List.of(new Command.Safe(), new Command.Control(), new Command.Full())) {
             Bench bench = doing(from).send(command);
             assertThat(bench.state().activity()).isEqualTo(ON);
@@ -94,7 +94,7 @@ class ActivityTest {
 
     @ParameterizedTest
     @EnumSource
-    void powerLeadsToStandby(Activity from) {
+    void powerLeadsToStandby(RobotActivity from) {
         Bench bench = doing(from).send(new Command.Power()).seconds(0.5);
         assertThat(bench.state().activity()).isEqualTo(OFF);
         assertThat(bench.state().oiMode()).isEqualTo(OiMode.PASSIVE);
@@ -103,7 +103,7 @@ class ActivityTest {
 
     @ParameterizedTest
     @EnumSource
-    void startAndStopLeaveWhatTheRobotDoesAlone(Activity from) {
+    void startAndStopLeaveWhatTheRobotDoesAlone(RobotActivity from) {
         assertThat(doing(from).send(Bench.START).state().activity()).isEqualTo(from);
         assertThat(doing(from).send(new Command.Stop(), Bench.START).state().activity())
                 .isEqualTo(from);
@@ -220,7 +220,7 @@ class ActivityTest {
 
     @Test
     void whatTheRobotDoesShowsInItsCurrentsAndWheels() {
-        for (Activity activity : List.of(CLEAN, SPOT)) {
+        for (RobotActivity activity : List.of(CLEAN, SPOT)) {
             Bench bench = doing(activity).stream(
                     Packet.CURRENT,
                     Packet.LEFT_MOTOR_CURRENT,

@@ -9,14 +9,15 @@ package org.evoloop.roomba.session;
  * @param yMm to the left, in mm
  * @param headingRad counterclockwise from ahead, in radians, not wrapped
  */
-public record Pose(double xMm, double yMm, double headingRad) {
+public record OdometryPose(double xMm, double yMm, double headingRad) {
     /** Where the session began. */
-    public static final Pose ORIGIN = new Pose(0, 0, 0);
+    public static final OdometryPose ORIGIN = new OdometryPose(0, 0, 0);
 
     /** The pose in which a robot that stands here sees what lies {@code distanceMm} away: looking at it, and there. */
-    public Pose beyond(double distanceMm, double bearingRad) {
+    public OdometryPose beyond(double distanceMm, double bearingRad) {
         double direction = headingRad + bearingRad;
-        return new Pose(xMm + distanceMm * Math.cos(direction), yMm + distanceMm * Math.sin(direction), direction);
+        return new OdometryPose(
+                xMm + distanceMm * Math.cos(direction), yMm + distanceMm * Math.sin(direction), direction);
     }
 
     /** How far it is to a point, in mm. */
