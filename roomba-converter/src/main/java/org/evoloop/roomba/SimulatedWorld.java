@@ -20,7 +20,6 @@ import org.evoloop.roomba.simulator.SimulatorServer;
 import org.evoloop.roomba.simulator.WorldCommands;
 import org.evoloop.roomba.simulator.drawing.RoomDrawing;
 import org.evoloop.roomba.simulator.drawing.Trail;
-import org.evoloop.roomba.simulator.eye.EyeOptions;
 import org.evoloop.roomba.simulator.robot.RobotOptions;
 import org.evoloop.roomba.simulator.room.RoomFile;
 import org.evoloop.roomba.simulator.webcam.Webcam;
@@ -89,7 +88,7 @@ interface SimulatedWorld extends AutoCloseable {
                 speed,
                 trail,
                 camera
-                        ? Optional.of(new WebcamOptions(0, CAMERA_FRAMES_PER_SECOND, EyeOptions.defaults()))
+                        ? Optional.of(WebcamOptions.defaults().withFramesPerSecond(CAMERA_FRAMES_PER_SECOND))
                         : Optional.empty());
         WorldCommands commands = new WorldCommands(server);
         return new SimulatedWorld() {

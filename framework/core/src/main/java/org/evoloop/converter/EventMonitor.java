@@ -11,6 +11,7 @@ import org.evoloop.loop.MapeLoop;
 import org.evoloop.loop.Monitor;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
+import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -40,6 +41,16 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
         config = loopConfig;
         loop = joined;
         guards = holding;
+        attached(names, loopConfig.clock());
+    }
+
+    /** It has become part of a converter, whose time {@code clock} is. */
+    void attached(EventNames names, Clock clock) {}
+
+    /** Whether the converter that it was part of has been closed, or goes on without it. */
+    final boolean isDetached() {
+        MapeLoop<Occurrence, ?, ?> joined = loop;
+        return joined != null && (joined.state() == LoopState.EXITED || !joined.has(this));
     }
 
     /** Tells the loop on the caller's thread; false if {@link #getEvent} has to, on the monitor's. */

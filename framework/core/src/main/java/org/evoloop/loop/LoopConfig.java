@@ -11,35 +11,37 @@ import org.evoloop.time.Clock;
  * How a loop runs.
  *
  * <p>Threading: immutable.
- *
- * @param name part of every thread's name
- * @param clock the time of back-off and limits
- * @param queueCapacity how many occurrences may wait behind the one that is in the loop, 0 to 1,000,000; with 0, an
- *     occurrence that comes while the loop is busy is lost
- * @param stepLimit how long an analyze, plan or execute component may work on one occurrence before it is interrupted, 1 ms
- *     to {@link Clock#LONGEST}, in the clock's time
- * @param joinLimit how long to wait for a thread that was told to stop, 1 ms to 1 min, in real time
- * @param waiting how a thread waits for its turn
- * @param threading which threads call the components: by default {@link ThreadingModel#SINGLE_CARRIER}, which is the
- *     fastest on few processors
  */
-public record LoopConfig(
-        String name,
-        Clock clock,
-        int queueCapacity,
-        Duration stepLimit,
-        Duration joinLimit,
-        WaitStrategy waiting,
-        ThreadingModel threading) {
+public final class LoopConfig {
+    private final String name;
+    private final Clock clock;
+    private final int queueCapacity;
+    private final Duration stepLimit;
+    private final Duration joinLimit;
+    private final WaitStrategy waiting;
+    private final ThreadingModel threading;
 
-    /** @throws NullPointerException if anything is null; the message says what */
-    public LoopConfig {
+    private LoopConfig(
+            String name,
+            Clock clock,
+            int queueCapacity,
+            Duration stepLimit,
+            Duration joinLimit,
+            WaitStrategy waiting,
+            ThreadingModel threading) {
         requireNonNull(name, "the name of a loop is null");
         requireNonNull(clock, "the clock of a loop is null");
         requireNonNull(stepLimit, "stepLimit is null");
         requireNonNull(joinLimit, "joinLimit is null");
         requireNonNull(waiting, "waiting is null");
         requireNonNull(threading, "threading is null");
+        this.name = name;
+        this.clock = clock;
+        this.queueCapacity = queueCapacity;
+        this.stepLimit = stepLimit;
+        this.joinLimit = joinLimit;
+        this.waiting = waiting;
+        this.threading = threading;
     }
 
     /** 8 waiting occurrences, 30 s a step, 2 s to stop, one carrier for all components. */
@@ -109,5 +111,49 @@ public record LoopConfig(
 
     private static boolean outOfRange(int rounds) {
         return rounds < 0 || rounds > 10_000;
+    }
+
+    /** Part of every thread's name. */
+    public String name() {
+        return name;
+    }
+
+    /** The time of back-off and limits. */
+    public Clock clock() {
+        return clock;
+    }
+
+    /**
+     * How many occurrences may wait behind the one that is in the loop, 0 to 1,000,000; with 0, an occurrence that comes
+     * while the loop is busy is lost.
+     */
+    public int queueCapacity() {
+        return queueCapacity;
+    }
+
+    /**
+     * How long an analyze, plan or execute component may work on one occurrence before it is interrupted, 1 ms to {@link
+     * Clock#LONGEST}, in the clock's time.
+     */
+    public Duration stepLimit() {
+        return stepLimit;
+    }
+
+    /** How long to wait for a thread that was told to stop, 1 ms to 1 min, in real time. */
+    public Duration joinLimit() {
+        return joinLimit;
+    }
+
+    /** How a thread waits for its turn. */
+    public WaitStrategy waiting() {
+        return waiting;
+    }
+
+    /**
+     * Which threads call the components: by default {@link ThreadingModel#SINGLE_CARRIER}, which is the fastest on few
+     * processors.
+     */
+    public ThreadingModel threading() {
+        return threading;
     }
 }

@@ -271,8 +271,8 @@ class SimulatorServerTest {
     void theRobotsCameraShowsWhereItIs() throws Exception {
         RobotOptions options =
                 RobotOptions.builder().room(RandomRooms.withMarker(7)).build();
-        WebcamOptions camera = new WebcamOptions(
-                0, 30, EyeOptions.defaults().withSize(160, 120).withEffects(Effects.CLEAN));
+        WebcamOptions camera = WebcamOptions.defaults()
+                .withEye(EyeOptions.defaults().withSize(160, 120).withEffects(Effects.CLEAN));
         HttpClient http = HttpClient.newHttpClient();
         try (Clock clock = new SystemClock();
                 SimulatorServer server =
@@ -311,7 +311,7 @@ class SimulatorServerTest {
     void aCameraWithoutItsPortLeavesNothingBehind() throws IOException {
         try (Clock clock = new ManualClock();
                 Webcam other = Webcam.start(WebcamOptions.defaults())) {
-            WebcamOptions taken = new WebcamOptions(other.url().getPort(), 30, EyeOptions.defaults());
+            WebcamOptions taken = WebcamOptions.defaults().withPort(other.url().getPort());
             assertThatThrownBy(() -> SimulatorServer.start(
                             port(), RobotOptions.defaults(), clock, 1, state -> {}, Optional.of(taken)))
                     .isInstanceOf(IOException.class)

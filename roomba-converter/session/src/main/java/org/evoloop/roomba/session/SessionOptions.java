@@ -10,17 +10,13 @@ import java.util.OptionalInt;
  * between models, are not used at all.
  *
  * <p>Threading: immutable.
- *
- * @param mayWait false if time only passes when the caller lets it: then nothing waits for its moment, and no thread is
- *     made
- * @param modeOffset what the robot adds to the OI mode it reports: 1 for some 600 models with Wi-Fi, else 0; empty if the
- *     session is to find out, see {@link org.evoloop.roomba.session.inference.ModeOffset}
- * @param silenceLimit after so long without a frame the robot is out of sight, in the clock's time
  */
-public record SessionOptions(boolean mayWait, OptionalInt modeOffset, Duration silenceLimit) {
+public final class SessionOptions {
+    private final boolean mayWait;
+    private final OptionalInt modeOffset;
+    private final Duration silenceLimit;
 
-    /** @throws IllegalArgumentException if a value is out of range */
-    public SessionOptions {
+    private SessionOptions(boolean mayWait, OptionalInt modeOffset, Duration silenceLimit) {
         modeOffset.ifPresent(offset -> {
             if (offset != 0 && offset != 1) {
                 throw new IllegalArgumentException("modeOffset is " + offset + ", allowed is 0 or 1");
@@ -29,6 +25,9 @@ public record SessionOptions(boolean mayWait, OptionalInt modeOffset, Duration s
         if (silenceLimit.compareTo(Duration.ofMillis(100)) < 0) {
             throw new IllegalArgumentException("silenceLimit is " + silenceLimit + ", allowed is at least 100 ms");
         }
+        this.mayWait = mayWait;
+        this.modeOffset = modeOffset;
+        this.silenceLimit = silenceLimit;
     }
 
     /** A robot that is out of sight after 1.7 s of silence, which is noticed within 2 s. */
@@ -49,5 +48,23 @@ public record SessionOptions(boolean mayWait, OptionalInt modeOffset, Duration s
     /** The same with another limit for silence. */
     public SessionOptions withSilenceLimit(Duration limit) {
         return new SessionOptions(mayWait, modeOffset, limit);
+    }
+
+    /** False if time only passes when the caller lets it: then nothing waits for its moment, and no thread is made. */
+    public boolean mayWait() {
+        return mayWait;
+    }
+
+    /**
+     * What the robot adds to the OI mode it reports: 1 for some 600 models with Wi-Fi, else 0; empty if the session is to
+     * find out, see {@link org.evoloop.roomba.session.inference.ModeOffset}.
+     */
+    public OptionalInt modeOffset() {
+        return modeOffset;
+    }
+
+    /** After so long without a frame the robot is out of sight, in the clock's time. */
+    public Duration silenceLimit() {
+        return silenceLimit;
     }
 }

@@ -64,7 +64,7 @@ final class CameraArguments {
             eye = eye.withFieldOfViewDeg(fieldOfViewDeg);
         }
         double rate = framesPerSecond == null ? usual.framesPerSecond() : framesPerSecond;
-        return Optional.of(new WebcamOptions(wantedPort, rate, eye));
+        return Optional.of(usual.withPort(wantedPort).withFramesPerSecond(rate).withEye(eye));
     }
 
     private EyeOptions sized(EyeOptions usual) {

@@ -4,21 +4,23 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * What can be chosen about the camera. It looks straight ahead and level from above the robot's centre.
+ * What can be chosen about the camera. It looks straight ahead and level from above the robot's centre. What is out of its
+ * range is refused with all that is wrong in one message.
  *
- * @param widthPx {@value #SMALLEST_PX} to {@value #LARGEST_PX}
- * @param heightPx likewise
- * @param fieldOfViewDeg from the picture's left edge to its right, 20 to 120
- * @param heightMm of the lens above the floor, 50 to 200
- * @param seed chooses the room's decoration where the room does not tell, and the noise
+ * <p>Threading: immutable.
  */
-public record EyeOptions(
-        int widthPx, int heightPx, double fieldOfViewDeg, double heightMm, long seed, Effects effects) {
+public final class EyeOptions {
     private static final int SMALLEST_PX = 16;
     private static final int LARGEST_PX = 1_920;
 
-    /** Refuses with all that is wrong in one message. */
-    public EyeOptions {
+    private final int widthPx;
+    private final int heightPx;
+    private final double fieldOfViewDeg;
+    private final double heightMm;
+    private final long seed;
+    private final Effects effects;
+
+    private EyeOptions(int widthPx, int heightPx, double fieldOfViewDeg, double heightMm, long seed, Effects effects) {
         List<String> problems = new ArrayList<>();
         require("picture width in pixels", widthPx, SMALLEST_PX, LARGEST_PX, problems);
         require("picture height in pixels", heightPx, SMALLEST_PX, LARGEST_PX, problems);
@@ -27,6 +29,12 @@ public record EyeOptions(
         if (!problems.isEmpty()) {
             throw new IllegalArgumentException(String.join("\n", problems));
         }
+        this.widthPx = widthPx;
+        this.heightPx = heightPx;
+        this.fieldOfViewDeg = fieldOfViewDeg;
+        this.heightMm = heightMm;
+        this.seed = seed;
+        this.effects = effects;
     }
 
     private static void require(String name, double value, int least, int most, List<String> problems) {
@@ -41,18 +49,27 @@ public record EyeOptions(
         return new EyeOptions(640, 480, 60, 150, 1, Effects.TYPICAL);
     }
 
+    /** The same with pictures of another size, in pixels. */
     public EyeOptions withSize(int width, int height) {
         return new EyeOptions(width, height, fieldOfViewDeg, heightMm, seed, effects);
     }
 
+    /** The same that sees so many degrees. */
     public EyeOptions withFieldOfViewDeg(double degrees) {
         return new EyeOptions(widthPx, heightPx, degrees, heightMm, seed, effects);
     }
 
+    /** The same so many millimetres above the floor. */
+    public EyeOptions withHeightMm(double height) {
+        return new EyeOptions(widthPx, heightPx, fieldOfViewDeg, height, seed, effects);
+    }
+
+    /** The same with another decoration and other noise. */
     public EyeOptions withSeed(long number) {
         return new EyeOptions(widthPx, heightPx, fieldOfViewDeg, heightMm, number, effects);
     }
 
+    /** The same with other effects of lens and sensor. */
     public EyeOptions withEffects(Effects others) {
         return new EyeOptions(widthPx, heightPx, fieldOfViewDeg, heightMm, seed, others);
     }
@@ -60,5 +77,35 @@ public record EyeOptions(
     /** The focal length in pixels, which are square. */
     public double focalPx() {
         return widthPx / 2.0 / Math.tan(Math.toRadians(fieldOfViewDeg) / 2);
+    }
+
+    /** The width of a picture in pixels, {@value #SMALLEST_PX} to {@value #LARGEST_PX}. */
+    public int widthPx() {
+        return widthPx;
+    }
+
+    /** The height of a picture in pixels, {@value #SMALLEST_PX} to {@value #LARGEST_PX}. */
+    public int heightPx() {
+        return heightPx;
+    }
+
+    /** What it sees from the picture's left edge to its right, in degrees, 20 to 120. */
+    public double fieldOfViewDeg() {
+        return fieldOfViewDeg;
+    }
+
+    /** How high the lens is above the floor, in mm, 50 to 200. */
+    public double heightMm() {
+        return heightMm;
+    }
+
+    /** What chooses the room's decoration where the room does not tell, and the noise. */
+    public long seed() {
+        return seed;
+    }
+
+    /** What the lens and the sensor do to a picture. */
+    public Effects effects() {
+        return effects;
     }
 }

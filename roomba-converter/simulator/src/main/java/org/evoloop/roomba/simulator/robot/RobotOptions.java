@@ -12,36 +12,8 @@ import org.evoloop.roomba.simulator.room.Room;
  * well-behaved robot on an open plain.
  *
  * <p>Threading: immutable; the builder is not thread-safe.
- *
- * @param room where it lives; it begins at the room's start
- * @param spotDurationMillis how long spot cleaning lasts, {@value #SHORTEST_SPOT_MILLIS} to
- *     {@value #LONGEST_SPOT_MILLIS}; iRobot does not tell how long it is in truth
- * @param batteryPercent how full the battery is at first, 1 to 100
- * @param baud the line's rate after power-on, one of {@link Command.Baud#RATES}
- * @param firmware what the boot text tells; old versions report wrong distances (before 3.3.0) and angles (up to 3.4.0)
- * @param checksum of stream frames; real robots count the header
- * @param modeOffset what packet 35 reports too much, 0 or 1, as some robots with Wi-Fi do
- * @param noise whether stray bytes come between replies and frames
- * @param dropShare the part of all bytes, to and from the robot, that get lost, 0 to 0.5
- * @param corruptShare the part of all bytes, to and from the robot, that get changed, 0 to 0.5
- * @param seed chooses which bytes these are; the same seed, the same bytes
- * @param sleepy whether the wake line is not connected, so that only its CLEAN button wakes the robot
- * @param strictModeWindow whether commands that come too soon after one that changes the mode are ignored
  */
-public record RobotOptions(
-        Room room,
-        int spotDurationMillis,
-        int batteryPercent,
-        int baud,
-        FirmwareVersion firmware,
-        Checksum checksum,
-        int modeOffset,
-        boolean noise,
-        double dropShare,
-        double corruptShare,
-        long seed,
-        boolean sleepy,
-        boolean strictModeWindow) {
+public final class RobotOptions {
     /** Less would not suffice to drive half a metre and back. */
     public static final int SHORTEST_SPOT_MILLIS = 8_000;
 
@@ -49,8 +21,34 @@ public record RobotOptions(
 
     private static final double LARGEST_SHARE = 0.5;
 
-    /** Refuses with all that is wrong in one message. */
-    public RobotOptions {
+    private final Room room;
+    private final int spotDurationMillis;
+    private final int batteryPercent;
+    private final int baud;
+    private final FirmwareVersion firmware;
+    private final Checksum checksum;
+    private final int modeOffset;
+    private final boolean noise;
+    private final double dropShare;
+    private final double corruptShare;
+    private final long seed;
+    private final boolean sleepy;
+    private final boolean strictModeWindow;
+
+    private RobotOptions(Builder wanted) {
+        room = wanted.room;
+        spotDurationMillis = wanted.spotDurationMillis;
+        batteryPercent = wanted.batteryPercent;
+        baud = wanted.baud;
+        firmware = wanted.firmware;
+        checksum = wanted.checksum;
+        modeOffset = wanted.modeOffset;
+        noise = wanted.noise;
+        dropShare = wanted.dropShare;
+        corruptShare = wanted.corruptShare;
+        seed = wanted.seed;
+        sleepy = wanted.sleepy;
+        strictModeWindow = wanted.strictModeWindow;
         List<String> problems = new ArrayList<>();
         require(
                 spotDurationMillis >= SHORTEST_SPOT_MILLIS && spotDurationMillis <= LONGEST_SPOT_MILLIS,
@@ -91,11 +89,80 @@ public record RobotOptions(
         return builder().build();
     }
 
+    /** Begins with a well-behaved robot on an open plain. */
     public static Builder builder() {
         return new Builder();
     }
 
-    /** Collects options; each method sets what the record's component of the same name says. */
+    /** Where it lives; it begins at the room's start. */
+    public Room room() {
+        return room;
+    }
+
+    /**
+     * How long spot cleaning lasts, {@value #SHORTEST_SPOT_MILLIS} to {@value #LONGEST_SPOT_MILLIS}; iRobot does not tell
+     * how long it is in truth.
+     */
+    public int spotDurationMillis() {
+        return spotDurationMillis;
+    }
+
+    /** How full the battery is at first, 1 to 100. */
+    public int batteryPercent() {
+        return batteryPercent;
+    }
+
+    /** The line's rate after power-on, one of {@link Command.Baud#RATES}. */
+    public int baud() {
+        return baud;
+    }
+
+    /** What the boot text tells; old versions report wrong distances (before 3.3.0) and angles (up to 3.4.0). */
+    public FirmwareVersion firmware() {
+        return firmware;
+    }
+
+    /** Of stream frames; real robots count the header. */
+    public Checksum checksum() {
+        return checksum;
+    }
+
+    /** What packet 35 reports too much, 0 or 1, as some robots with Wi-Fi do. */
+    public int modeOffset() {
+        return modeOffset;
+    }
+
+    /** Whether stray bytes come between replies and frames. */
+    public boolean noise() {
+        return noise;
+    }
+
+    /** The part of all bytes, to and from the robot, that get lost, 0 to 0.5. */
+    public double dropShare() {
+        return dropShare;
+    }
+
+    /** The part of all bytes, to and from the robot, that get changed, 0 to 0.5. */
+    public double corruptShare() {
+        return corruptShare;
+    }
+
+    /** Chooses which bytes these are; the same seed, the same bytes. */
+    public long seed() {
+        return seed;
+    }
+
+    /** Whether the wake line is not connected, so that only its CLEAN button wakes the robot. */
+    public boolean sleepy() {
+        return sleepy;
+    }
+
+    /** Whether commands that come too soon after one that changes the mode are ignored. */
+    public boolean strictModeWindow() {
+        return strictModeWindow;
+    }
+
+    /** Collects options; each method sets what the option of the same name says. */
     public static final class Builder {
         private Room room = Room.OPEN;
         private int spotDurationMillis = 45_000;
@@ -184,20 +251,7 @@ public record RobotOptions(
          * @throws IllegalArgumentException a line for each that is out of its range, with its value and what is allowed
          */
         public RobotOptions build() {
-            return new RobotOptions(
-                    room,
-                    spotDurationMillis,
-                    batteryPercent,
-                    baud,
-                    firmware,
-                    checksum,
-                    modeOffset,
-                    noise,
-                    dropShare,
-                    corruptShare,
-                    seed,
-                    sleepy,
-                    strictModeWindow);
+            return new RobotOptions(this);
         }
     }
 }

@@ -109,13 +109,16 @@ class EffectsTest {
                         motion blur in pixels is 61.0; allowed is 0 to 60
                         exposure in ms is NaN; allowed is 0 to 100
                         light at the right is 3.0; allowed is 0 to 2""");
-        assertThatThrownBy(() -> new EyeOptions(0, 4_000, 121, 250, 1, Effects.CLEAN))
+        EyeOptions usual = EyeOptions.defaults();
+        assertThatThrownBy(() -> usual.withSize(0, 4_000))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessage("""
                         picture width in pixels is 0; allowed is 16 to 1920
-                        picture height in pixels is 4000; allowed is 16 to 1920
-                        field of view in degrees is 121; allowed is 20 to 120
-                        camera height in mm is 250; allowed is 50 to 200""");
+                        picture height in pixels is 4000; allowed is 16 to 1920""");
+        assertThatThrownBy(() -> usual.withFieldOfViewDeg(121))
+                .hasMessage("field of view in degrees is 121; allowed is 20 to 120");
+        assertThatThrownBy(() -> usual.withHeightMm(250))
+                .hasMessage("camera height in mm is 250; allowed is 50 to 200");
         assertThatThrownBy(() -> Effects.named("best"))
                 .hasMessage("camera quality is 'best'; there are clean, typical and hard");
     }

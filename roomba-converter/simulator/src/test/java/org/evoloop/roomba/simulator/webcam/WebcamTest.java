@@ -44,6 +44,7 @@ import org.junit.jupiter.api.Timeout;
 @Timeout(60)
 class WebcamTest {
     private static final EyeOptions SMALL = EyeOptions.defaults().withSize(160, 120);
+    private static final WebcamOptions CAMERA = WebcamOptions.defaults().withEye(SMALL);
     private static final Room ROOM = RandomRooms.withMarker(3);
 
     private final HttpClient http = HttpClient.newHttpClient();
@@ -52,7 +53,7 @@ class WebcamTest {
     private final Webcam webcam;
 
     WebcamTest() throws IOException {
-        webcam = Webcam.start(new WebcamOptions(0, 30, SMALL));
+        webcam = Webcam.start(CAMERA);
     }
 
     @AfterEach
@@ -195,7 +196,7 @@ class WebcamTest {
 
     @Test
     void picturesComeAsOftenAsTheRobotsTimeSays() throws Exception {
-        try (Webcam slow = Webcam.start(new WebcamOptions(0, 10, SMALL))) {
+        try (Webcam slow = Webcam.start(CAMERA.withFramesPerSecond(10))) {
             http.send(HttpRequest.newBuilder(slow.url()).build(), BodyHandlers.ofInputStream());
             await().until(() -> slow.clients() == 1);
             for (int tick = 1; tick <= 200; tick++) {
@@ -262,7 +263,7 @@ class WebcamTest {
 
     @Test
     void damagedPicturesAreNotWhatTheyWere() throws Exception {
-        try (Webcam twin = Webcam.start(new WebcamOptions(0, 30, SMALL))) {
+        try (Webcam twin = Webcam.start(CAMERA)) {
             webcam.damage(1);
             var damaged = http.sendAsync(request("/frame.jpg"), BodyHandlers.ofByteArray());
             var whole = http.sendAsync(
@@ -362,13 +363,12 @@ class WebcamTest {
     @Test
     void whatCannotBeIsRefused() {
         int taken = webcam.url().getPort();
-        assertThatThrownBy(() -> Webcam.start(new WebcamOptions(taken, 30, SMALL)))
+        assertThatThrownBy(() -> Webcam.start(CAMERA.withPort(taken)))
                 .isInstanceOf(IOException.class)
                 .hasMessage("the camera's port " + taken
                         + " cannot be had (Address already in use); choose another, or 0 for any that is free");
-        assertThatThrownBy(() -> new WebcamOptions(65_536, 30, SMALL))
-                .hasMessage("camera port is 65536; allowed is 0 to 65535");
-        assertThatThrownBy(() -> new WebcamOptions(0, 61, SMALL))
+        assertThatThrownBy(() -> CAMERA.withPort(65_536)).hasMessage("camera port is 65536; allowed is 0 to 65535");
+        assertThatThrownBy(() -> CAMERA.withFramesPerSecond(61))
                 .hasMessage("camera frames per second are 61.0; allowed is 0.1 to 60");
     }
 }

@@ -1,0 +1,75 @@
+package org.evoloop.converter;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.evoloop.Machines.machine;
+import static org.evoloop.converter.Robot.at;
+
+import java.time.Duration;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Queue;
+import java.util.Set;
+import org.evoloop.evolution.Configuration;
+import org.evoloop.evolution.ModelPair;
+import org.evoloop.evolution.Step;
+import org.evoloop.loop.LoopConfig;
+import org.evoloop.time.ManualClock;
+import org.junit.jupiter.api.Test;
+
+/** Monitors that are one function. */
+class PollingMonitorTest {
+    private final Queue<String> events = new ArrayDeque<>();
+
+    private final List<String> sent = new ArrayList<>();
+
+    /** A music player whose events come from {@code monitor}, which has seen {@code event}. */
+    private Configuration after(String event, PollingMonitor monitor) throws InterruptedException {
+        try (SystemEventConverter converter = new SystemEventConverter(
+                LoopConfig.defaults("player", new ManualClock()).withoutThreads())) {
+            converter.addMonitor(monitor);
+            converter.addExecute(new EventExecute("Device") {
+                @Override
+                protected Set<String> sendableEvents() {
+                    return Set.of("play");
+                }
+
+                @Override
+                protected void send(Step step) {
+                    sent.add(step.trigger().name());
+                }
+            });
+            converter.addKnowledge(new StateKnowledge(new ModelPair(
+                    machine("original", "Stopped play -> Playing"), machine("new", "Stopped play -> Playing"))));
+            converter.build();
+            converter.start();
+            events.add(event);
+            converter.observe(monitor);
+            converter.observe(monitor);
+            assertThat(converter.step()).isTrue();
+            assertThat(converter.step()).isFalse();
+            return converter.knowledge().configuration();
+        }
+    }
+
+    @Test
+    void whatItSeesOfTheControllerIsSentToTheDevice() throws InterruptedException {
+        assertThat(after("play", PollingMonitor.ofController("Remote", Duration.ofMillis(50), events::poll)))
+                .isEqualTo(at("Playing", "Playing"));
+        assertThat(sent).containsExactly("play");
+    }
+
+    @Test
+    void whatItSeesTheDeviceDoIsNotSent() throws InterruptedException {
+        assertThat(after("play", PollingMonitor.ofDevice("Disc", Duration.ofSeconds(1), Set.of("play"), events::poll)))
+                .isEqualTo(at("Playing", "Playing"));
+        assertThat(sent).isEmpty();
+    }
+
+    @Test
+    void aPeriodOfZeroIsRefused() {
+        assertThatThrownBy(() -> PollingMonitor.ofController("Remote", Duration.ZERO, events::poll))
+                .hasMessage("the period of Remote is zero; a monitor that waits by itself extends EventMonitor");
+    }
+}
