@@ -30,7 +30,7 @@ import org.junit.jupiter.api.extension.ExtensionContext;
  * void itCleans() {
  *     try (MyDriver driver = new MyDriver(roomba.port().toString())) {
  *         roomba.press(Button.CLEAN);
- *         roomba.until(robot -> robot.activity() == Activity.CLEAN);
+ *         roomba.until(robot -> robot.activity() == RobotActivity.CLEAN);
  *     }
  * }
  * }</pre>
