@@ -22,6 +22,7 @@ import org.evoloop.time.Clock;
  * @param waiting how a thread waits for its turn
  * @param threading which threads call the components: by default {@link ThreadingModel#SINGLE_CARRIER}, which is the
  *     fastest on few processors
+ * @since 0.1
  */
 public record LoopConfig(
         String name,

@@ -4,6 +4,7 @@ package org.evoloop.roomba.camera;
  * What state a camera is in.
  *
  * @param reason for people, with the mend; empty while it sees
+ * @since 0.1
  */
 public record CameraHealth(State state, String reason) {
 
@@ -27,5 +28,6 @@ public record CameraHealth(State state, String reason) {
         CLOSED
     }
 
+    /** All is well. */
     public static final CameraHealth SEEING = new CameraHealth(State.SEEING, "");
 }

@@ -16,6 +16,7 @@ import java.util.OptionalInt;
  * @param modeOffset what the robot adds to the OI mode it reports: 1 for some 600 models with Wi-Fi, else 0; empty if the
  *     session is to find out, see {@link org.evoloop.roomba.session.inference.ModeOffset}
  * @param silenceLimit after so long without a frame the robot is out of sight, in the clock's time
+ * @since 0.1
  */
 public record SessionOptions(boolean mayWait, OptionalInt modeOffset, Duration silenceLimit) {
 

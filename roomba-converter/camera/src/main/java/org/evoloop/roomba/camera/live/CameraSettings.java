@@ -15,6 +15,7 @@ import org.evoloop.roomba.camera.vision.FrameSize;
  * @param framesInARow how many must show the marker before it is believed, from 1
  * @param staleAfter without a new frame for so long, a camera has stalled
  * @param record where to write what the camera sees, as AVI
+ * @since 0.1
  */
 public record CameraSettings(
         CameraSource source,
@@ -37,26 +38,32 @@ public record CameraSettings(
                 Optional.empty());
     }
 
+    /** The same, with another marker. */
     public CameraSettings withMarker(MarkerSpec other) {
         return new CameraSettings(source, other, model, size, framesInARow, staleAfter, record);
     }
 
+    /** The same, with another model. */
     public CameraSettings withModel(CameraModel other) {
         return new CameraSettings(source, marker, other, size, framesInARow, staleAfter, record);
     }
 
+    /** The same, with another size. */
     public CameraSettings withSize(FrameSize other) {
         return new CameraSettings(source, marker, model, other, framesInARow, staleAfter, record);
     }
 
+    /** The same, with another number of frames. */
     public CameraSettings withFramesInARow(int other) {
         return new CameraSettings(source, marker, model, size, other, staleAfter, record);
     }
 
+    /** The same, with another time after which it has stalled. */
     public CameraSettings withStaleAfter(Duration other) {
         return new CameraSettings(source, marker, model, size, framesInARow, other, record);
     }
 
+    /** The same, with a recording. */
     public CameraSettings withRecord(Path other) {
         return new CameraSettings(source, marker, model, size, framesInARow, staleAfter, Optional.of(other));
     }

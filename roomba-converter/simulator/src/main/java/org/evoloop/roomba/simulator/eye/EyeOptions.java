@@ -11,6 +11,7 @@ import java.util.List;
  * @param fieldOfViewDeg from the picture's left edge to its right, 20 to 120
  * @param heightMm of the lens above the floor, 50 to 200
  * @param seed chooses the room's decoration where the room does not tell, and the noise
+ * @since 0.1
  */
 public record EyeOptions(
         int widthPx, int heightPx, double fieldOfViewDeg, double heightMm, long seed, Effects effects) {
@@ -41,18 +42,22 @@ public record EyeOptions(
         return new EyeOptions(640, 480, 60, 150, 1, Effects.TYPICAL);
     }
 
+    /** The same, with pictures of another size in pixels. */
     public EyeOptions withSize(int width, int height) {
         return new EyeOptions(width, height, fieldOfViewDeg, heightMm, seed, effects);
     }
 
+    /** The same, with another horizontal angle of view. */
     public EyeOptions withFieldOfViewDeg(double degrees) {
         return new EyeOptions(widthPx, heightPx, degrees, heightMm, seed, effects);
     }
 
+    /** The same, with other decoration and noise. */
     public EyeOptions withSeed(long number) {
         return new EyeOptions(widthPx, heightPx, fieldOfViewDeg, heightMm, number, effects);
     }
 
+    /** The same, with other effects. */
     public EyeOptions withEffects(Effects others) {
         return new EyeOptions(widthPx, heightPx, fieldOfViewDeg, heightMm, seed, others);
     }

@@ -7,6 +7,7 @@ import org.evoloop.roomba.simulator.eye.EyeOptions;
  *
  * @param port of this machine, 0 to 65535; 0 is any that is free
  * @param framesPerSecond of the robot's time, 0.1 to 60; fewer come when the robot lives so fast that they cannot be made
+ * @since 0.1
  */
 public record WebcamOptions(int port, double framesPerSecond, EyeOptions eye) {
     private static final int HIGHEST_PORT = 65_535;
