@@ -86,6 +86,11 @@ KNOWN = [
     Known("./evoloop ctl NAME COMMAND ...", run="./evoloop ctl --help", shows="status --json"),
     typed("./evoloop setup --help", shows="apt-get"),
     typed("./evoloop install"),
+    typed("./evoloop docs", slow=True, shows="target/site/index.html"),
+    typed("./evoloop api", shows="no release yet"),
+    typed("./evoloop reproducible", slow=True, shows="files are the same"),
+    Known("./mvnw -Prelease -Dmaven.test.skip=true deploy", run="./evoloop reproducible --help", shows="SBOM"),
+    Known("./mvnw -Prelease -Dmaven.test.skip=true -DskipUpload=false deploy", why_not="uploads to Maven Central"),
     typed("./evoloop bench --help", shows="--quick"),
     typed("java -version"),
     # Models.

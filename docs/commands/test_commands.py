@@ -75,7 +75,9 @@ class HelpTest(unittest.TestCase):
             (folder / "benchmarks").mkdir()
             shutil.copy(ROOT / "evoloop", folder)
             shutil.copy(ROOT / "benchmarks" / "help.txt", folder / "benchmarks")
-            for command in ("", "lightbulb", "setup", "bench", "test"):
+            scripts = Path("framework", "publishing")
+            shutil.copytree(ROOT / scripts, folder / scripts, ignore=shutil.ignore_patterns("target"))
+            for command in ("", "lightbulb", "setup", "bench", "test", "docs", "api", "reproducible"):
                 for option in ("--help", "-h"):
                     with self.subTest(command=command, option=option):
                         result = subprocess.run(
@@ -87,7 +89,7 @@ class HelpTest(unittest.TestCase):
                         )
                         self.assertEqual((result.returncode, result.stderr), (0, ""))
                         self.assertRegex(result.stdout, f"(?i)^usage: .*{command}")
-            self.assertEqual({file.name for file in folder.iterdir()}, {"bin", "benchmarks", "evoloop"})
+            self.assertEqual({file.name for file in folder.iterdir()}, {"bin", "benchmarks", "evoloop", "framework"})
 
 
 class CommandsTest(unittest.TestCase):

@@ -12,6 +12,8 @@ import org.evoloop.evolution.ModelPair;
  * Checks a pair of machines before it runs: all rules of {@link Rule} but {@link Rule#PROPERTY}.
  *
  * <p>Threading: none needed, it keeps nothing.
+ *
+ * @since 0.1
  */
 public final class Check {
     private Check() {}

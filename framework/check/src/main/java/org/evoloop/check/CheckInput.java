@@ -18,6 +18,7 @@ import org.jspecify.annotations.Nullable;
  * @param raised names of the events that monitors and functions raise; time triggers need not be among them
  * @param guards texts of the guards that something is bound to
  * @param effects texts of the effects that something is bound to
+ * @since 0.1
  */
 public record CheckInput(
         ModelPair pair,

@@ -8,6 +8,8 @@ import org.evoloop.statemachine.Transition;
  * The part of a machine that a finding is about.
  *
  * <p>Threading: immutable.
+ *
+ * @since 0.1
  */
 public sealed interface Element {
     /** Which of the two machines it belongs to. */
@@ -18,7 +20,9 @@ public sealed interface Element {
 
     /** The machines of a pair. */
     enum ModelRole {
+        /** The device as it is. */
         ORIGINAL,
+        /** The device as it should be. */
         NEW
     }
 

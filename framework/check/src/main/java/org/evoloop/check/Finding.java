@@ -12,6 +12,7 @@ import org.evoloop.evolution.Turn;
  * @param message what is wrong, one sentence without a full stop
  * @param mend how to fix it
  * @param example what happens, from the start, until it shows; empty where it shows in the drawing alone, or at once
+ * @since 0.1
  */
 public record Finding(Rule rule, Element element, String message, String mend, List<Turn> example) {
     public Finding {

@@ -18,6 +18,8 @@ import org.evoloop.evolution.Turn;
  * Every configuration that can be reached without a failure, what can happen in it, and the shortest way there.
  *
  * <p>Threading: immutable.
+ *
+ * @since 0.1
  */
 public final class PairGraph {
     private final Configuration initial;

@@ -5,6 +5,8 @@ import java.util.Locale;
 /**
  * What is checked; the identifier is the name in lower case with hyphens, such as {@code dead-transition}. The order is
  * that of findings.
+ *
+ * @since 0.1
  */
 public enum Rule {
     /** An event of the device is missing in the new model (paper, Definition IV.1, Condition 1). */
@@ -64,6 +66,7 @@ public enum Rule {
         NOTE
     }
 
+    /** How bad a breach of this rule is. */
     public Severity severity() {
         return severity;
     }

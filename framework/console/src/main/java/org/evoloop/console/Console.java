@@ -29,6 +29,8 @@ import org.slf4j.LoggerFactory;
  *
  * <p>Threading: put together and run by one thread, which may be interrupted from any; {@link #perform} and {@link #end} may
  * be called from any thread. Of the application's commands one runs at a time; the console's own do not wait for them.
+ *
+ * @since 0.1
  */
 public final class Console {
     private static final Logger LOG = LoggerFactory.getLogger(Console.class);

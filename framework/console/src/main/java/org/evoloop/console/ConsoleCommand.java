@@ -22,6 +22,7 @@ import java.util.function.Function;
  * @param help what the command does, for {@code help}; the first line stands in the list of all commands
  * @param action what it does
  * @param completion the words that may stand after those given, which begin with the first argument
+ * @since 0.1
  */
 public record ConsoleCommand(
         String usage, String help, Action action, Function<List<String>, Collection<String>> completion) {

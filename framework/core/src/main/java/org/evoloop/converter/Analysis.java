@@ -10,5 +10,6 @@ import org.evoloop.evolution.Occurrence;
  *
  * @param occurrence the one that was analyzed
  * @param decision made in the states in which device and evolved system were then
+ * @since 0.1
  */
 public record Analysis(Occurrence occurrence, Decision decision) {}

@@ -11,5 +11,6 @@ import org.evoloop.statemachine.State;
  * <p>Threading: immutable.
  *
  * @param action what runs in {@code target}; {@link NewFunction#none()} where the device does the work
+ * @since 0.1
  */
 public record BoundTransition(State source, Event event, State target, NewFunction action) {}

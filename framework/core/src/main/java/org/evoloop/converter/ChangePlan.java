@@ -12,6 +12,7 @@ import org.evoloop.evolution.Step;
  *
  * @param occurrence the one that is converted
  * @param decision what it means; it names the events to send, the effects to run and the state to enter
+ * @since 0.1
  */
 public record ChangePlan(Occurrence occurrence, Decision decision) {
 

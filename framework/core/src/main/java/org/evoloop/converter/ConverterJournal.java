@@ -16,6 +16,8 @@ import org.jspecify.annotations.Nullable;
  * {@link SystemEventConverter#journal}.
  *
  * <p>Threading: belongs to one converter, which calls it one call at a time.
+ *
+ * @since 0.1
  */
 public interface ConverterJournal {
 

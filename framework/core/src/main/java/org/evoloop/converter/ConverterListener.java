@@ -9,6 +9,8 @@ import org.evoloop.loop.Failure;
  *
  * <p>Threading: called on one thread of the converter that does nothing else, one call at a time and in the order in which
  * things happened; in a converter without threads on the thread that takes the steps. One that throws is logged.
+ *
+ * @since 0.1
  */
 public interface ConverterListener {
 

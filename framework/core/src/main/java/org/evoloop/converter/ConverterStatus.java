@@ -26,6 +26,7 @@ import org.jspecify.annotations.Nullable;
  * @param components every component and its thread
  * @param function the new function that runs
  * @param link the connection to the device; null if no link was registered
+ * @since 0.1
  */
 public record ConverterStatus(
         String name,
@@ -40,7 +41,7 @@ public record ConverterStatus(
         RunningFunction function,
         @Nullable LinkStatus link) {
 
-    /** How many events had which outcome, see {@link Outcome}. */
+    /** How many events had which outcome, see {@link org.evoloop.core.Outcome}. */
     public record EventCounts(long handled, long ignored, long stale, long failed) {}
 
     /**

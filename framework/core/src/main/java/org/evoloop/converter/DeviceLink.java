@@ -7,6 +7,8 @@ import java.util.Optional;
  * What is to be known of the connection to a device.
  *
  * <p>Threading: called from any thread; must not wait.
+ *
+ * @since 0.1
  */
 public interface DeviceLink {
 

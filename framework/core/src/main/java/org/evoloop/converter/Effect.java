@@ -6,6 +6,8 @@ import org.evoloop.evolution.Values;
  * A behavior that the new model names on its transitions, see {@link StateKnowledge#effect}.
  *
  * <p>Threading: run on the thread of the execute component that carries the transition out.
+ *
+ * @since 0.1
  */
 @FunctionalInterface
 public interface Effect {

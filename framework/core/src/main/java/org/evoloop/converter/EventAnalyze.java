@@ -20,6 +20,8 @@ import org.jspecify.annotations.Nullable;
  * }</pre>
  *
  * <p>A fact, which the device has acted on, can be refused too; then the record of the device has followed it all the same.
+ *
+ * @since 0.1
  */
 public class EventAnalyze extends Analyze<Occurrence, Analysis> {
     private volatile @Nullable CoreDriver driver;

@@ -16,6 +16,8 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>Threading: all methods are called on the component's own thread, one at a time; only {@link #settled} is called once
  * more on the thread that starts the converter, before the loop opens, and {@link #released} on the one that stops it.
+ *
+ * @since 0.1
  */
 public abstract class EventExecute extends Execute<ChangePlan> {
     /** The turn in which a step is being sent whose effect was not reported yet; 0 if none is. Guarded by the driver. */

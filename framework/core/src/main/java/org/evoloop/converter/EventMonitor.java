@@ -19,6 +19,8 @@ import org.jspecify.annotations.Nullable;
  * returns it, made by one of the methods {@code from...}.
  *
  * <p>Threading: as {@link Monitor}; the methods {@code from...} may be called from any thread.
+ *
+ * @since 0.1
  */
 public abstract class EventMonitor extends Monitor<Occurrence> {
     private volatile @Nullable EventNames eventNames;

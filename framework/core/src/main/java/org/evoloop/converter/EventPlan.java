@@ -6,6 +6,8 @@ import org.jspecify.annotations.Nullable;
 /**
  * Turns an analysis into the list of events to send and at most one new function to start. A converter has one without
  * being told; extend it to watch plans.
+ *
+ * @since 0.1
  */
 public class EventPlan extends Plan<Analysis, ChangePlan> {
     /** A component that is called like its class. */

@@ -17,6 +17,7 @@ import org.evoloop.evolution.Occurrence;
  * @param after where it stands
  * @param outcome what became of the event
  * @param detail the events sent, the function started, or why nothing happened
+ * @since 0.1
  */
 public record HistoryEntry(
         long number,

@@ -20,6 +20,8 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>Threading: the function is called on the monitor's thread. In a converter without threads it is called whenever the
  * monitor is observed, whatever the period.
+ *
+ * @since 0.1
  */
 public final class PollingMonitor extends EventMonitor {
     private final Duration period;

@@ -13,6 +13,8 @@ import org.jspecify.annotations.Nullable;
  * <p>Threading: {@link #push} and {@link #press} may be called from any thread and never wait. Once the loop has been
  * built they pass events to it directly, since the monitor's own thread would have to be woken first; what one thread
  * pushes stays in order.
+ *
+ * @since 0.1
  */
 public class PushMonitor extends EventMonitor {
     private final BlockingQueue<Occurrence> pushed = new LinkedBlockingQueue<>();

@@ -32,6 +32,8 @@ import org.jspecify.annotations.Nullable;
  * Extend it and register the functions in {@link #registerNewFunctions}.
  *
  * <p>Threading: the methods that register are for {@link #registerNewFunctions} and before; the rest is thread-safe.
+ *
+ * @since 0.1
  */
 public class StateKnowledge extends Knowledge {
     private final ModelPair pair;

@@ -40,6 +40,8 @@ import org.jspecify.annotations.Nullable;
  * enters the current state again and continues from there.
  *
  * <p>Threading: all methods may be called from any thread, but those that change the converter not from its own.
+ *
+ * @since 0.1
  */
 public final class SystemEventConverter implements AutoCloseable {
     private final LoopConfig config;

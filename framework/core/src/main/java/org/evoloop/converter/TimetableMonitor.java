@@ -32,6 +32,8 @@ import org.slf4j.LoggerFactory;
  * up to {@link #LATEST}; what is older is left out. Nothing is told twice, unless the clock goes back by more than that.
  *
  * <p>Threading: times are added before the converter is built.
+ *
+ * @since 0.1
  */
 public final class TimetableMonitor extends PushMonitor {
     /** How late an event is still raised. */

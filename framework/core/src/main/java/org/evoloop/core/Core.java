@@ -19,6 +19,8 @@ import org.jspecify.annotations.Nullable;
  * nothing is ever sent from a place where the device no longer is.
  *
  * <p>Threading: not thread-safe; whoever drives it gives it one input after the other.
+ *
+ * @since 0.1
  */
 public final class Core implements Inputs {
     private final Ledger ledger;

@@ -17,6 +17,7 @@ import org.evoloop.evolution.Step;
  * @param meanwhile what the device did by itself, or where it was found, since the step was about to be sent
  * @param settled whether the device has told where it is, so that the record is sure until the step is told to have had its
  *     effect after all
+ * @since 0.1
  */
 public record Doubt(String why, long number, Step step, long stepsBefore, List<Occurrence> meanwhile, boolean settled) {
     static final long UNSETTLED = -1;

@@ -12,6 +12,8 @@ import org.jspecify.annotations.Nullable;
  * given up.
  *
  * <p>Threading: immutable.
+ *
+ * @since 0.1
  */
 public sealed interface Input {
     /** Tells it to {@code told}. */

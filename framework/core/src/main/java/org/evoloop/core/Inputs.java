@@ -9,6 +9,8 @@ import org.jspecify.annotations.Nullable;
 /**
  * Who is told what happens: a {@link Core}, or one that keeps it on the way there. Every {@link Input} can be told as a
  * value, by {@link #apply}, or by the method of its name, which leaves no garbage in an event's way.
+ *
+ * @since 0.1
  */
 public interface Inputs {
 

@@ -1,6 +1,10 @@
 package org.evoloop.core;
 
-/** What can become of an occurrence. */
+/**
+ * What can become of an occurrence.
+ *
+ * @since 0.1
+ */
 public enum Outcome {
     /** It had its effect. */
     HANDLED,

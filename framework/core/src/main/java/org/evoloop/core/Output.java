@@ -15,6 +15,8 @@ import org.jspecify.annotations.Nullable;
  * ({@link Notice}).
  *
  * <p>Threading: immutable.
+ *
+ * @since 0.1
  */
 public sealed interface Output {
 

@@ -15,6 +15,7 @@ import org.jspecify.annotations.Nullable;
  * @param own the step of its model that the device took; null if it took none
  * @param stepsBefore how many steps had been sent when it was observed
  * @param attempts how often its plan was overtaken
+ * @since 0.1
  */
 public record Pending(
         long number,

@@ -17,6 +17,7 @@ import org.evoloop.statemachine.State;
  *
  * @param timers what is raised by itself in a state, and after how long
  * @param queueCapacity how many events may wait behind the one in progress
+ * @since 0.1
  */
 public record Rules(DecisionTable table, Timers timers, int queueCapacity) {
 

@@ -26,6 +26,7 @@ import org.jspecify.annotations.Nullable;
  * @param work the occurrence in progress; null if there is none
  * @param tally how many occurrences came and what became of them
  * @param nowNanos the latest time that it was told
+ * @since 0.1
  */
 public record Snapshot(
         boolean open,

@@ -9,6 +9,7 @@ package org.evoloop.core;
  * @param refused those that came, or waited, while the converter was closed
  * @param queued those that had to wait or could begin at once
  * @param highest most that ever waited
+ * @since 0.1
  */
 public record Tally(
         long observed,

@@ -16,6 +16,7 @@ import org.jspecify.annotations.Nullable;
  * @param failedEffects what went wrong with them; empty if nothing did
  * @param stage what the plan is waiting for
  * @param meanwhile what the device did by itself while the step was on its way, or while it was asked where it is
+ * @since 0.1
  */
 public record Work(
         Pending pending,

@@ -7,6 +7,8 @@ import org.jspecify.annotations.Nullable;
  * Where an evolved device stands: the current states of both models (the paper's oState and nState).
  *
  * <p>Threading: immutable.
+ *
+ * @since 0.1
  */
 public final class Configuration {
     private final State original;

@@ -12,6 +12,8 @@ import org.jspecify.annotations.Nullable;
  * <p>{@link #steps()} move the original model, in order; a step that the device took itself can only be the first.
  *
  * <p>Threading: immutable.
+ *
+ * @since 0.1
  */
 public sealed interface Decision {
     /** Where the system stood when the event occurred. */

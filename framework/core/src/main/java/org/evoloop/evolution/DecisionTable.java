@@ -26,6 +26,8 @@ import org.jspecify.annotations.Nullable;
  * steps the system stands elsewhere; decisions there are made by the same function when they are first needed.
  *
  * <p>Threading: thread-safe.
+ *
+ * @since 0.1
  */
 public final class DecisionTable {
     private final ModelPair pair;

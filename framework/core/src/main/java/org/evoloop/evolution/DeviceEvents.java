@@ -18,6 +18,7 @@ import org.evoloop.statemachine.StateMachine;
  * @param costs what sending an event costs, from 1 to {@value #MAX_COST}; 1 for those that are not named
  * @param doNotPass states of the device in which a way may begin and end, but through which none may lead
  * @param boundGuards texts of the guards that can be asked; a way never leads over a transition whose guard cannot
+ * @since 0.1
  */
 public record DeviceEvents(
         Set<Event> sendable,

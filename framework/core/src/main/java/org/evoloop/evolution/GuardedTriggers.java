@@ -19,11 +19,14 @@ import org.jspecify.annotations.Nullable;
  * guards all hold.
  *
  * <p>Threading: immutable. Nothing is allocated for states and triggers without guards.
+ *
+ * @since 0.1
  */
 public final class GuardedTriggers {
     /** Only triggers that carry a guard somewhere in the state; the transitions in the order in which they are tried. */
     private final Map<State, Map<Event, List<Transition>>> guarded = new HashMap<>();
 
+    /** Finds the triggers of this machine. */
     public GuardedTriggers(StateMachine machine) {
         if (machine.guards().isEmpty()) {
             return;

@@ -13,6 +13,7 @@ import org.evoloop.statemachine.StateMachine;
  * <p>Threading: immutable.
  *
  * @param instead what the new model has in its place, at most {@value #LISTED} of it; empty if {@link Matter#ABSENT}
+ * @since 0.1
  */
 public record MissingState(State state, Matter matter, List<State> instead) implements ModelPair.Violation {
     private static final int LISTED = 4;

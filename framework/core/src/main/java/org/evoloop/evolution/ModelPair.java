@@ -16,6 +16,7 @@ import org.evoloop.statemachine.StateMachine;
  *
  * @param original what the device does by itself
  * @param evolved what device and converter are to do together
+ * @since 0.1
  */
 public record ModelPair(StateMachine original, StateMachine evolved) {
     /**

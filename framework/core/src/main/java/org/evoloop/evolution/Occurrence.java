@@ -9,6 +9,8 @@ import org.evoloop.statemachine.State;
  * Something that occurred, and that the converter has to react to.
  *
  * <p>Threading: immutable.
+ *
+ * @since 0.1
  */
 public sealed interface Occurrence {
     /** The visit of an occurrence that no state raised. */

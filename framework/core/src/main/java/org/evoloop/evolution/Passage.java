@@ -13,6 +13,7 @@ import org.evoloop.statemachine.StateMachine;
  * <p>Threading: immutable.
  *
  * @param effects what the device does for being led through it, as drawn; often nothing
+ * @since 0.1
  */
 public record Passage(State state, List<String> effects) {
     public Passage {

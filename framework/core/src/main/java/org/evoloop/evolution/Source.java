@@ -1,6 +1,10 @@
 package org.evoloop.evolution;
 
-/** Where an event came from. */
+/**
+ * Where an event came from.
+ *
+ * @since 0.1
+ */
 public enum Source {
     /** A control of the controller: a wall switch, a remote, an app. */
     CONTROLLER,

@@ -14,6 +14,7 @@ import org.evoloop.statemachine.Transition;
  * @param trigger the event without its guards, which is what is sent
  * @param byDevice true if the device took the step itself, so that nothing is sent for it
  * @param conditional whether guards decide that the trigger leads this way; they are asked before it is sent
+ * @since 0.1
  */
 public record Step(Transition transition, Event trigger, boolean byDevice, boolean conditional) {
     Step(Transition transition, boolean byDevice, boolean conditional) {

@@ -9,6 +9,7 @@ import org.evoloop.statemachine.Event;
  *
  * @param event with the guards under which it comes
  * @param deviceActed whether the device has acted on it before anything was decided, although it could have been asked to
+ * @since 0.1
  */
 public record Turn(Event event, boolean deviceActed, Decision decision) {
 

@@ -10,6 +10,7 @@ import java.util.TreeMap;
  * <p>Threading: immutable.
  *
  * @param byName in the order of the names; each a {@link String}, {@link Double} or {@link Boolean}
+ * @since 0.1
  */
 public record Values(Map<String, Object> byName) {
     /** No values at all. */

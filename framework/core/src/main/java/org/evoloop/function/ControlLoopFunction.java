@@ -19,6 +19,7 @@ import org.slf4j.LoggerFactory;
  * @param <O> an occurrence of that loop
  * @param <A> an analysis of that loop
  * @param <P> a plan of that loop
+ * @since 0.1
  */
 public abstract class ControlLoopFunction<O, A, P> implements NewFunction {
     private static final Logger LOG = LoggerFactory.getLogger(ControlLoopFunction.class);

@@ -9,6 +9,8 @@ package org.evoloop.function;
  *
  * <p>Threading: every visit of the state calls {@link #run} once, on a thread of its own. In a converter without threads
  * it is called on the thread that takes the steps, and must not block.
+ *
+ * @since 0.1
  */
 @FunctionalInterface
 public interface NewFunction {

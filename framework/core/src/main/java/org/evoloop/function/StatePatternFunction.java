@@ -7,6 +7,8 @@ import org.jspecify.annotations.Nullable;
  * (paper, section V.B).
  *
  * <p>Threading: as {@link NewFunction}; all sub-states of a visit run on its one thread.
+ *
+ * @since 0.1
  */
 public final class StatePatternFunction implements NewFunction {
 

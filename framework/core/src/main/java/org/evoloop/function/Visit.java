@@ -9,6 +9,8 @@ import org.evoloop.time.Clock;
  * events it has raised that were not handled yet.
  *
  * <p>Threading: all methods may be called from any thread.
+ *
+ * @since 0.1
  */
 public interface Visit {
     /** The state that is visited. */

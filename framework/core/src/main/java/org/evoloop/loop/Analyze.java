@@ -10,6 +10,7 @@ import org.jspecify.annotations.Nullable;
  *
  * @param <O> an occurrence
  * @param <A> what it means, what {@link Plan} takes
+ * @since 0.1
  */
 public abstract non-sealed class Analyze<O, A> extends Component {
 

@@ -9,14 +9,20 @@ import java.util.Objects;
  * nothing should be kept by thread.
  *
  * <p>A component may be part of one loop at a time.
+ *
+ * @since 0.1
  */
 public abstract sealed class Component permits Monitor, Analyze, Plan, Execute {
 
     /** The four activities of the loop, in their order. */
     public enum Role {
+        /** Notices events. */
         MONITOR,
+        /** Decides what an event means. */
         ANALYZE,
+        /** Makes the steps. */
         PLAN,
+        /** Carries the steps out. */
         EXECUTE
     }
 

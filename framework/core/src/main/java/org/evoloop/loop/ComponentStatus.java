@@ -12,6 +12,7 @@ package org.evoloop.loop;
  * @param activity what it does now: waiting, working, stuck or ended
  * @param failures how often it has failed
  * @param lastFailure the message of the last failure, empty if there was none
+ * @since 0.1
  */
 public record ComponentStatus(
         String name, Component.Role role, String thread, Activity activity, long failures, String lastFailure) {

@@ -9,6 +9,7 @@ import org.jspecify.annotations.Nullable;
  * <p>Threading: called on the threads of the loop, one at a time.
  *
  * @param <P> a plan
+ * @since 0.1
  */
 @FunctionalInterface
 public interface Dispatch<P> {

@@ -8,6 +8,7 @@ package org.evoloop.loop;
  * ready: occurrences queue up meanwhile. One that waits longer than the loop's step limit is interrupted.
  *
  * @param <P> a plan
+ * @since 0.1
  */
 public abstract non-sealed class Execute<P> extends Component {
 

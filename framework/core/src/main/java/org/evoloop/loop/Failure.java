@@ -13,6 +13,7 @@ import org.jspecify.annotations.Nullable;
  * @param occurrence what it was working on, null if nothing
  * @param cause what it threw, or what was found wrong with it
  * @param <O> an occurrence
+ * @since 0.1
  */
 public record Failure<O>(
         String component,

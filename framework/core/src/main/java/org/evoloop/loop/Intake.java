@@ -8,6 +8,7 @@ import org.jspecify.annotations.Nullable;
  * <p>Threading: guarded by the loop's lock, but for {@link #atOnce}; nothing in it may wait.
  *
  * @param <O> an occurrence
+ * @since 0.1
  */
 public interface Intake<O> {
 

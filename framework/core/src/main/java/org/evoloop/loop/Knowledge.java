@@ -5,6 +5,8 @@ package org.evoloop.loop;
  *
  * <p>Threading: knowledge is read and written from several threads and must be safe for that. Within one cycle the loop
  * orders the components strictly, so what one of them wrote the next one sees.
+ *
+ * @since 0.1
  */
 public abstract class Knowledge {
 

@@ -11,6 +11,8 @@ import org.evoloop.time.Clock;
  * How a loop runs.
  *
  * <p>Threading: immutable.
+ *
+ * @since 0.1
  */
 public final class LoopConfig {
     private final String name;

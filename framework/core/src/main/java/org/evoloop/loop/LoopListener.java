@@ -6,6 +6,7 @@ package org.evoloop.loop;
  * <p>Threading: called on whichever thread found out. Methods must be quick and must not throw.
  *
  * @param <O> an occurrence
+ * @since 0.1
  */
 public interface LoopListener<O> {
 

@@ -14,6 +14,8 @@ package org.evoloop.loop;
  *                       v
  *                     EXITED
  * </pre>
+ *
+ * @since 0.1
  */
 public enum LoopState {
     /** Being put together; there are no threads yet. */

@@ -26,6 +26,7 @@ import org.slf4j.LoggerFactory;
  * @param <O> an occurrence
  * @param <A> an analysis
  * @param <P> a plan
+ * @since 0.1
  */
 public final class MapeLoop<O, A, P> implements AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(MapeLoop.class);

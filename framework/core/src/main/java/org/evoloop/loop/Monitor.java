@@ -11,6 +11,7 @@ import org.jspecify.annotations.Nullable;
  * loop opens.
  *
  * @param <O> an occurrence, what {@link Analyze} takes
+ * @since 0.1
  */
 public abstract non-sealed class Monitor<O> extends Component {
 

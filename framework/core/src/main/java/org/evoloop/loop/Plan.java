@@ -9,6 +9,7 @@ import org.jspecify.annotations.Nullable;
  *
  * @param <A> an analysis
  * @param <P> a plan, what {@link Execute} takes
+ * @since 0.1
  */
 public abstract non-sealed class Plan<A, P> extends Component {
 

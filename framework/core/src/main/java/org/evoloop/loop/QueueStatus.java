@@ -11,5 +11,6 @@ package org.evoloop.loop;
  * @param taken how many have been queued
  * @param dropped how many were lost because the queue was full
  * @param refused how many came while the loop was closed, or still waited when it closed
+ * @since 0.1
  */
 public record QueueStatus(int depth, int capacity, int highest, long taken, long dropped, long refused) {}

@@ -1,6 +1,10 @@
 package org.evoloop.loop;
 
-/** Which threads call the analyze, plan and execute components of a loop. Each monitor has a thread of its own. */
+/**
+ * Which threads call the analyze, plan and execute components of a loop. Each monitor has a thread of its own.
+ *
+ * @since 0.1
+ */
 public enum ThreadingModel {
     /**
      * One thread, the carrier, takes an occurrence through all of them. It is woken once for each occurrence, not once for

@@ -11,6 +11,7 @@ package org.evoloop.loop;
  *
  * @param looks how often a thread checks for its turn without yielding, 0 to 10,000; more than a few slow down two processors
  * @param yields how often it yields before it sleeps, 0 to 10,000
+ * @since 0.1
  */
 public record WaitStrategy(int looks, int yields) {
     /** A thread that was woken within this time does not sleep at once the next time. */

@@ -14,6 +14,8 @@ import org.jspecify.annotations.Nullable;
  * states and events. What a monitor tells is the name alone; which of the guarded events it is, is decided when it comes.
  *
  * <p>Threading: immutable.
+ *
+ * @since 0.1
  */
 public final class Event implements Comparable<Event> {
     private final String name;

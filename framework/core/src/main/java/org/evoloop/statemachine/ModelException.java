@@ -3,13 +3,17 @@ package org.evoloop.statemachine;
 /**
  * A model cannot be used as it is. The message is written for the person who drew it: it names what is wrong, where,
  * and how to fix it, and needs no stack trace.
+ *
+ * @since 0.1
  */
 public final class ModelException extends RuntimeException {
 
+    /** The message is for the user, see above. */
     public ModelException(String message) {
         super(message);
     }
 
+    /** With what was thrown by a library, which the message repeats as far as a user needs it. */
     public ModelException(String message, Throwable cause) {
         super(message, cause);
     }

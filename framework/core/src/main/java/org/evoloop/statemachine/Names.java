@@ -6,7 +6,11 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.Stream;
 
-/** What people may have meant by a name that there is not. */
+/**
+ * What people may have meant by a name that there is not.
+ *
+ * @since 0.1
+ */
 public final class Names {
     private static final int NEAREST = 3;
     private static final int LISTED = 20;

@@ -8,6 +8,8 @@ import org.jspecify.annotations.Nullable;
  * in the new model are equal (the paper's Condition 2 speaks of names).
  *
  * <p>Threading: immutable.
+ *
+ * @since 0.1
  */
 public final class State implements Comparable<State> {
     private final String name;

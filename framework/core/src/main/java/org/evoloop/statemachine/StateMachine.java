@@ -20,6 +20,8 @@ import org.jspecify.annotations.Nullable;
  * a file with {@code org.evoloop.xmi}.
  *
  * <p>Threading: immutable.
+ *
+ * @since 0.1
  */
 public final class StateMachine {
     private final String name;

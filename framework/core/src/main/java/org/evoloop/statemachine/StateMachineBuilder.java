@@ -14,6 +14,8 @@ import org.jspecify.annotations.Nullable;
  * Collects the parts of a {@link StateMachine}; {@link #build()} reports every problem at once.
  *
  * <p>Threading: not thread-safe.
+ *
+ * @since 0.1
  */
 public final class StateMachineBuilder {
     private final String name;

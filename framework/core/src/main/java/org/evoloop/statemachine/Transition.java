@@ -17,6 +17,7 @@ import java.util.Set;
  * @param keeps the time triggers and activities of the source that go on in the target, since they belong to a state
  *     around both which is not left: names of events as in {@link Event#name} and of activities as in
  *     {@link StateMachine#activities}. An internal transition keeps all
+ * @since 0.1
  */
 public record Transition(
         State source, Event event, State target, List<String> effects, boolean internal, Set<String> keeps) {

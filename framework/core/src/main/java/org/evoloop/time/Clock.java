@@ -8,6 +8,8 @@ import java.util.concurrent.CountDownLatch;
  * Two clocks and a timer: monotonic time for durations, wall time for stamps that people read.
  *
  * <p>Threading: all methods may be called from any thread.
+ *
+ * @since 0.1
  */
 public interface Clock extends AutoCloseable {
 

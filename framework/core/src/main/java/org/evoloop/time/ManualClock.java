@@ -12,6 +12,8 @@ import org.jspecify.annotations.Nullable;
  * run, in the order of its times, on the caller's thread.
  *
  * <p>Threading: thread-safe; one thread at a time should advance it.
+ *
+ * @since 0.1
  */
 public final class ManualClock implements Clock {
     private final PriorityQueue<Task> tasks =

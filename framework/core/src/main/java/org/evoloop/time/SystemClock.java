@@ -11,6 +11,8 @@ import org.jspecify.annotations.Nullable;
  * The machine's clock, optionally running faster: at speed 20 a second of this clock lasts 50 ms.
  *
  * <p>Threading: thread-safe. Tasks run one after the other on a daemon thread that sleeps while none is due.
+ *
+ * @since 0.1
  */
 public final class SystemClock implements Clock {
     private final double speed;

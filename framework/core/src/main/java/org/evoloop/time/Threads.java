@@ -6,6 +6,8 @@ import java.time.Duration;
  * What everybody who begins and ends threads needs.
  *
  * <p>Threading: any thread may call it. Waiting takes real time, whatever {@link Clock} is in use.
+ *
+ * @since 0.1
  */
 public final class Threads {
     private Threads() {}

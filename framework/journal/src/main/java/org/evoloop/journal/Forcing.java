@@ -1,6 +1,10 @@
 package org.evoloop.journal;
 
-/** When the operating system is made to put on the disk what was written. A killed process loses nothing in either case. */
+/**
+ * When the operating system is made to put on the disk what was written. A killed process loses nothing in either case.
+ *
+ * @since 0.1
+ */
 public enum Forcing {
     /** At most 100 ms after it was written; a power cut loses at most that. */
     BY_BATCH,

@@ -26,6 +26,8 @@ import org.jspecify.annotations.Nullable;
  * into it.
  *
  * <p>Threading: options are set before it is opened; then it belongs to its converter.
+ *
+ * @since 0.1
  */
 public final class Journal implements ConverterJournal {
     /** How large a segment is: some 40,000 inputs. */

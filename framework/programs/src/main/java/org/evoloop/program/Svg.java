@@ -6,6 +6,8 @@ import java.util.Locale;
  * An SVG picture in the making, an element a line, on white paper: pages may be dark.
  *
  * <p>Threading: not thread-safe.
+ *
+ * @since 0.1
  */
 public final class Svg {
     private final StringBuilder text = new StringBuilder();

@@ -3,7 +3,11 @@ package org.evoloop.program;
 import java.util.function.Predicate;
 import picocli.CommandLine;
 
-/** How a program tells what went wrong: what its user can mend is one message on stderr and exit status 2. */
+/**
+ * How a program tells what went wrong: what its user can mend is one message on stderr and exit status 2.
+ *
+ * @since 0.1
+ */
 public final class UsersMistakes {
     private UsersMistakes() {}
 

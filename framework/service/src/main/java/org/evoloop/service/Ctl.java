@@ -15,7 +15,11 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
 
-/** {@code ctl NAME COMMAND [ARGUMENT ...]}: gives a command to a running instance; without a name, lists those that run. */
+/**
+ * {@code ctl NAME COMMAND [ARGUMENT ...]}: gives a command to a running instance; without a name, lists those that run.
+ *
+ * @since 0.1
+ */
 public final class Ctl {
     private static final String USAGE = """
             usage: ctl [NAME COMMAND [ARGUMENT ...]]
@@ -39,6 +43,7 @@ public final class Ctl {
         this.err = err;
     }
 
+    /** Runs the client, and ends the program with its exit status. */
     public static void main(String[] arguments) {
         System.exit(run(List.of(arguments)));
     }

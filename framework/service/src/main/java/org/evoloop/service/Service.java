@@ -26,6 +26,8 @@ import org.slf4j.LoggerFactory;
  * tells the service manager, and returns when the console has ended; {@link #close} gives the name back, last of all.
  *
  * <p>Threading: open, run and close on one thread.
+ *
+ * @since 0.1
  */
 public final class Service implements AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(Service.class);

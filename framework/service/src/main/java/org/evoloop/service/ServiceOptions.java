@@ -9,6 +9,7 @@ import org.jspecify.annotations.Nullable;
  *
  * @param start whether the loop is opened at once, and the end of the standard input ends nothing
  * @param name the name under which {@code ctl} reaches it; null if it has no control socket
+ * @since 0.1
  */
 public record ServiceOptions(boolean start, @Nullable String name) {
     /** The names of the options, as they stand in a usage line. */

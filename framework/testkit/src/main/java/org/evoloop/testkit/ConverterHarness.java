@@ -47,6 +47,8 @@ import org.jspecify.annotations.Nullable;
  * and how the transcript ends.
  *
  * <p>Threading: one thread.
+ *
+ * @since 0.1
  */
 public final class ConverterHarness implements AutoCloseable {
     /** How long {@link #until(String)} lets time pass at most. */

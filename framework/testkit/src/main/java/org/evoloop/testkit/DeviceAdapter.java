@@ -9,6 +9,7 @@ import org.evoloop.converter.EventMonitor;
  * @param monitor tells what the device does by itself
  * @param execute sends it commands
  * @param close ends what the adapter has begun, such as threads of its own
+ * @since 0.1
  */
 public record DeviceAdapter(EventMonitor monitor, EventExecute execute, Runnable close) {
 

@@ -16,6 +16,8 @@ import org.jspecify.annotations.Nullable;
  * right after the other.
  *
  * <p>Threading: thread-safe; reports come on a thread of the line, one at a time.
+ *
+ * @since 0.1
  */
 public final class DeviceLine {
     private static final int MOST_LOOKS = 500;

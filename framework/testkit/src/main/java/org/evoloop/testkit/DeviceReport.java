@@ -4,6 +4,8 @@ package org.evoloop.testkit;
  * What a device says on its {@link DeviceLine}, in the order in which it happened.
  *
  * <p>Threading: immutable.
+ *
+ * @since 0.1
  */
 public sealed interface DeviceReport {
 

@@ -4,6 +4,8 @@ package org.evoloop.testkit;
  * What befalls a command on its way to a {@link SimulatedDevice}.
  *
  * <p>Threading: immutable.
+ *
+ * @since 0.1
  */
 public sealed interface Incident {
 

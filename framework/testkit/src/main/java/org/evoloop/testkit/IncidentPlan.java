@@ -5,7 +5,11 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
 
-/** Which command meets with what. */
+/**
+ * Which command meets with what.
+ *
+ * @since 0.1
+ */
 @FunctionalInterface
 public interface IncidentPlan {
 

@@ -23,6 +23,8 @@ import org.evoloop.statemachine.StateMachine;
  * device is, and has never been in doubt.
  *
  * <p>Threading: one thread.
+ *
+ * @since 0.1
  */
 public final class OrderCheck {
     /** Many more would take long, and find the same. */

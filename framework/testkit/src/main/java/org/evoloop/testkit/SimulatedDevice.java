@@ -37,6 +37,8 @@ import org.jspecify.annotations.Nullable;
  * those times from the model, so that nothing is told of them.
  *
  * <p>Threading: thread-safe. A device belongs to one converter.
+ *
+ * @since 0.1
  */
 public final class SimulatedDevice {
     private final DeviceModel model;

@@ -14,6 +14,7 @@ import java.util.List;
  * @param guard text of the condition; empty for none, {@code else} for the branch that remains
  * @param effects behaviors on taking it, in order
  * @param spontaneous those of the triggers that are drawn as the device's own, see {@link Spontaneous}
+ * @since 0.1
  */
 public record Arc(
         Place place,

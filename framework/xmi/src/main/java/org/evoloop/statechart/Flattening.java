@@ -44,6 +44,8 @@ import org.jspecify.annotations.Nullable;
  * are a problem.
  *
  * <p>Threading: immutable.
+ *
+ * @since 0.1
  */
 public final class Flattening {
     private final List<Problem> problems;

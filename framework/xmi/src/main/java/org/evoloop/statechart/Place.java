@@ -5,6 +5,7 @@ package org.evoloop.statechart;
  *
  * @param id of the element in the file; empty if it has none
  * @param line counted from 1; 0 if it stands in no file
+ * @since 0.1
  */
 public record Place(String id, int line) {
     /** Of what stands in no file. */

@@ -8,6 +8,7 @@ package org.evoloop.statechart;
  * @param place of the element in its file
  * @param message what is wrong, with kind and name of the element
  * @param mend what its author can do
+ * @since 0.1
  */
 public record Problem(Place place, String message, String mend) {
     /** The message with the id if that is not in it, and the mend; without the line. */

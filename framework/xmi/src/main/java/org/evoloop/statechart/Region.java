@@ -9,6 +9,7 @@ import java.util.List;
  * <p>Threading: immutable.
  *
  * @param name may be empty
+ * @since 0.1
  */
 public record Region(String name, Place place, List<Vertex> vertices, List<Arc> arcs) {
     public Region {

@@ -7,6 +7,8 @@ import java.util.regex.Pattern;
 /**
  * The keyword in guillemets (UML 2.5.1, annex C) that stands before the name of an event which the device takes of its own
  * accord: {@code «spontaneous» endSpot}. Two angle brackets on each side do as well.
+ *
+ * @since 0.1
  */
 public final class Spontaneous {
     private static final String KEYWORD = "spontaneous";

@@ -11,6 +11,7 @@ import java.util.List;
  * @param place in its file
  * @param regions its top regions, seldom more than one
  * @param events that the model declares; those on transitions need not be among them
+ * @since 0.1
  */
 public record Statechart(String name, Place place, List<Region> regions, List<String> events) {
     public Statechart {

@@ -5,7 +5,11 @@ import java.util.List;
 import org.evoloop.statechart.Vertex.ChartState;
 import org.evoloop.statemachine.Event;
 
-/** Gives the time triggers of a chart a unit where they have none. */
+/**
+ * Gives the time triggers of a chart a unit where they have none.
+ *
+ * @since 0.1
+ */
 public final class TimeUnits {
     private final ChronoUnit unit;
 

@@ -6,6 +6,8 @@ import java.util.List;
  * A node of a statechart, with an identity of its own that {@link Arc arcs} refer to.
  *
  * <p>Threading: immutable.
+ *
+ * @since 0.1
  */
 public sealed interface Vertex {
     /** Unique in its statechart, not empty; the id in the file where that has one. */
@@ -14,6 +16,7 @@ public sealed interface Vertex {
     /** As drawn; may be empty for anything but a state. */
     String name();
 
+    /** Where it is drawn. */
     Place place();
 
     /**
@@ -64,15 +67,25 @@ public sealed interface Vertex {
 
     /** The kinds of pseudostate of UML 2. */
     enum Kind {
+        /** Where a region begins. */
         INITIAL,
+        /** The substate that its state was in last. */
         SHALLOW_HISTORY,
+        /** The substates, at every depth, that its state was in last. */
         DEEP_HISTORY,
+        /** Waits for all regions that lead to it. */
         JOIN,
+        /** Enters several regions at once. */
         FORK,
+        /** Joins and splits transitions; guards are evaluated before any of them is taken. */
         JUNCTION,
+        /** Splits a transition; guards are evaluated when it is reached. */
         CHOICE,
+        /** A way into a state or a submachine. */
         ENTRY_POINT,
+        /** A way out of a state or a submachine. */
         EXIT_POINT,
+        /** Ends the machine. */
         TERMINATE
     }
 }

@@ -8,7 +8,11 @@ import java.util.LinkedHashSet;
 import java.util.Set;
 import org.evoloop.statemachine.ModelException;
 
-/** Finds the models that come with an application, wherever it is started. */
+/**
+ * Finds the models that come with an application, wherever it is started.
+ *
+ * @since 0.1
+ */
 public final class ModelFiles {
     private static final String HOME = "evoloop.home";
 

@@ -16,6 +16,7 @@ import org.evoloop.statemachine.StateMachine;
  * @param file the XMI file
  * @param machine diagram name, machine name or id; empty for the file's only machine
  * @param timeUnit of time triggers that have a number without one, milliseconds or seconds; empty to refuse those
+ * @since 0.1
  */
 public record ModelReference(Path file, Optional<String> machine, Optional<ChronoUnit> timeUnit) {
 

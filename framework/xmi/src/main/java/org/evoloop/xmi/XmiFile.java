@@ -21,6 +21,8 @@ import org.evoloop.xmi.uml2.Uml2Dialect;
  * The state machines of one XMI file. A machine that cannot be used causes an error only when it is picked.
  *
  * <p>Threading: immutable once read.
+ *
+ * @since 0.1
  */
 public final class XmiFile {
     private static final List<XmiDialect> DIALECTS =

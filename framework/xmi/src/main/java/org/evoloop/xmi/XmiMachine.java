@@ -16,6 +16,8 @@ import org.jspecify.annotations.Nullable;
  * One state machine of an {@link XmiFile}, not checked yet.
  *
  * <p>Threading: immutable.
+ *
+ * @since 0.1
  */
 public final class XmiMachine {
     private final String file;

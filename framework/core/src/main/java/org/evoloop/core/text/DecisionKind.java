@@ -8,15 +8,27 @@ import org.evoloop.evolution.Step;
 import org.evoloop.statemachine.Transition;
 import org.jspecify.annotations.Nullable;
 
-/** What a decision is called, and how one is made of its parts again, wherever decisions are written down. */
+/**
+ * What a decision is called, and how one is made of its parts again, wherever decisions are written down.
+ *
+ * @since 0.1
+ */
 public enum DecisionKind {
+    /** {@link Decision.NotAcceptable}. */
     NOT_ACCEPTABLE,
+    /** {@link Decision.ExistingFunction}. */
     EXISTING_FUNCTION,
+    /** {@link Decision.NewFunction}. */
     NEW_FUNCTION,
+    /** {@link Decision.Resynchronization}. */
     RESYNCHRONIZATION,
+    /** {@link Decision.Sending}. */
     SENDING,
+    /** {@link Decision.Inquiry}. */
     INQUIRY,
+    /** {@link Decision.Refused}. */
     REFUSED,
+    /** {@link Decision.Impossible}. */
     IMPOSSIBLE;
 
     /** As it is written: {@code existing-function}. */

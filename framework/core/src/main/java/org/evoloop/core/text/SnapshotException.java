@@ -3,6 +3,8 @@ package org.evoloop.core.text;
 /**
  * A text is no snapshot that can be gone on with. The message names the line, what is wrong there, and what to do; it needs
  * no stack trace.
+ *
+ * @since 0.1
  */
 public final class SnapshotException extends RuntimeException {
     SnapshotException(String message) {

@@ -10,6 +10,8 @@ import org.evoloop.core.Snapshot;
  * models that were changed meanwhile are noticed where that matters. Texts of another version are refused.
  *
  * <p>Threading: thread-safe.
+ *
+ * @since 0.1
  */
 public final class SnapshotText {
     /** How the first line begins; the version follows. */

@@ -11,6 +11,8 @@ import java.io.Writer;
 import java.net.URL;
 import java.net.URLClassLoader;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.FileSystem;
+import java.nio.file.FileSystems;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -195,6 +197,20 @@ class ScaffoldTest {
                     .containsExactly(project.resolve("target/made.jar"));
         }
         assertConverts(project.resolve("target/made.jar"));
+        assertCarriesLicences(project.resolve("target/made.jar"));
+    }
+
+    private static void assertCarriesLicences(Path jar) throws IOException {
+        try (FileSystem inside = FileSystems.newFileSystem(jar)) {
+            Path licences = inside.getPath("META-INF");
+            assertThat(licences.resolve("LICENSE")).content().contains("Apache License");
+            assertThat(licences.resolve("NOTICE")).content().contains("Evoloop", "ch.qos.logback");
+            try (Stream<Path> libraries = Files.list(licences.resolve("licenses"))) {
+                assertThat(libraries.map(Path::toString))
+                        .anyMatch(library -> library.contains("evoloop-core"))
+                        .anyMatch(library -> library.contains("slf4j-api"));
+            }
+        }
     }
 
     /** Presses buttons, reads until the new function runs, and leaves. */

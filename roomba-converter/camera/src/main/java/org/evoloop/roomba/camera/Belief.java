@@ -7,6 +7,8 @@ import java.util.Optional;
  * elsewhere, starts the count again.
  *
  * <p>Threading: for one thread.
+ *
+ * @since 0.1
  */
 public final class Belief {
     /** More than the fastest robot turns from frame to frame of a slow camera. */

@@ -25,6 +25,8 @@ import org.evoloop.roomba.camera.CameraModel.Intrinsics;
  * center 319.6 240.2
  * distortion 0.02 -0.11 0 0 0.05
  * </pre>
+ *
+ * @since 0.1
  */
 public final class CalibrationFile {
     private static final Map<String, Integer> NUMBERS =

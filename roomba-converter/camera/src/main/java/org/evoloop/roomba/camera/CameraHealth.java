@@ -4,6 +4,7 @@ package org.evoloop.roomba.camera;
  * How a camera is.
  *
  * @param reason for people, with how to fix it; empty while it sees
+ * @since 0.1
  */
 public record CameraHealth(Condition state, String reason) {
 
@@ -27,5 +28,6 @@ public record CameraHealth(Condition state, String reason) {
         CLOSED
     }
 
+    /** All is well. */
     public static final CameraHealth SEEING = new CameraHealth(Condition.SEEING, "");
 }

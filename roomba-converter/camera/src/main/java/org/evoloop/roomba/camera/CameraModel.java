@@ -6,6 +6,8 @@ import java.util.List;
  * How a camera maps directions to pixels: by its field of view, or calibrated.
  *
  * <p>All lengths are in pixels; x runs to the right, y down, from the middle of the upper left pixel.
+ *
+ * @since 0.1
  */
 public sealed interface CameraModel {
 

@@ -10,6 +10,7 @@ import java.util.regex.Pattern;
  * Where frames come from.
  *
  * @param text what the kind calls for: the device's path, the URL, the file, or the pattern of an image sequence
+ * @since 0.1
  */
 public record CameraSource(Kind kind, String text) {
     /** The name of the simulated robot's own camera. */

@@ -9,5 +9,6 @@ import java.util.Optional;
  * @param takenNanos when the frame came, on the monotonic clock; meaningless before the first
  * @param health of the camera now, not when the frame came
  * @param sighting the marker, if this frame shows it
+ * @since 0.1
  */
 public record Look(long frame, long takenNanos, CameraHealth health, Optional<Sighting> sighting) {}

@@ -4,6 +4,8 @@ package org.evoloop.roomba.camera;
  * A camera that looks for the starting point's marker.
  *
  * <p>Threading: thread-safe.
+ *
+ * @since 0.1
  */
 public interface MarkerCamera extends AutoCloseable {
 

@@ -5,6 +5,7 @@ package org.evoloop.roomba.camera;
  *
  * @param id which of the dictionary's
  * @param sideMm of the black square, in mm, 10 to 2000
+ * @since 0.1
  */
 public record MarkerSpec(MarkerDictionary dictionary, int id, double sideMm) {
     /** ArUco 4x4_50, id 0, 15 cm. */

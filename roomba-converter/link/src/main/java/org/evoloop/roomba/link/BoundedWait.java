@@ -7,6 +7,8 @@ import static java.util.concurrent.TimeUnit.NANOSECONDS;
  * The interrupt flag is restored for the caller.
  *
  * <p>Threading: pure functions, but for the time they take.
+ *
+ * @since 0.1
  */
 public final class BoundedWait {
     private BoundedWait() {}

@@ -15,6 +15,8 @@ import org.jspecify.annotations.Nullable;
  * once.
  *
  * <p>Threading: one thread receives; all else may be called from any thread, also from that one.
+ *
+ * @since 0.1
  */
 public interface Link extends AutoCloseable {
     /** What {@link #receive} returns when there is nothing more to come. */

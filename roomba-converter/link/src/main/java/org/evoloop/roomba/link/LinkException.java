@@ -3,6 +3,8 @@ package org.evoloop.roomba.link;
 /**
  * The cable to the robot cannot be used. The message is written for the person who plugged it in: it names the port,
  * the fault and how to fix it, and needs no stack trace.
+ *
+ * @since 0.1
  */
 public final class LinkException extends RuntimeException {
     private final Fault fault;
@@ -27,11 +29,13 @@ public final class LinkException extends RuntimeException {
         CLOSED
     }
 
+    /** The message is for whoever has plugged the cable, see above. */
     public LinkException(Fault fault, String message) {
         super(message);
         this.fault = fault;
     }
 
+    /** What is wrong. */
     public Fault fault() {
         return fault;
     }

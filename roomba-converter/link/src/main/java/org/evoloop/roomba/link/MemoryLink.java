@@ -14,6 +14,8 @@ import org.jspecify.annotations.Nullable;
  * <p>The cable can be faulty: {@link #hangUp()}, {@link #setReading} and {@link #setNoise}.
  *
  * <p>Threading: thread-safe.
+ *
+ * @since 0.1
  */
 public final class MemoryLink implements Link {
     private final String description;

@@ -24,6 +24,8 @@ import org.slf4j.LoggerFactory;
  * {@code evoloop-serial-<port>-guard}, which ends with the link, watches over writes. A peer that takes no bytes holds
  * {@link #send} for {@link SerialSettings#sendLimitMillis()} at most; then the link is lost, and bytes that have not reached
  * the peer's end are dropped so that they do not come to the robot late.
+ *
+ * @since 0.1
  */
 public final class SerialLink implements Link {
     private static final Logger LOG = LoggerFactory.getLogger(SerialLink.class);

@@ -8,9 +8,12 @@ package org.evoloop.roomba.link;
  * @param baud the rate; a Roomba of the 500 and 600 series has 115200, or 19200 when told so
  * @param wakeSignal which output wakes the robot
  * @param sendLimitMillis how much longer than the bytes need on the line a send may take before the link counts as lost
+ * @since 0.1
  */
 public record SerialSettings(String port, int baud, WakeSignal wakeSignal, int sendLimitMillis) {
+    /** The rate of a robot as it is delivered. */
     public static final int DEFAULT_BAUD = 115_200;
+    /** Long enough for a busy computer. */
     public static final int DEFAULT_SEND_LIMIT_MILLIS = 1_000;
 
     /** A start bit, eight data bits and a stop bit. */
@@ -29,14 +32,17 @@ public record SerialSettings(String port, int baud, WakeSignal wakeSignal, int s
         this(port, DEFAULT_BAUD, WakeSignal.RTS, DEFAULT_SEND_LIMIT_MILLIS);
     }
 
+    /** The same, at another rate. */
     public SerialSettings withBaud(int newBaud) {
         return new SerialSettings(port, newBaud, wakeSignal, sendLimitMillis);
     }
 
+    /** The same, with another output that wakes the robot. */
     public SerialSettings withWakeSignal(WakeSignal newWakeSignal) {
         return new SerialSettings(port, baud, newWakeSignal, sendLimitMillis);
     }
 
+    /** The same, with another limit. */
     public SerialSettings withSendLimitMillis(int newSendLimitMillis) {
         return new SerialSettings(port, baud, wakeSignal, newSendLimitMillis);
     }

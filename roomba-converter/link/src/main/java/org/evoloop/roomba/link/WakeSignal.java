@@ -5,9 +5,13 @@ import com.fazecast.jSerialComm.SerialPort;
 /**
  * Which output of the serial adapter is wired to the robot's BRC pin. Cables differ: iRobot's own uses RTS, others DTR,
  * and some that should use RTS are miswired.
+ *
+ * @since 0.1
  */
 public enum WakeSignal {
+    /** Request to send, as of iRobot's own cables. */
     RTS,
+    /** Data terminal ready. */
     DTR,
     /** Both together, for a cable nobody knows. */
     BOTH;

@@ -22,6 +22,8 @@ import org.jspecify.annotations.Nullable;
  * <p>On other systems than Linux the folder for temporary files is the user's own, and the libraries do as they are used to.
  *
  * <p>Threading: thread-safe; whoever needs a library that is being loaded waits for it.
+ *
+ * @since 0.1
  */
 public final class NativeLibraries {
     /** How jSerialComm names the machines that JNA names so; those with "arm" are of hard floats, as Raspberry Pi OS. */

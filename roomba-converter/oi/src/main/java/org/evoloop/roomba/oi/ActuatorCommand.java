@@ -8,6 +8,8 @@ import java.util.Set;
  * of the wheels on the floor; positive is forward.
  *
  * <p>Threading: immutable.
+ *
+ * @since 0.1
  */
 public sealed interface ActuatorCommand extends Command {
     /** Of a wheel on the floor. */
@@ -24,7 +26,9 @@ public sealed interface ActuatorCommand extends Command {
         /** The radius of a straight line; the robot takes -32768 for the same. */
         public static final int STRAIGHT = 32767;
 
+        /** The radius that spins in place, to the left. */
         public static final int SPIN_COUNTERCLOCKWISE = 1;
+        /** The radius that spins in place, to the right. */
         public static final int SPIN_CLOCKWISE = -1;
 
         private static final int WIDEST_RADIUS = 2000;
@@ -95,10 +99,15 @@ public sealed interface ActuatorCommand extends Command {
      * @param bits a sum of the constants, 0 to 31
      */
     record Motors(int bits) implements ActuatorCommand {
+        /** The side brush is on. */
         public static final int SIDE_BRUSH = 1;
+        /** The vacuum is on. */
         public static final int VACUUM = 2;
+        /** The main brush is on. */
         public static final int MAIN_BRUSH = 4;
+        /** The side brush turns clockwise, not counterclockwise. */
         public static final int SIDE_BRUSH_CLOCKWISE = 8;
+        /** The main brush turns outward, not inward. */
         public static final int MAIN_BRUSH_OUTWARD = 16;
 
         public Motors {
@@ -140,9 +149,13 @@ public sealed interface ActuatorCommand extends Command {
      * @param powerIntensity of the Clean button, 0 (dark) to 255
      */
     record Leds(int bits, int powerColor, int powerIntensity) implements ActuatorCommand {
+        /** The light for dirt is on. */
         public static final int DEBRIS = 1;
+        /** The Spot button's light is on. */
         public static final int SPOT = 2;
+        /** The Dock button's light is on. */
         public static final int DOCK = 4;
+        /** The light that asks for help is on. */
         public static final int CHECK_ROBOT = 8;
 
         public Leds {
@@ -164,10 +177,15 @@ public sealed interface ActuatorCommand extends Command {
      * @param scheduleBits a sum of the constants, 0 to 31
      */
     record SchedulingLeds(int weekdayBits, int scheduleBits) implements ActuatorCommand {
+        /** The colon of the clock. */
         public static final int COLON = 1;
+        /** The light PM. */
         public static final int PM = 2;
+        /** The light AM. */
         public static final int AM = 4;
+        /** The Clock button's light. */
         public static final int CLOCK = 8;
+        /** The Schedule button's light. */
         public static final int SCHEDULE = 16;
 
         public SchedulingLeds {

@@ -6,15 +6,25 @@ import java.util.Set;
 /**
  * The buttons on top of the robot, with their bits in {@link Packet#BUTTONS} and {@link ActuatorCommand.Buttons}.
  * Robots without a clock have the first three only.
+ *
+ * @since 0.1
  */
 public enum Button {
+    /** Cleans, or wakes the robot. */
     CLEAN(0),
+    /** Cleans where the robot stands. */
     SPOT(1),
+    /** Sends the robot to its dock. */
     DOCK(2),
+    /** Sets the minutes of clock and schedule. */
     MINUTE(3),
+    /** Sets the hours of clock and schedule. */
     HOUR(4),
+    /** Sets the day of clock and schedule. */
     DAY(5),
+    /** Sets the schedule. */
     SCHEDULE(6),
+    /** Sets the clock. */
     CLOCK(7);
 
     private final int bit;

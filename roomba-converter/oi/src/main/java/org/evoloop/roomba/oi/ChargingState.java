@@ -2,13 +2,23 @@ package org.evoloop.roomba.oi;
 
 import java.util.Optional;
 
-/** What the charger does (specification, packet 21). */
+/**
+ * What the charger does (specification, packet 21).
+ *
+ * @since 0.1
+ */
 public enum ChargingState {
+    /** No current flows into the battery. */
     NOT_CHARGING(0),
+    /** Charges a battery that was flat for long, which takes hours. */
     RECONDITIONING(1),
+    /** Charges as fast as it can. */
     FULL_CHARGING(2),
+    /** Keeps a full battery full. */
     TRICKLE_CHARGING(3),
+    /** Pauses, for example until the battery has cooled. */
     WAITING(4),
+    /** Cannot charge. */
     FAULT(5);
 
     private final int code;

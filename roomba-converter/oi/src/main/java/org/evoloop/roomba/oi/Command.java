@@ -14,6 +14,8 @@ import java.util.Map;
  * allowed. What exists can be sent.
  *
  * <p>Threading: immutable.
+ *
+ * @since 0.1
  */
 public sealed interface Command
         permits ActuatorCommand,

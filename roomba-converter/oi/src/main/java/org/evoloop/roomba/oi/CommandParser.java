@@ -9,6 +9,8 @@ import org.jspecify.annotations.Nullable;
  * waits for its bytes for ever, as the specification says of the robot. No byte can make it throw or stall.
  *
  * <p>Threading: not thread-safe; the consumer is called from {@code feed} and must not call back.
+ *
+ * @since 0.1
  */
 public final class CommandParser {
     /** The removed Digital Outputs of Create 1: its data byte 7 must not be taken for a {@link Command.Reset}. */
@@ -40,6 +42,7 @@ public final class CommandParser {
     private int received;
     private boolean skipNext;
 
+    /** Tells each command that it recognises, and what it does not recognise, on the thread that feeds it. */
     public CommandParser(Consumer<Parsed> consumer) {
         this.consumer = consumer;
     }

@@ -8,6 +8,8 @@ import java.util.regex.Pattern;
 /**
  * The version that the robot prints in its boot text, such as {@code r3_robot/tags/release-3.2.6:4975} or
  * {@code r3-robot/tags/release-stm32-3.7.7:6913}. Some packets are wrong before certain versions, see {@link Packet}.
+ *
+ * @since 0.1
  */
 public record FirmwareVersion(int major, int minor, int patch) implements Comparable<FirmwareVersion> {
     private static final Pattern VERSION = Pattern.compile("(\\d{1,4})\\.(\\d{1,4})\\.(\\d{1,4})");

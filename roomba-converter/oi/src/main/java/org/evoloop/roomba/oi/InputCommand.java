@@ -7,6 +7,8 @@ import java.util.List;
  * {@link QueryList} come raw and would mingle with the frames of a {@link Stream}, so use one way at a time.
  *
  * <p>Threading: immutable.
+ *
+ * @since 0.1
  */
 public sealed interface InputCommand extends Command {
 

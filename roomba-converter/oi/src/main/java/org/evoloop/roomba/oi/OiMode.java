@@ -2,7 +2,11 @@ package org.evoloop.roomba.oi;
 
 import java.util.Optional;
 
-/** The four operating modes (specification, "Open Interface Modes"), ordered by how much control they give. */
+/**
+ * The four operating modes (specification, "Open Interface Modes"), ordered by how much control they give.
+ *
+ * @since 0.1
+ */
 public enum OiMode {
     /** The robot only listens for {@link Command.Start} and {@link Command.Reset}. */
     OFF(0),

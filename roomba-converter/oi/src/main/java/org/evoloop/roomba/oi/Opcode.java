@@ -11,37 +11,69 @@ import java.util.stream.Collectors;
 /**
  * The first byte of every command, how many data bytes follow it, and in which modes the robot accepts it
  * (specification, "Open Interface Commands Quick Reference"). In other modes the robot consumes and ignores it.
+ *
+ * @since 0.1
  */
 public enum Opcode {
+    /** {@link Command.Reset}. */
     RESET(7, Command.Reset.class, OiMode.OFF, 0),
+    /** {@link Command.Start}. */
     START(128, Command.Start.class, OiMode.OFF, 0),
+    /** {@link Command.Baud}. */
     BAUD(129, Command.Baud.class, OiMode.PASSIVE, 1),
+    /** {@link Command.Control}. */
     CONTROL(130, Command.Control.class, OiMode.PASSIVE, 0),
+    /** {@link Command.Safe}. */
     SAFE(131, Command.Safe.class, OiMode.PASSIVE, 0),
+    /** {@link Command.Full}. */
     FULL(132, Command.Full.class, OiMode.PASSIVE, 0),
+    /** {@link Command.Power}. */
     POWER(133, Command.Power.class, OiMode.PASSIVE, 0),
+    /** {@link Command.Spot}. */
     SPOT(134, Command.Spot.class, OiMode.PASSIVE, 0),
+    /** {@link Command.Clean}. */
     CLEAN(135, Command.Clean.class, OiMode.PASSIVE, 0),
+    /** {@link Command.Max}. */
     MAX(136, Command.Max.class, OiMode.PASSIVE, 0),
+    /** {@link ActuatorCommand.Drive}. */
     DRIVE(137, ActuatorCommand.Drive.class, OiMode.SAFE, 4),
+    /** {@link ActuatorCommand.Motors}. */
     MOTORS(138, ActuatorCommand.Motors.class, OiMode.SAFE, 1),
+    /** {@link ActuatorCommand.Leds}. */
     LEDS(139, ActuatorCommand.Leds.class, OiMode.SAFE, 3),
+    /** {@link ActuatorCommand.Song}. */
     SONG(140, ActuatorCommand.Song.class, OiMode.PASSIVE, 2, 2),
+    /** {@link ActuatorCommand.Play}. */
     PLAY(141, ActuatorCommand.Play.class, OiMode.SAFE, 1),
+    /** {@link InputCommand.Sensors}. */
     SENSORS(142, InputCommand.Sensors.class, OiMode.PASSIVE, 1),
+    /** {@link Command.SeekDock}. */
     SEEK_DOCK(143, Command.SeekDock.class, OiMode.PASSIVE, 0),
+    /** {@link ActuatorCommand.PwmMotors}. */
     PWM_MOTORS(144, ActuatorCommand.PwmMotors.class, OiMode.SAFE, 3),
+    /** {@link ActuatorCommand.DriveDirect}. */
     DRIVE_DIRECT(145, ActuatorCommand.DriveDirect.class, OiMode.SAFE, 4),
+    /** {@link ActuatorCommand.DrivePwm}. */
     DRIVE_PWM(146, ActuatorCommand.DrivePwm.class, OiMode.SAFE, 4),
+    /** {@link InputCommand.Stream}. */
     STREAM(148, InputCommand.Stream.class, OiMode.PASSIVE, 1, 1),
+    /** {@link InputCommand.QueryList}. */
     QUERY_LIST(149, InputCommand.QueryList.class, OiMode.PASSIVE, 1, 1),
+    /** {@link InputCommand.PauseResumeStream}. */
     PAUSE_RESUME_STREAM(150, InputCommand.PauseResumeStream.class, OiMode.PASSIVE, 1),
+    /** {@link ActuatorCommand.SchedulingLeds}. */
     SCHEDULING_LEDS(162, ActuatorCommand.SchedulingLeds.class, OiMode.SAFE, 2),
+    /** {@link ActuatorCommand.DigitLedsRaw}. */
     DIGIT_LEDS_RAW(163, ActuatorCommand.DigitLedsRaw.class, OiMode.SAFE, 4),
+    /** {@link ActuatorCommand.DigitLedsAscii}. */
     DIGIT_LEDS_ASCII(164, ActuatorCommand.DigitLedsAscii.class, OiMode.SAFE, 4),
+    /** {@link ActuatorCommand.Buttons}. */
     BUTTONS(165, ActuatorCommand.Buttons.class, OiMode.PASSIVE, 1),
+    /** {@link Command.Schedule}. */
     SCHEDULE(167, Command.Schedule.class, OiMode.PASSIVE, 15),
+    /** {@link Command.SetDayTime}. */
     SET_DAY_TIME(168, Command.SetDayTime.class, OiMode.PASSIVE, 3),
+    /** {@link Command.Stop}. */
     STOP(173, Command.Stop.class, OiMode.PASSIVE, 0);
 
     private static final Map<Integer, Opcode> BY_CODE =

@@ -8,6 +8,8 @@ import java.util.Optional;
  * What an {@link InputCommand} can ask for by one id: a packet or a group of packets.
  *
  * <p>Threading: immutable.
+ *
+ * @since 0.1
  */
 public sealed interface PacketId permits Packet, PacketGroup {
 

@@ -15,6 +15,8 @@ import org.jspecify.annotations.Nullable;
  * the packet's id.
  *
  * <p>Threading: immutable.
+ *
+ * @since 0.1
  */
 public final class SensorValues {
     private final long present;

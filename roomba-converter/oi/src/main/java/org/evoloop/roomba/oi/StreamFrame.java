@@ -8,6 +8,8 @@ import java.util.function.ToIntFunction;
  * counts the bytes between itself and the checksum. {@link StreamFramer} is the other side.
  *
  * <p>Threading: pure functions.
+ *
+ * @since 0.1
  */
 public final class StreamFrame {
     /** The first byte of a frame. It may also occur in the data. */

@@ -20,6 +20,8 @@ import org.jspecify.annotations.Nullable;
  * delivered with wrong values, since the checksum has eight bits.
  *
  * <p>Threading: not thread-safe.
+ *
+ * @since 0.1
  */
 public final class StreamFramer {
     private static final int LENGTH_AT = 1;

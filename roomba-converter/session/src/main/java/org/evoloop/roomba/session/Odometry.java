@@ -8,6 +8,8 @@ import org.jspecify.annotations.Nullable;
  * wrap. Distance and angle (packets 19 and 20) are not used, since old firmware reports them wrong.
  *
  * <p>Threading: not thread-safe.
+ *
+ * @since 0.1
  */
 public final class Odometry {
     /** Wheel diameter 72.0 mm, 508.8 counts a revolution (specification, packets 43 and 44). */

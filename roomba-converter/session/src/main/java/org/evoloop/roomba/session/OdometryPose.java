@@ -8,6 +8,7 @@ package org.evoloop.roomba.session;
  * @param xMm ahead, in mm
  * @param yMm to the left, in mm
  * @param headingRad counterclockwise from ahead, in radians, not wrapped
+ * @since 0.1
  */
 public record OdometryPose(double xMm, double yMm, double headingRad) {
     /** Where the session began. */

@@ -31,6 +31,8 @@ import org.slf4j.LoggerFactory;
  *
  * <p>Threading: all methods may be called from any thread. Listeners are called on the thread that reads
  * the link, or on that of whoever {@link #poll polls}.
+ *
+ * @since 0.1
  */
 public final class RoombaSession implements DeviceLink, AutoCloseable {
     /**

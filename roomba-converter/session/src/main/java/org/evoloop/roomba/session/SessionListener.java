@@ -8,6 +8,8 @@ import org.evoloop.roomba.session.inference.SpotWatch;
  * Hears what goes on with the robot.
  *
  * <p>Threading: called on the thread that receives, one call at a time; must be quick.
+ *
+ * @since 0.1
  */
 public interface SessionListener {
 
@@ -15,7 +17,9 @@ public interface SessionListener {
     enum SeenActivity {
         /** Nothing; it is on. */
         ON,
+        /** Cleans. */
         CLEAN,
+        /** Cleans a spot. */
         SPOT
     }
 

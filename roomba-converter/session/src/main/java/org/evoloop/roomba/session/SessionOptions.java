@@ -10,6 +10,8 @@ import java.util.OptionalInt;
  * between models, are not used at all.
  *
  * <p>Threading: immutable.
+ *
+ * @since 0.1
  */
 public final class SessionOptions {
     private final boolean mayWait;

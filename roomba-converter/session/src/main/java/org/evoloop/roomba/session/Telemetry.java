@@ -11,6 +11,7 @@ import org.evoloop.roomba.oi.SensorValues;
  * @param frame its number in the session, from 1; frames are 15 ms apart
  * @param values the sensors
  * @param pose where the robot is by its wheels
+ * @since 0.1
  */
 public record Telemetry(long frame, SensorValues values, OdometryPose pose) {
 

@@ -2,7 +2,11 @@ package org.evoloop.roomba.simulator;
 
 import java.io.IOException;
 
-/** The cable between the robot and its client, which people can pull and plug in again. The robot does not mind. */
+/**
+ * The cable between the robot and its client, which people can pull and plug in again. The robot does not mind.
+ *
+ * @since 0.1
+ */
 public interface Cable {
     /**
      * Pulls the cable: the client sees a hang-up.

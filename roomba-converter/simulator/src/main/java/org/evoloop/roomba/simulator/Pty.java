@@ -29,6 +29,8 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>Threading: thread-safe, made for one reading and any number of writing threads. No call blocks for longer than
  * {@value #LONGEST_WAIT_MILLIS} ms, and {@link #hangUp()} ends a waiting {@link #read} at once.
+ *
+ * @since 0.1
  */
 public final class Pty implements AutoCloseable {
     /** The longest that {@link #read} waits. */

@@ -30,6 +30,8 @@ import picocli.CommandLine.Spec;
  * The simulator as a program: a robot at a port, and {@link WorldCommands} on standard input, answered on standard
  * output. It ends with code 0 by the command {@code quit}, the end of its input, SIGTERM or SIGINT; with {@code
  * --keep-running}, so that it can run in the background, the end of its input is no reason to end.
+ *
+ * @since 0.1
  */
 @Command(
         name = "simulator",
@@ -109,6 +111,7 @@ public final class SimulatorCommand implements Callable<Integer> {
     @SuppressWarnings("NullAway.Init") // picocli sets it before it calls.
     private CommandSpec spec;
 
+    /** Reads what is typed from standard input. */
     public SimulatorCommand() {
         this(System.in);
     }

@@ -30,9 +30,13 @@ import org.slf4j.LoggerFactory;
  *
  * <p>Threading: one thread, which rests in the pseudo-terminal until bytes come or a tick is due. All methods may be
  * called from any thread.
+ *
+ * @since 0.1
  */
 public final class SimulatorServer implements Cable, AutoCloseable {
+    /** The slowest factor of simulated to real time. */
     public static final double SLOWEST = 0.01;
+    /** The fastest factor of simulated to real time. */
     public static final double FASTEST = 1000;
 
     private static final Logger LOG = LoggerFactory.getLogger(SimulatorServer.class);

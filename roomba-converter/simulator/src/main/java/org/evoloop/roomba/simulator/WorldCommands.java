@@ -33,6 +33,8 @@ import org.jspecify.annotations.Nullable;
  * <p>Everything else is answered by {@code error: } and what is wrong, and changes nothing.
  *
  * <p>Threading: thread-safe.
+ *
+ * @since 0.1
  */
 public final class WorldCommands {
     private static final String OK = "ok";

@@ -39,6 +39,7 @@ import org.junit.jupiter.api.extension.ExtensionContext;
  *
  * <p>Threading: the robot has a thread of its own; all methods may be called from any thread. One object serves one test at a
  * time.
+ * @since 0.1
  */
 public final class SimulatedRoombaExtension implements BeforeEachCallback, AfterEachCallback {
     private static final String PORT = "roomba";

@@ -10,6 +10,8 @@ import org.evoloop.roomba.camera.vision.FrameSize;
 
 /**
  * How to look.
+ *
+ * @since 0.1
  */
 public final class CameraSettings {
     private final CameraSource source;

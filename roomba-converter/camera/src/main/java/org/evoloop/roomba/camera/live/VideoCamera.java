@@ -26,6 +26,8 @@ import org.slf4j.LoggerFactory;
  * looks for the marker in the newest frame. However slow looking is, no frame ages in a driver's or a server's buffer.
  *
  * <p>A source that is not there is no error: it is tried again, and {@link Look#health} says so. Threading: thread-safe.
+ *
+ * @since 0.1
  */
 public final class VideoCamera implements MarkerCamera {
     private static final Logger LOG = LoggerFactory.getLogger(VideoCamera.class);

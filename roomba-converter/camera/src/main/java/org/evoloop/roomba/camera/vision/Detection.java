@@ -7,6 +7,7 @@ import org.evoloop.roomba.camera.Sighting;
  * A marker in a frame.
  *
  * @param corners clockwise from the marker's own upper left
+ * @since 0.1
  */
 public record Detection(int id, List<Corner> corners, Sighting sighting) {
 

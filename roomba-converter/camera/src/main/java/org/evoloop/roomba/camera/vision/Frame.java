@@ -5,6 +5,8 @@ package org.evoloop.roomba.camera.vision;
  * again.
  *
  * <p>Threading: for one thread at a time.
+ *
+ * @since 0.1
  */
 public interface Frame extends AutoCloseable {
 

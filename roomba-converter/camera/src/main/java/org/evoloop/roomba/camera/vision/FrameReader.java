@@ -5,6 +5,8 @@ package org.evoloop.roomba.camera.vision;
  *
  * <p>Threading: for the thread that opened it, {@link #close} included: a driver that is closed while it waits for a
  * frame may wait for ever.
+ *
+ * @since 0.1
  */
 public interface FrameReader extends AutoCloseable {
 

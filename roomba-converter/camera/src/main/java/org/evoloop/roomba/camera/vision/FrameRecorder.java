@@ -7,6 +7,8 @@ import java.util.Optional;
  * Writes what a camera saw, with what was found in it drawn in.
  *
  * <p>Threading: for one thread at a time.
+ *
+ * @since 0.1
  */
 public interface FrameRecorder extends AutoCloseable {
 

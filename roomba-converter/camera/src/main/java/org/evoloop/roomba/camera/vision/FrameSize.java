@@ -1,7 +1,12 @@
 package org.evoloop.roomba.camera.vision;
 
-/** How large frames are, in pixels. */
+/**
+ * How large frames are, in pixels.
+ *
+ * @since 0.1
+ */
 public record FrameSize(int width, int height) {
+    /** 640 by 480 pixels. */
     public static final FrameSize DEFAULT = new FrameSize(640, 480);
 
     @Override

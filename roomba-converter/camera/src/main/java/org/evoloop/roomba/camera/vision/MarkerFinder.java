@@ -8,6 +8,8 @@ import org.evoloop.roomba.camera.Sighting;
  * Looks for one marker.
  *
  * <p>Threading: for one thread at a time.
+ *
+ * @since 0.1
  */
 public interface MarkerFinder extends AutoCloseable {
 

@@ -17,6 +17,8 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>The system properties {@code evoloop.opencv.classes} and {@code evoloop.opencv.natives} name other folders than
  * Debian's.
+ *
+ * @since 0.1
  */
 public final class OpenCv {
     private static final String CLASSES = "/usr/share/java/opencv4";

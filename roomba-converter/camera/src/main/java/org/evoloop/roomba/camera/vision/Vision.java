@@ -12,6 +12,8 @@ import org.evoloop.roomba.camera.MarkerSpec;
  * OpenCV, as far as it is used here. What it hands out holds native memory and must be closed.
  *
  * <p>Threading: thread-safe; what it hands out belongs to one thread at a time.
+ *
+ * @since 0.1
  */
 public interface Vision {
 
@@ -29,6 +31,7 @@ public interface Vision {
      */
     FrameReader open(CameraSource source, FrameSize wanted);
 
+    /** A finder of these markers in the pictures of such a camera; for one thread, and to be closed. */
     MarkerFinder finder(MarkerSpec marker, CameraModel model);
 
     /**

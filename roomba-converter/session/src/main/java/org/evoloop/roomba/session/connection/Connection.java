@@ -27,6 +27,8 @@ import org.slf4j.LoggerFactory;
  * <p>Threading: everything that may take a moment runs on one thread of its own, or, without waiting, on the clock's. Each
  * link is read on a thread named {@code roomba-reader}, or, without waiting, by {@link #poll}. Commands and {@link #close()}
  * may come from any thread.
+ *
+ * @since 0.1
  */
 public final class Connection {
     static final int BAUD = 115_200;
@@ -379,6 +381,7 @@ public final class Connection {
         plug.completeWhateverIsPending();
     }
 
+    /** Whether the robot is heard. */
     public boolean isUp() {
         return state.phase() == Phase.UP;
     }
@@ -393,6 +396,7 @@ public final class Connection {
         return state.trouble();
     }
 
+    /** What it is connected to, for messages: the port and its settings. */
     public String description() {
         return plug.description();
     }

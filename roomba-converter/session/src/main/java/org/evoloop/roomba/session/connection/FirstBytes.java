@@ -6,6 +6,8 @@ import java.nio.charset.StandardCharsets;
  * The first bytes that came, to tell what stands at the other end if it does not answer as a Roomba does.
  *
  * <p>Threading: thread-safe.
+ *
+ * @since 0.1
  */
 public final class FirstBytes {
     private static final int KEPT = 64;

@@ -3,8 +3,11 @@ package org.evoloop.roomba.session.connection;
 /**
  * The cable is fine, but the robot at its other end does not do what it must. The message is written for its owner: it
  * names the port, what is wrong and how to fix it, and needs no stack trace.
+ *
+ * @since 0.1
  */
 public final class RobotException extends RuntimeException {
+    /** The message is for the owner, see above. */
     public RobotException(String message) {
         super(message);
     }

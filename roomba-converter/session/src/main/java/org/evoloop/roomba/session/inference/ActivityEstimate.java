@@ -12,6 +12,8 @@ import org.evoloop.roomba.oi.SensorValues;
  * <p>Time is counted in frames, as in {@link SpotWatch}.
  *
  * <p>Threading: not thread-safe.
+ *
+ * @since 0.1
  */
 public final class ActivityEstimate {
     /** Motors that run for so long mean that the robot is at work: 0.5 s. */
@@ -22,13 +24,18 @@ public final class ActivityEstimate {
 
     /** What the robot is taken to do. */
     public enum EstimatedActivity {
+        /** Nothing; its light is off. */
         STANDBY,
+        /** Nothing; it is awake. */
         ON,
+        /** Cleans. */
         CLEAN,
+        /** Cleans a spot. */
         SPOT,
         /** Looking for its dock. */
         DOCK;
 
+        /** Whether the robot moves of its own accord. */
         public boolean isWork() {
             return this == CLEAN || this == SPOT || this == DOCK;
         }
@@ -42,6 +49,7 @@ public final class ActivityEstimate {
     /** Before any command and any frame. */
     public ActivityEstimate() {}
 
+    /** What the robot is taken to do, after the frames so far. */
     public EstimatedActivity activity() {
         return activity;
     }

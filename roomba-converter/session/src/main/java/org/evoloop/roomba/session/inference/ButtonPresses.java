@@ -8,6 +8,8 @@ import org.evoloop.roomba.oi.Button;
  * Finds presses in packet 18, which tells only what is held down at the moment.
  *
  * <p>Threading: not thread-safe.
+ *
+ * @since 0.1
  */
 public final class ButtonPresses {
     private Set<Button> held = EnumSet.noneOf(Button.class);

@@ -12,6 +12,8 @@ import org.jspecify.annotations.Nullable;
  * <p>Time is counted in frames of the stream, one every 15 ms.
  *
  * <p>Threading: not thread-safe.
+ *
+ * @since 0.1
  */
 public final class CommandEffect {
     /** A command that has arrived shows within so many frames: 0.24 s. */

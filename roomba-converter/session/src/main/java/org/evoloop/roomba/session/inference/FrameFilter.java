@@ -8,6 +8,8 @@ import org.evoloop.roomba.oi.SensorValues;
  * noisy line a spoilt frame now and then passes; a press lasts several frames, so one frame later is soon enough.
  *
  * <p>Threading: not thread-safe.
+ *
+ * @since 0.1
  */
 public final class FrameFilter {
     private final ModeOffset modeOffset;

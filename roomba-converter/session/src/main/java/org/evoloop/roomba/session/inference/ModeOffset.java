@@ -11,6 +11,8 @@ import org.evoloop.roomba.oi.OiMode;
  * <p>Time is counted in frames of the stream, one every 15 ms.
  *
  * <p>Threading: not thread-safe.
+ *
+ * @since 0.1
  */
 public final class ModeOffset {
     /** So long Start must have been sent in vain: 0.5 s. A robot that is in Safe mode obeys sooner, if it hears at all. */

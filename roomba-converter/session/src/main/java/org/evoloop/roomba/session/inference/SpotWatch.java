@@ -12,6 +12,8 @@ import org.jspecify.annotations.Nullable;
  * distort. Lost frames make it late, never early.
  *
  * <p>Threading: not thread-safe.
+ *
+ * @since 0.1
  */
 public final class SpotWatch {
     /** How long after its start a spot cleaning must show: 3 s. */

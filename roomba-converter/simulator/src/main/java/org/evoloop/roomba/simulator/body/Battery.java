@@ -1,7 +1,12 @@
 package org.evoloop.roomba.simulator.body;
 
-/** The robot's battery: 12 cells of nickel metal hydride. */
+/**
+ * The robot's battery: 12 cells of nickel metal hydride.
+ *
+ * @since 0.1
+ */
 public final class Battery {
+    /** What a full battery holds. */
     public static final int CAPACITY_MILLI_AMP_HOURS = 2696;
 
     private static final double EMPTY_MILLI_VOLTS = 13_200;
@@ -27,10 +32,12 @@ public final class Battery {
         chargeMilliAmpHours = Math.max(0, Math.min(CAPACITY_MILLI_AMP_HOURS, chargeMilliAmpHours + change));
     }
 
+    /** What the battery holds. */
     public int chargeMilliAmpHours() {
         return (int) Math.round(chargeMilliAmpHours);
     }
 
+    /** How full the battery is, 0 to 100. */
     public int percent() {
         return (int) Math.round(100 * share());
     }
@@ -39,6 +46,7 @@ public final class Battery {
         return chargeMilliAmpHours / CAPACITY_MILLI_AMP_HOURS;
     }
 
+    /** Whether nothing more goes in. */
     public boolean isFull() {
         return share() == 1;
     }
@@ -48,10 +56,12 @@ public final class Battery {
         return share() < LOW_SHARE;
     }
 
+    /** Whether nothing is left. */
     public boolean isEmpty() {
         return chargeMilliAmpHours == 0;
     }
 
+    /** The voltage, which falls with the charge. */
     public int milliVolts() {
         return (int) Math.round(EMPTY_MILLI_VOLTS + (FULL_MILLI_VOLTS - EMPTY_MILLI_VOLTS) * share());
     }

@@ -9,11 +9,14 @@ import org.evoloop.roomba.simulator.room.Room;
  *
  * <p>Figures: measurements of Roomba 500 and 600 robots; currents are plausible means, since only their order of
  * magnitude is documented.
+ *
+ * @since 0.1
  */
 public final class Body {
     /** The robot's firmware works in steps of this length (specification, "Sensors"). */
     public static final int TICK_MILLIS = 15;
 
+    /** {@link #TICK_MILLIS} in seconds. */
     public static final double TICK_SECONDS = TICK_MILLIS / 1000.0;
 
     private static final int ELECTRONICS_MILLI_AMPS = 200;
@@ -55,6 +58,7 @@ public final class Body {
         left.setTarget(leftMmPerS);
     }
 
+    /** Powers the cleaning motors. */
     public void setCleaningMotors(CleaningMotors motors) {
         cleaningMotors = motors;
     }
@@ -114,6 +118,7 @@ public final class Body {
         return chargerAllowed && surroundings().docked();
     }
 
+    /** Where the robot is. */
     public Room room() {
         return room;
     }
@@ -123,22 +128,27 @@ public final class Body {
         return new Surroundings(room, pose, lifted);
     }
 
+    /** The left wheel. */
     public Wheel left() {
         return left;
     }
 
+    /** The right wheel. */
     public Wheel right() {
         return right;
     }
 
+    /** Its battery. */
     public Battery battery() {
         return battery;
     }
 
+    /** How the cleaning motors are powered. */
     public CleaningMotors cleaningMotors() {
         return cleaningMotors;
     }
 
+    /** Where the robot stands, and where it heads. */
     public Pose pose() {
         return pose;
     }

@@ -1,12 +1,22 @@
 package org.evoloop.roomba.simulator.body;
 
-/** The six that see what comes near the bumper, in the order of their packets. */
+/**
+ * The six that see what comes near the bumper, in the order of their packets.
+ *
+ * @since 0.1
+ */
 public enum LightSensor {
+    /** 65 degrees to the left. */
     LEFT(0, 65),
+    /** 38 degrees to the left. */
     FRONT_LEFT(1, 38),
+    /** 12 degrees to the left. */
     CENTER_LEFT(2, 12),
+    /** 12 degrees to the right. */
     CENTER_RIGHT(3, -12),
+    /** 38 degrees to the right. */
     FRONT_RIGHT(4, -38),
+    /** 65 degrees to the right. */
     RIGHT(5, -65);
 
     /** What packet 45 takes for something near. */

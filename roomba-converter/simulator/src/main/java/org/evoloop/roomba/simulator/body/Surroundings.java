@@ -10,6 +10,8 @@ import org.evoloop.roomba.simulator.room.Room;
  * What the robot feels and sees of the room where it stands, or hangs when somebody has lifted it.
  *
  * <p>Threading: immutable; all is found out when it is asked.
+ *
+ * @since 0.1
  */
 public record Surroundings(Room room, Pose pose, boolean lifted) {
     /** What touches the bumper no farther from its middle than this presses both of its sides. */

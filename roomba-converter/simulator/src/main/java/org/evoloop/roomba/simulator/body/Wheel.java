@@ -1,6 +1,10 @@
 package org.evoloop.roomba.simulator.body;
 
-/** A driven wheel with its motor and encoder. Forward is positive. */
+/**
+ * A driven wheel with its motor and encoder. Forward is positive.
+ *
+ * @since 0.1
+ */
 public final class Wheel {
     /** What the specification names the fastest. */
     public static final double FASTEST_MM_PER_S = 500;
@@ -43,6 +47,7 @@ public final class Wheel {
         return rolledMm;
     }
 
+    /** How fast it rolls; negative is backwards. */
     public double velocityMmPerS() {
         return velocityMmPerS;
     }
@@ -57,6 +62,7 @@ public final class Wheel {
         return (long) Math.floor(travelledMm / MM_PER_COUNT);
     }
 
+    /** What its motor draws. */
     public int motorMilliAmps() {
         double speed = Math.abs(velocityMmPerS);
         return speed == 0 ? 0 : (int) (TURNING_MILLI_AMPS + MILLI_AMPS_PER_MM_PER_S * speed);

@@ -17,6 +17,8 @@ import org.evoloop.roomba.simulator.room.Shape;
  * robot's way in the colours of its causes, where it began, where it is and what its camera sees.
  *
  * <p>Threading: used by one thread.
+ *
+ * @since 0.1
  */
 public final class RoomDrawing {
     private static final double LEGEND_LINES_PER_SIDE = 34;

@@ -15,6 +15,8 @@ import org.jspecify.annotations.Nullable;
  * forgotten.
  *
  * <p>Threading: thread-safe.
+ *
+ * @since 0.1
  */
 public final class Trail implements Consumer<RobotState> {
     private static final double STEP_MM = 15;

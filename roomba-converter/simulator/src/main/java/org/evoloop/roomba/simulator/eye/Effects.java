@@ -13,6 +13,7 @@ import java.util.List;
  *     up to {@value #LONGEST_SMEAR_PX} pixels; 0 to 100
  * @param lightLeft how bright the picture's left edge is, 0 to 2; 1 is as it should be
  * @param lightRight how bright its right edge is, likewise
+ * @since 0.1
  */
 public record Effects(
         double blurPx,

@@ -19,6 +19,8 @@ import org.evoloop.roomba.simulator.room.Room;
  * the robot itself is not in the picture.
  *
  * <p>Threading: used by one thread; it works in memory of its own, and only the picture is new each time.
+ *
+ * @since 0.1
  */
 public final class Eye {
     private static final int CEILING = 0xE9E7E2;
@@ -50,6 +52,7 @@ public final class Eye {
     private double[] nearness = {};
     private int[] endRow = {};
 
+    /** Sees as the options say. */
     public Eye(EyeOptions options) {
         this.options = options;
         width = options.widthPx();

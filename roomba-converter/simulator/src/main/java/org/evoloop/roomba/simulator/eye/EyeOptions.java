@@ -8,6 +8,8 @@ import java.util.List;
  * range is refused with all that is wrong in one message.
  *
  * <p>Threading: immutable.
+ *
+ * @since 0.1
  */
 public final class EyeOptions {
     private static final int SMALLEST_PX = 16;

@@ -17,13 +17,17 @@ package org.evoloop.roomba.simulator.robot;
  *
  * <p>By itself, every activity leads to ON when the robot loses its floor, is stuck or gets onto its dock, and CLEAN leads
  * to DOCK, or without a dock to ON, when the battery is low. Whoever sleeps is OFF.
+ *
+ * @since 0.1
  */
 public enum RobotActivity {
     /** Standby: it has power and listens, its light is off. */
     OFF,
     /** Awake, and does nothing of its own. */
     ON,
+    /** Cleans the room. */
     CLEAN,
+    /** Cleans a spot, in a spiral. */
     SPOT,
     /** Looks for its dock. */
     DOCK;

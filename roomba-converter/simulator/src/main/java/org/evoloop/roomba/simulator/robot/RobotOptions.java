@@ -12,11 +12,14 @@ import org.evoloop.roomba.simulator.room.Room;
  * well-behaved robot on an open plain.
  *
  * <p>Threading: immutable; the builder is not thread-safe.
+ *
+ * @since 0.1
  */
 public final class RobotOptions {
     /** Less would not suffice to drive half a metre and back. */
     public static final int SHORTEST_SPOT_MILLIS = 8_000;
 
+    /** Ten minutes. */
     public static final int LONGEST_SPOT_MILLIS = 600_000;
 
     private static final double LARGEST_SHARE = 0.5;
@@ -180,66 +183,79 @@ public final class RobotOptions {
 
         private Builder() {}
 
+        /** Sets {@link RobotOptions#room()}. */
         public Builder room(Room value) {
             room = value;
             return this;
         }
 
+        /** Sets {@link RobotOptions#spotDurationMillis()}. */
         public Builder spotDurationMillis(int value) {
             spotDurationMillis = value;
             return this;
         }
 
+        /** Sets {@link RobotOptions#batteryPercent()}. */
         public Builder batteryPercent(int value) {
             batteryPercent = value;
             return this;
         }
 
+        /** Sets {@link RobotOptions#baud()}. */
         public Builder baud(int value) {
             baud = value;
             return this;
         }
 
+        /** Sets {@link RobotOptions#firmware()}. */
         public Builder firmware(FirmwareVersion value) {
             firmware = value;
             return this;
         }
 
+        /** Sets {@link RobotOptions#checksum()}. */
         public Builder checksum(Checksum value) {
             checksum = value;
             return this;
         }
 
+        /** Sets {@link RobotOptions#modeOffset()}. */
         public Builder modeOffset(int value) {
             modeOffset = value;
             return this;
         }
 
+        /** Sets {@link RobotOptions#noise()}. */
         public Builder noise(boolean value) {
             noise = value;
             return this;
         }
 
+        /** Sets {@link RobotOptions#dropShare()}. */
         public Builder dropShare(double value) {
             dropShare = value;
             return this;
         }
 
+        /** Sets {@link RobotOptions#corruptShare()}. */
         public Builder corruptShare(double value) {
             corruptShare = value;
             return this;
         }
 
+        /** Sets {@link RobotOptions#seed()}. */
         public Builder seed(long value) {
             seed = value;
             return this;
         }
 
+        /** Sets {@link RobotOptions#sleepy()}. */
         public Builder sleepy(boolean value) {
             sleepy = value;
             return this;
         }
 
+        /** Sets {@link RobotOptions#strictModeWindow()}. */
         public Builder strictModeWindow(boolean value) {
             strictModeWindow = value;
             return this;

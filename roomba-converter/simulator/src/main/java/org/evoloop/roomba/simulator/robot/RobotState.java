@@ -24,6 +24,7 @@ import org.evoloop.roomba.simulator.room.Pose;
  * @param batteryPercent how full the battery is
  * @param charging whether the dock fills it
  * @param baud the rate of the robot's port
+ * @since 0.1
  */
 public record RobotState(
         long timeMillis,
@@ -44,10 +45,12 @@ public record RobotState(
         pressed = Set.copyOf(pressed);
     }
 
+    /** Of the robot's centre. */
     public double xMm() {
         return pose.xMm();
     }
 
+    /** Of the robot's centre. */
     public double yMm() {
         return pose.yMm();
     }

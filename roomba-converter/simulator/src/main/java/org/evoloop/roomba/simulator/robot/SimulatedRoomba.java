@@ -26,6 +26,8 @@ import org.slf4j.LoggerFactory;
  *
  * <p>Threading: thread-safe, each call is atomic; it has no threads of its own. The sink is called within calls and must
  * not call back.
+ *
+ * @since 0.1
  */
 public final class SimulatedRoomba {
     /** The robot time of one {@link #tick()}. */

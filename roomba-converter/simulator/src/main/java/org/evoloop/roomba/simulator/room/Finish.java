@@ -8,6 +8,7 @@ import java.util.OptionalInt;
  *
  * @param rgb its colour as 0xRRGGBB
  * @param heightMm above the floor, {@value #LOWEST_MM} to {@value #HIGHEST_MM}
+ * @since 0.1
  */
 public record Finish(OptionalInt rgb, OptionalDouble heightMm) {
     /** Nothing is told. */

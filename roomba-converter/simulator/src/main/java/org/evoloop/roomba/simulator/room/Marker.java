@@ -10,10 +10,14 @@ package org.evoloop.roomba.simulator.room;
  * @param heightMm of its middle above the floor; the board does not reach below the floor
  * @param covered whether somebody has hung a cloth over it
  * @param solid whether the board stands on the floor like a wall, as wide as it is
+ * @since 0.1
  */
 public record Marker(Pose pose, int id, double sideMm, double heightMm, boolean covered, boolean solid) {
+    /** The highest id of the marker's dictionary, ArUco 4x4_50. */
     public static final int HIGHEST_ID = 49;
+    /** The side of a marker that says nothing else. */
     public static final double USUAL_SIDE_MM = 150;
+    /** The height of a marker that says nothing else. */
     public static final double USUAL_HEIGHT_MM = 150;
 
     private static final double SMALLEST_SIDE_MM = 20;

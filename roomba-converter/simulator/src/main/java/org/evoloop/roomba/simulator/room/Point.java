@@ -1,6 +1,10 @@
 package org.evoloop.roomba.simulator.room;
 
-/** A place on the floor. */
+/**
+ * A place on the floor.
+ *
+ * @since 0.1
+ */
 public record Point(double xMm, double yMm) {
     Point plus(Point other, double factor) {
         return new Point(xMm + factor * other.xMm, yMm + factor * other.yMm);

@@ -7,6 +7,7 @@ import java.util.Locale;
  * to its left.
  *
  * @param headingRad from the x axis, counterclockwise, -pi to pi
+ * @since 0.1
  */
 public record Pose(double xMm, double yMm, double headingRad) {
     /** Between the points where the wheels touch the floor, as measured by iRobot. */
@@ -14,6 +15,7 @@ public record Pose(double xMm, double yMm, double headingRad) {
 
     private static final double STRAIGHT_RAD = 1e-12;
 
+    /** In the origin, heading along the x axis. */
     public static final Pose ORIGIN = new Pose(0, 0, 0);
 
     public Pose {
@@ -40,6 +42,7 @@ public record Pose(double xMm, double yMm, double headingRad) {
         return Math.toDegrees(headingRad);
     }
 
+    /** Where the robot's centre is. */
     public Point center() {
         return new Point(xMm, yMm);
     }

@@ -17,12 +17,16 @@ import org.jspecify.annotations.Nullable;
  * anywhere, and a marker on a wall or a stand. The same seed is the same room.
  *
  * <p>Threading: used by one thread.
+ *
+ * @since 0.1
  */
 public final class RandomRooms {
     /** How far before the marker the robot is meant to come to rest. */
     public static final double GOAL_MM = 400;
 
+    /** How near to its marker the robot begins. */
     public static final double NEAREST_MARKER_MM = 500;
+    /** How far from its marker the robot begins. */
     public static final double FARTHEST_MARKER_MM = 3_500;
 
     private static final int[] COLORS = {

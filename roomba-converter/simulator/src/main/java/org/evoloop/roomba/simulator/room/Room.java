@@ -10,6 +10,8 @@ import org.jspecify.annotations.Nullable;
  * Where the robot lives: lengths in mm, angles counterclockwise from the x axis.
  *
  * <p>Threading: immutable.
+ *
+ * @since 0.1
  */
 public final class Room {
     /** A plain without end and without a dock; the robot begins at the origin. */
@@ -111,6 +113,7 @@ public final class Room {
         return Optional.ofNullable(marker);
     }
 
+    /** What stands in it, in the order of its file. */
     public List<Shape> shapes() {
         return shapes;
     }

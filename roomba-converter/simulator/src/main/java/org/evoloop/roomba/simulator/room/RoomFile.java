@@ -35,6 +35,8 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>After its corners a wall or an obstacle may tell how it looks: {@code color RRGGBB}, in hexadecimal, and {@code
  * height MM}.
+ *
+ * @since 0.1
  */
 public final class RoomFile {
     private static final String LIVING_ROOM = "living-room.txt";

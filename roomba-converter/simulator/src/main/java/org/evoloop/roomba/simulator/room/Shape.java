@@ -8,6 +8,7 @@ import java.util.List;
  *
  * @param corners at least three
  * @param finish how its sides look
+ * @since 0.1
  */
 public record Shape(Kind kind, List<Point> corners, Finish finish) {
 

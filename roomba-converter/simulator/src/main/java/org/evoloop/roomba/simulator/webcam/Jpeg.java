@@ -22,6 +22,8 @@ import org.evoloop.roomba.simulator.eye.Picture;
  * Makes JPEGs of pictures.
  *
  * <p>Threading: used by one thread.
+ *
+ * @since 0.1
  */
 public final class Jpeg implements AutoCloseable {
     /** As good as cheap cameras are set to. */
@@ -35,6 +37,7 @@ public final class Jpeg implements AutoCloseable {
     private final ComponentColorModel colors = new ComponentColorModel(
             ColorSpace.getInstance(ColorSpace.CS_sRGB), false, false, Transparency.OPAQUE, DataBuffer.TYPE_BYTE);
 
+    /** Keeps its buffers from picture to picture. */
     public Jpeg() {
         settings.setCompressionMode(ImageWriteParam.MODE_EXPLICIT);
         settings.setCompressionQuality(QUALITY);

@@ -22,6 +22,8 @@ import org.slf4j.LoggerFactory;
  * Neither drawing nor clients ever hold up whoever tells it.
  *
  * <p>Threading: thread-safe; it draws on a thread of its own.
+ *
+ * @since 0.1
  */
 public final class Webcam implements Consumer<RobotState>, AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(Webcam.class);
@@ -72,6 +74,7 @@ public final class Webcam implements Consumer<RobotState>, AutoCloseable {
                 "http://" + InetAddress.getLoopbackAddress().getHostAddress() + ":" + port + MjpegServer.STREAM);
     }
 
+    /** What it was made with. */
     public WebcamOptions options() {
         return options;
     }

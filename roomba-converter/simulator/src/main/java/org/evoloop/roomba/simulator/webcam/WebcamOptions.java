@@ -4,6 +4,8 @@ import org.evoloop.roomba.simulator.eye.EyeOptions;
 
 /**
  * What can be chosen about a served camera.
+ *
+ * @since 0.1
  */
 public final class WebcamOptions {
     private static final int HIGHEST_PORT = 65_535;

@@ -1,0 +1,6 @@
+/** The documentation as a static site. */
+module org.evoloop.site {
+    requires org.commonmark;
+    requires org.commonmark.ext.gfm.tables;
+    requires static org.jspecify;
+}
