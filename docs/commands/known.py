@@ -175,6 +175,9 @@ KNOWN = [
     typed(
         "./mvnw -Dslow -pl framework/journal -am test -Dtest=KillTest -Dsurefire.failIfNoSpecifiedTests=false", slow=True
     ),
+    typed(
+        "./mvnw -Dslow -pl roomba-converter -am test -Dtest=GuardedRobotTest -Dsurefire.failIfNoSpecifiedTests=false", slow=True
+    ),
     typed("./mvnw -pl framework/check -am -Dslow -Dtest=CheckGrowthTest -Dsurefire.failIfNoSpecifiedTests=false test", slow=True),
     Known(
         "./mvnw -pl roomba-converter -am -Dslow -Dsurefire.failIfNoSpecifiedTests=false -Dtest=NAME test",
