@@ -35,6 +35,9 @@ class GuardedRobotTest {
     /** Move drives at 85 mm/s at most; a position is told to a tenth of a millimetre. */
     private static final double LIMIT_MM = 85 + 1;
 
+    /** Its wheels count on when the robot is carried back, so no Move must arrive. */
+    private static final String FAR_AWAY = "100000,0";
+
     private final Random random = new Random(20_261_123);
     private final List<Process> processes = new ArrayList<>();
     private OtherRobot robot;
@@ -58,7 +61,7 @@ class GuardedRobotTest {
     }
 
     private Process start(String... options) throws IOException {
-        List<String> arguments = new ArrayList<>(List.of("--port", robot.port(), "--start"));
+        List<String> arguments = new ArrayList<>(List.of("--port", robot.port(), "--start", "--start-point", FAR_AWAY));
         arguments.addAll(List.of(options));
         Process process = Program.startWithLog(folder.resolve("log"), arguments.toArray(String[]::new));
         processes.add(process);
@@ -84,7 +87,8 @@ class GuardedRobotTest {
 
     /** Lets Move drive for a moment that nobody knows before. */
     private Truth untilItDrives() {
-        Truth begun = robot.await("the robot drives", now -> now.left() > 40 && now.right() > 40);
+        Truth begun = robot.await(
+                "the robot drives", now -> now.mode().equals("safe") && now.left() > 40 && now.right() > 40);
         long moment = random.nextInt(2_000);
         return robot.await("some time", now -> now.millis() - begun.millis() >= moment);
     }

@@ -136,16 +136,18 @@ public final class DeviceGuard implements AutoCloseable {
 
     private synchronized @Nullable String beatUnlessExpired(boolean active) {
         long now = System.nanoTime();
-        replaceIfUseless(now);
         if (expire(now)) {
             process.tell("stop");
-        } else if (active || now - toldNanos < TOLD_NANOS) {
+            return expired;
+        }
+        replaceIfUseless(now);
+        if (active || now - toldNanos < TOLD_NANOS) {
             beat(now);
         } else if (watching) {
             watching = false;
             process.tell("off");
         }
-        return expired;
+        return null;
     }
 
     private void beat(long now) {
