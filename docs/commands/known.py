@@ -84,6 +84,12 @@ KNOWN = [
     Known("java -jar /opt/evoloop/roomba-converter.jar ctl roomba status", run="./evoloop ctl --help", shows="status --json"),
     Known("java -cp fan.jar org.evoloop.service.Ctl fan status", why_not=ELSEWHERE),
     Known("./evoloop ctl NAME COMMAND ...", run="./evoloop ctl --help", shows="status --json"),
+    Known("./evoloop journal COMMAND DIR", run="./evoloop journal --help", shows="verify"),
+    Known(
+        "java -jar framework/models/target/evoloop-models.jar journal COMMAND DIR",
+        run="java -jar framework/models/target/evoloop-models.jar journal show --help",
+        shows="--last",
+    ),
     typed("./evoloop setup --help", shows="apt-get"),
     typed("./evoloop install"),
     typed("./evoloop docs", slow=True, shows="target/site/index.html"),
@@ -179,6 +185,9 @@ KNOWN = [
     ),
     typed(
         "./mvnw -Dslow -pl framework/journal -am test -Dtest=KillTest -Dsurefire.failIfNoSpecifiedTests=false", slow=True
+    ),
+    typed(
+        "./mvnw -Dslow -pl roomba-converter -am test -Dtest=GuardedRobotTest -Dsurefire.failIfNoSpecifiedTests=false", slow=True
     ),
     typed("./mvnw -pl framework/check -am -Dslow -Dtest=CheckGrowthTest -Dsurefire.failIfNoSpecifiedTests=false test", slow=True),
     Known(

@@ -56,6 +56,13 @@ final class RoombaCommand implements Callable<Integer> {
                     + "(default: found out when it answers).")
     private @Nullable Integer modeOffset;
 
+    @Option(
+            names = "--no-guard",
+            description =
+                    "With --port: starts no guard process, which stops the robot when this program is killed or stands "
+                            + "still. A simulated robot has none.")
+    private boolean noGuard;
+
     @Override
     public Integer call() throws IOException, InterruptedException {
         double pace = checkedSpeed();
@@ -101,8 +108,15 @@ final class RoombaCommand implements Callable<Integer> {
             @Nullable SimulatedWorld world)
             throws IOException, InterruptedException {
         try (Clock clock = new SystemClock(pace);
-                RoombaConverter roomba =
-                        RoombaConverter.connect(cable(robotPort), config(clock, pace), robotOptions(pace), read)) {
+                RobotGuard guard = world == null && !noGuard ? new RobotGuard(robotPort) : null;
+                RoombaConverter roomba = RoombaConverter.connect(
+                        guard == null ? cable(robotPort) : guard.cable(cable(robotPort)),
+                        config(clock, pace),
+                        robotOptions(pace),
+                        read)) {
+            if (guard != null) {
+                roomba.converter().addLink(guard.watch(roomba.session()));
+            }
             Console console = new Console(roomba.converter(), System.in, System.out, System.err);
             console.addCommand(ConsoleCommand.of(
                             "press BUTTON",

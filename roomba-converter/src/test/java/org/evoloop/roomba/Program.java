@@ -50,6 +50,14 @@ final class Program {
                 .start();
     }
 
+    /** The same; what it prints goes to the end of {@code log}. */
+    static Process startWithLog(Path log, String... arguments) throws IOException {
+        return new ProcessBuilder(command(List.of(), arguments))
+                .redirectErrorStream(true)
+                .redirectOutput(ProcessBuilder.Redirect.appendTo(log.toFile()))
+                .start();
+    }
+
     private static Result run(Path folder, List<String> javaOptions, String input, String... arguments)
             throws IOException, InterruptedException {
         Path out = Files.createTempFile(folder, "out", ".txt");

@@ -88,8 +88,8 @@ final class Directory implements AutoCloseable {
         }
         for (int index = 1; index < segments.size(); index++) {
             if (number(segments.get(index)) != number(segments.get(index - 1)) + 1) {
-                throw new JournalException("the journal " + path + " lacks the segment before "
-                        + segments.get(index).getFileName() + "; it is needed to go on. " + DAMAGED);
+                throw JournalException.ofDamage("the journal " + path + " lacks the segment before "
+                        + segments.get(index).getFileName() + "; it is needed to go on");
             }
         }
         return segments;

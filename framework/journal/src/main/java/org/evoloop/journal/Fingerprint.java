@@ -1,6 +1,7 @@
 package org.evoloop.journal;
 
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
@@ -26,6 +27,19 @@ final class Fingerprint {
             return HexFormat.of().formatHex(digest).substring(0, DIGITS);
         } catch (NoSuchAlgorithmException impossible) {
             throw new AssertionError("every Java has SHA-256", impossible);
+        }
+    }
+
+    /** @throws JournalException if the segment is of other models than {@code models}, which have this fingerprint */
+    static void requireSame(Path file, Head head, String fingerprint, ModelPair models) {
+        if (!head.fingerprint().equals(fingerprint)) {
+            throw new JournalException(
+                    file + ", byte " + Preamble.BYTES + ", record 0: the journal is of other models: '"
+                            + head.models().original().name() + "' and '"
+                            + head.models().evolved().name() + "', fingerprint " + head.fingerprint()
+                            + ", not '" + models.original().name() + "' and '"
+                            + models.evolved().name() + "', fingerprint " + fingerprint
+                            + "; start with the models that it was written with, or use another directory");
         }
     }
 

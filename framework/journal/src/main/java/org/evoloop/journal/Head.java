@@ -15,13 +15,13 @@ import org.evoloop.evolution.DeviceEvents;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
+import org.evoloop.statemachine.StateMachine;
 
 /**
  * The first record of a segment: by what it was written, and when.
  *
  * @param fingerprint of the models, see {@link Fingerprint}
- * @param original the name of the device's model
- * @param evolved the name of the new model
+ * @param models both models
  * @param boot which start of the computer it was written in; empty if that cannot be told
  * @param wallNanos the time of day when the segment began, in nanoseconds since 1970
  * @param nowNanos the converter's monotonic clock at that moment
@@ -31,8 +31,7 @@ import org.evoloop.statemachine.State;
  */
 record Head(
         String fingerprint,
-        String original,
-        String evolved,
+        ModelPair models,
         String boot,
         long wallNanos,
         long nowNanos,
@@ -51,8 +50,7 @@ record Head(
         }
         return new Head(
                 fingerprint,
-                models.original().name(),
-                models.evolved().name(),
+                models,
                 Boot.ID,
                 wallNanos,
                 nowNanos,
@@ -78,11 +76,17 @@ record Head(
         return new Rules(table, state -> timers.getOrDefault(state, Map.of()), queueCapacity);
     }
 
+    /** By what the segment was written, with the models as it holds them. */
+    Rules rules() {
+        DecisionTable table = DecisionTable.compile(models, device);
+        return new Rules(table, state -> timers.getOrDefault(state, Map.of()), queueCapacity);
+    }
+
     void write(Bytes bytes) {
         bytes.clear();
         bytes.text(fingerprint);
-        bytes.text(original);
-        bytes.text(evolved);
+        MachineBytes.write(bytes, models.original());
+        MachineBytes.write(bytes, models.evolved());
         bytes.text(boot);
         bytes.number(wallNanos);
         bytes.number(nowNanos);
@@ -118,8 +122,8 @@ record Head(
 
     static Head read(Cursor cursor) {
         String fingerprint = cursor.text();
-        String original = cursor.text();
-        String evolved = cursor.text();
+        StateMachine original = MachineBytes.read(cursor);
+        ModelPair models = new ModelPair(original, MachineBytes.read(cursor));
         String boot = cursor.text();
         long wallNanos = cursor.number();
         long nowNanos = cursor.number();
@@ -130,7 +134,7 @@ record Head(
         }
         int capacity = (int) cursor.number();
         cursor.requireEnd();
-        return new Head(fingerprint, original, evolved, boot, wallNanos, nowNanos, device, timers, capacity);
+        return new Head(fingerprint, models, boot, wallNanos, nowNanos, device, timers, capacity);
     }
 
     private static DeviceEvents device(Cursor cursor) {

@@ -7,12 +7,31 @@ package org.evoloop.journal;
  * @since 0.1
  */
 public final class JournalException extends RuntimeException {
+    private final boolean damage;
+
     /** @param message for people */
     public JournalException(String message) {
         super(message);
+        this.damage = false;
     }
 
     JournalException(String message, Throwable cause) {
         super(message, cause);
+        this.damage = false;
+    }
+
+    private JournalException(String message, boolean damage) {
+        super(message);
+        this.damage = damage;
+    }
+
+    /** That something is not as it was written; {@code what} names the file and the place in it. */
+    static JournalException ofDamage(String what) {
+        return new JournalException(what + ". " + Directory.DAMAGED, true);
+    }
+
+    /** Whether the journal is damaged; else it is of another version or of other models, or cannot be read or written. */
+    public boolean isDamage() {
+        return damage;
     }
 }

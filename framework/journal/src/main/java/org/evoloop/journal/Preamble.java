@@ -1,6 +1,7 @@
 package org.evoloop.journal;
 
 import java.nio.ByteBuffer;
+import java.nio.file.Path;
 
 /**
  * How a segment begins: what it is, the version of its format, a checksum of both, and up to where it is on the disk for
@@ -10,7 +11,7 @@ final class Preamble {
     static final int BYTES = 32;
 
     /** The version that is written and read. */
-    static final int VERSION = 1;
+    static final int VERSION = 2;
 
     private static final long MAGIC = 0x45564F4C4F4F504AL; // EVOLOOPJ
     private static final int CHECKED_BYTES = 12;
@@ -34,20 +35,25 @@ final class Preamble {
         return file.length < BYTES || ByteBuffer.wrap(file).getLong(0) == 0;
     }
 
-    /** What keeps the file from being read; empty if nothing does. */
-    static String problem(byte[] file) {
-        ByteBuffer bytes = ByteBuffer.wrap(file);
+    /** @throws JournalException if something keeps the file, which has these bytes, from being read */
+    static void require(Path file, byte[] content) {
+        if (content.length < BYTES) {
+            throw JournalException.ofDamage(file + ", byte " + content.length + ": it ends too early");
+        }
+        ByteBuffer bytes = ByteBuffer.wrap(content);
         int version = bytes.getInt(8);
         if (bytes.getLong(0) != MAGIC) {
-            return "byte 0: this is no segment of a journal; move the file out of the directory";
+            throw new JournalException(
+                    file + ", byte 0: this is no segment of a journal; move the file out of the directory");
         }
         if (bytes.getInt(CHECKED_BYTES) != crcOf(version)) {
-            return "byte 8: the version does not match its checksum. " + Directory.DAMAGED;
+            throw JournalException.ofDamage(file + ", byte 8: the version does not match its checksum");
         }
-        return version == VERSION
-                ? ""
-                : "byte 8: it is written in version " + version + " of the format, and this Evoloop reads version "
-                        + VERSION + "; go on with the Evoloop that wrote it, or begin with an empty directory";
+        if (version != VERSION) {
+            throw new JournalException(file + ", byte 8: it is written in version " + version
+                    + " of the format, and this Evoloop reads version " + VERSION
+                    + "; go on with the Evoloop that wrote it, or begin with an empty directory");
+        }
     }
 
     /** Up to where the file is on the disk for sure; where the two disagree, that was being noted. */

@@ -13,7 +13,6 @@ import org.evoloop.core.Rules;
 import org.evoloop.core.Snapshot;
 import org.evoloop.core.text.SnapshotException;
 import org.evoloop.core.text.SnapshotText;
-import org.evoloop.evolution.ModelPair;
 import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -45,7 +44,7 @@ final class Replay {
     private void of(Path file) {
         SegmentReader segment = new SegmentReader(file);
         Head head = segment.head();
-        requireSameModels(file, head);
+        Fingerprint.requireSame(file, head, fingerprint, present.table().models());
         Rules rules = head.rules(present);
         Core core = new Core(rules, snapshot(file, segment), past);
         past.at(() -> wallTime(head, core));
@@ -92,18 +91,6 @@ final class Replay {
             return SnapshotText.read(present, segment.snapshot());
         } catch (SnapshotException e) {
             throw new JournalException(file + ", record 0: " + e.getMessage());
-        }
-    }
-
-    private void requireSameModels(Path file, Head head) {
-        if (!head.fingerprint().equals(fingerprint)) {
-            ModelPair models = present.table().models();
-            throw new JournalException(
-                    file + ", byte " + Preamble.BYTES + ", record 0: the journal is of other models: '"
-                            + head.original() + "' and '" + head.evolved() + "', fingerprint " + head.fingerprint()
-                            + ", not '" + models.original().name() + "' and '"
-                            + models.evolved().name() + "', fingerprint " + fingerprint
-                            + "; start with the models that it was written with, or use another directory");
         }
     }
 

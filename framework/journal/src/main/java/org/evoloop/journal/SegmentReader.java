@@ -39,10 +39,7 @@ final class SegmentReader {
         this.bytes = bytes;
         this.buffer = ByteBuffer.wrap(bytes);
         this.cursor = new Cursor(bytes);
-        String problem = Preamble.problem(bytes);
-        if (!problem.isEmpty()) {
-            throw new JournalException(file + ", " + problem);
-        }
+        Preamble.require(file, bytes);
         this.sure = Preamble.sure(bytes);
         requireNext("its head");
         Head read;
@@ -165,6 +162,11 @@ final class SegmentReader {
         return length;
     }
 
+    /** What the record is, if it is an input. */
+    Kind kind() {
+        return Kind.of(bytes[at]);
+    }
+
     /** The number of the record in its segment, from 1. */
     long number() {
         return records;
@@ -194,7 +196,6 @@ final class SegmentReader {
     }
 
     private JournalException wrong(int place, long number, String what) {
-        return new JournalException(
-                file + ", byte " + place + ", record " + number + ": " + what + ". " + Directory.DAMAGED);
+        return JournalException.ofDamage(file + ", byte " + place + ", record " + number + ": " + what);
     }
 }

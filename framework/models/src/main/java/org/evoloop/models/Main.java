@@ -3,6 +3,7 @@ package org.evoloop.models;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
+import org.evoloop.journal.JournalException;
 import org.evoloop.program.UsersMistakes;
 import org.evoloop.statemachine.ModelException;
 import picocli.CommandLine;
@@ -42,6 +43,7 @@ public final class Main {
 
     private static boolean isUsersMistake(Exception failure) {
         return failure instanceof ModelException
+                || failure instanceof JournalException
                 || failure instanceof IllegalArgumentException
                 || failure instanceof IOException;
     }

@@ -15,7 +15,8 @@ import picocli.CommandLine.Spec;
             DiffCommand.class,
             PlanCommand.class,
             FlattenCommand.class,
-            ScaffoldCommand.class
+            ScaffoldCommand.class,
+            JournalCommand.class
         },
         mixinStandardHelpOptions = true)
 final class ModelsCommand implements Runnable {

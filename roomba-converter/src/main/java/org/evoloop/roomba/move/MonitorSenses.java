@@ -25,7 +25,7 @@ final class MonitorSenses extends Monitor<Percept> implements SessionListener {
     private final StartPointSensor sensor;
     private final Clock clock;
     private final boolean threads;
-    private String pressed = "";
+    private String reason = "";
     private Optional<SeenActivity> work = Optional.empty();
 
     /** @param threads false if each frame itself must take the loop's step */
@@ -38,7 +38,7 @@ final class MonitorSenses extends Monitor<Percept> implements SessionListener {
 
     @Override
     public void received(Telemetry telemetry) {
-        Heard heard = new Heard(telemetry, pressed.isEmpty() ? Ending.NONE : Ending.byPerson(pressed, work));
+        Heard heard = new Heard(telemetry, reason.isEmpty() ? Ending.NONE : Ending.byPerson(reason, work));
         while (!newest.offer(heard)) {
             newest.poll();
         }
@@ -50,7 +50,12 @@ final class MonitorSenses extends Monitor<Percept> implements SessionListener {
     /** Whoever presses a button of a robot that drives wants it to stop, whatever the button. */
     @Override
     public void pressed(Button button, boolean robotActs) {
-        pressed = button + " was pressed on the robot";
+        reason = button + " was pressed on the robot";
+    }
+
+    @Override
+    public void stopped(String why) {
+        reason = why;
     }
 
     @Override

@@ -22,6 +22,11 @@ public final class Json {
         return MAPPER.writeValueAsString(value).replace("\r\n", "\n") + "\n";
     }
 
+    /** The same in one line, without its end. */
+    public static String line(Object value) {
+        return MAPPER.writer().without(SerializationFeature.INDENT_OUTPUT).writeValueAsString(value);
+    }
+
     /** A text of a model as a value: null if it is empty. */
     public static @Nullable String orNull(String text) {
         return text.isEmpty() ? null : text;

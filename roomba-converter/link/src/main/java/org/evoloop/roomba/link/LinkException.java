@@ -25,6 +25,8 @@ public final class LinkException extends RuntimeException {
         HUNG_UP,
         /** The other end takes no more bytes. */
         NOT_READING,
+        /** Something else has stopped the robot, since this program stood still. */
+        OVERRULED,
         /** The link was not opened yet, or {@link Link#close()} ended it. */
         CLOSED
     }

@@ -26,11 +26,6 @@ final class SerialFaults {
 
     private SerialFaults() {}
 
-    static Path path(SerialSettings settings) {
-        String port = settings.port();
-        return port.indexOf('/') < 0 ? Path.of("/dev", port) : Path.of(port);
-    }
-
     /** Explains why the system would not open a device. */
     static LinkException notOpened(SerialSettings settings, Path device, int error) {
         return switch (error) {

@@ -87,9 +87,9 @@ final class SerialPorts {
     private static Path device(SerialSettings settings) {
         Path device;
         try {
-            device = SerialFaults.path(settings).toRealPath();
+            device = settings.path().toRealPath();
         } catch (AccessDeniedException hidden) {
-            throw SerialFaults.noPermission(settings, SerialFaults.path(settings));
+            throw SerialFaults.noPermission(settings, settings.path());
         } catch (IOException | InvalidPathException missing) {
             throw SerialFaults.noSuchPort(settings);
         }

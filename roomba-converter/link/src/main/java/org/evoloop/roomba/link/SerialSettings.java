@@ -1,5 +1,7 @@
 package org.evoloop.roomba.link;
 
+import java.nio.file.Path;
+
 /**
  * Which serial port, and how. Always 8 data bits, no parity, one stop bit and no flow control, as the robot has it
  * (Open Interface specification, "Serial Port Settings").
@@ -45,6 +47,11 @@ public record SerialSettings(String port, int baud, WakeSignal wakeSignal, int s
     /** The same, with another limit. */
     public SerialSettings withSendLimitMillis(int newSendLimitMillis) {
         return new SerialSettings(port, baud, wakeSignal, newSendLimitMillis);
+    }
+
+    /** Where the port is; a bare name is one of {@code /dev}. */
+    public Path path() {
+        return port.indexOf('/') < 0 ? Path.of("/dev", port) : Path.of(port);
     }
 
     /** The port without its folder, for names of threads; {@code pts/3} keeps its own. */

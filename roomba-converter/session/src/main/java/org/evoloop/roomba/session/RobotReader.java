@@ -209,6 +209,11 @@ final class RobotReader implements Connection.Owner {
         }
     }
 
+    /** Somebody else has stopped the robot. */
+    synchronized void stoppedByOthers(String why) {
+        listeners.forEach(listener -> listener.stopped(why));
+    }
+
     /** What was seen of the robot counts no more. */
     @Override
     public synchronized void outOfSight() {

@@ -204,10 +204,12 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
      * @throws LinkException if the command could not be sent
      */
     public void takeControl() {
+        boolean comes;
         synchronized (reader) {
             control.want();
+            comes = isUnderControl() || control.isRegaining();
         }
-        if (!isUnderControl()) {
+        if (!comes) {
             send(new Command.Safe());
         }
     }
@@ -223,8 +225,7 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
     public void letGo() {
         boolean mayHaveControl;
         synchronized (reader) {
-            // Control that was just asked for may show only in the next frame.
-            mayHaveControl = control.isWanted() || control.isRegaining() || isUnderControl();
+            mayHaveControl = mayBeUnderControl();
             control.letGo();
         }
         if (mayHaveControl) {
@@ -242,6 +243,23 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
     public boolean isUnderControl() {
         Telemetry now = reader.latest();
         return now != null && now.isUnderControl();
+    }
+
+    /** Whether the robot obeys drive commands or is about to; waits while a frame is being looked at. */
+    public boolean mayBeUnderControl() {
+        synchronized (reader) {
+            // Control that was just asked for may show only in the next frame.
+            return control.isWanted() || control.isRegaining() || isUnderControl();
+        }
+    }
+
+    /**
+     * Somebody else has stopped the robot and ended its control: listeners are told, see {@link SessionListener#stopped}.
+     *
+     * @param why for people
+     */
+    public void stoppedByOthers(String why) {
+        reader.stoppedByOthers(why);
     }
 
     /** Whether commands can be waited for; false if time only passes when the caller lets it. */

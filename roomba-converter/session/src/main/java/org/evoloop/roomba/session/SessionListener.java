@@ -7,7 +7,7 @@ import org.evoloop.roomba.session.inference.SpotWatch;
 /**
  * Hears what goes on with the robot.
  *
- * <p>Threading: called on the thread that receives, one call at a time; must be quick.
+ * <p>Threading: called on the thread that receives, {@link #stopped} on any; one call at a time; must be quick.
  *
  * @since 0.1
  */
@@ -38,6 +38,9 @@ public interface SessionListener {
 
     /** A spot cleaning has ended. */
     default void spotEnded(SpotWatch.Ending how) {}
+
+    /** Somebody else has stopped the robot, for the reason given: what drove it is not to go on. */
+    default void stopped(String why) {}
 
     /** The robot does this now, whatever it was taken to do; it may be known already. */
     default void seen(SeenActivity activity) {}

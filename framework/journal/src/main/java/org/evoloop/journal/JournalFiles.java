@@ -1,0 +1,99 @@
+package org.evoloop.journal;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.function.Consumer;
+
+/**
+ * A journal as it lies in its directory, for whoever wants to see what is in it. Nothing is written and no lock is taken: the
+ * journal may be in use, and is read as far as it has been written.
+ *
+ * <p>Threading: thread-safe.
+ */
+public final class JournalFiles {
+    /** A file that is being written may be seen half; the second look sees what was missing. */
+    private static final int LOOKS = 3;
+
+    private final Path directory;
+
+    /**
+     * What a segment's first record says.
+     *
+     * @param segment the name of its file
+     * @param fingerprint of the models
+     * @param original the name of the device's model
+     * @param evolved the name of the new model
+     * @param begun when the segment began
+     * @param records how many inputs it holds
+     * @param cutOff whether a record was being written when its process ended, or is being written now
+     */
+    public record SegmentInfo(
+            String segment,
+            String fingerprint,
+            String original,
+            String evolved,
+            Instant begun,
+            long records,
+            boolean cutOff) {}
+
+    /**
+     * The journal in {@code directory}.
+     *
+     * @throws JournalException if there is no journal
+     */
+    public JournalFiles(Path directory) {
+        this.directory = directory;
+        if (!Files.isDirectory(directory)) {
+            throw new JournalException(directory + (Files.exists(directory) ? " is no directory" : " does not exist")
+                    + "; name the directory of a journal, as it was given with --journal");
+        }
+        if (Directory.segments(directory).isEmpty()) {
+            throw new JournalException(
+                    directory + " is no journal: it holds no file such as 0000000001.journal; name the"
+                            + " directory that was given with --journal");
+        }
+    }
+
+    /**
+     * Reads every record, the oldest first.
+     *
+     * @return its segments, the oldest first
+     * @throws JournalException if it is damaged, of another version or cannot be read
+     */
+    public List<SegmentInfo> read(Consumer<JournalRecord> reader) {
+        List<SegmentInfo> read = new ArrayList<>();
+        List<Path> files = Directory.segments(directory);
+        for (Path file : files) {
+            boolean newest = file.equals(files.get(files.size() - 1));
+            if (!(newest && SegmentReader.writtenBytes(file) == 0)) {
+                SegmentRecords segment = whole(file, newest);
+                segment.records().forEach(reader);
+                read.add(segment.info());
+            }
+        }
+        return read;
+    }
+
+    /** The segment, none of which is told before it is known to be whole. */
+    private SegmentRecords whole(Path file, boolean mayGrow) {
+        int looks = mayGrow ? LOOKS : 1;
+        while (true) {
+            try {
+                return new SegmentRecords(file, new SegmentReader(file));
+            } catch (JournalException wrong) {
+                looks--;
+                if (looks == 0 || !wrong.isDamage()) {
+                    throw wrong;
+                }
+            }
+        }
+    }
+
+    static String word(Enum<?> kind) {
+        return kind.name().toLowerCase(Locale.ROOT).replace('_', '-');
+    }
+}

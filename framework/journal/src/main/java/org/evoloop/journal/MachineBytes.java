@@ -1,0 +1,85 @@
+package org.evoloop.journal;
+
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.State;
+import org.evoloop.statemachine.StateMachine;
+import org.evoloop.statemachine.StateMachineBuilder;
+import org.evoloop.statemachine.Transition;
+
+/** State machines in the head of a segment, so that a journal can be read by whoever does not have its models. */
+final class MachineBytes {
+    private MachineBytes() {}
+
+    static void write(Bytes bytes, StateMachine machine) {
+        bytes.text(machine.name());
+        bytes.number(machine.states().size());
+        for (State state : machine.states()) {
+            bytes.name(state.name());
+            bytes.name(machine.withoutMemory(state).name());
+            bytes.names(machine.activities(state));
+            bytes.names(machine.paths(state));
+            bytes.truth(machine.isEnd(state));
+            bytes.number(machine.deferred(state).size());
+            machine.deferred(state).forEach(event -> event(bytes, event));
+        }
+        bytes.name(machine.initial().name());
+        bytes.names(machine.initialEffects());
+        bytes.names(machine.spontaneous().stream().map(Event::name).toList());
+        bytes.number(machine.transitions().size());
+        for (Transition transition : machine.transitions()) {
+            bytes.name(transition.source().name());
+            event(bytes, transition.event());
+            bytes.name(transition.target().name());
+            bytes.names(transition.effects());
+            bytes.truth(transition.internal());
+            bytes.names(transition.keeps());
+        }
+    }
+
+    private static void event(Bytes bytes, Event event) {
+        bytes.name(event.name());
+        bytes.names(event.guards());
+    }
+
+    static StateMachine read(Cursor cursor) {
+        StateMachineBuilder builder = StateMachine.named(cursor.text());
+        for (int left = cursor.count(); left > 0; left--) {
+            State state = new State(cursor.name());
+            State withoutMemory = new State(cursor.name());
+            List<String> activities = cursor.names();
+            List<String> paths = cursor.names();
+            builder.drawn(state, withoutMemory, activities, paths, cursor.truth());
+            for (int deferred = cursor.count(); deferred > 0; deferred--) {
+                builder.defers(state.name(), event(cursor));
+            }
+        }
+        builder.initial(cursor.name());
+        builder.initialEffects(cursor.names());
+        cursor.names().forEach(builder::spontaneous);
+        List<Transition> transitions = new ArrayList<>();
+        for (int left = cursor.count(); left > 0; left--) {
+            transitions.add(transition(cursor));
+        }
+        transitions.forEach(transition -> builder.transition(transition, ""));
+        return builder.build();
+    }
+
+    private static Transition transition(Cursor cursor) {
+        State source = new State(cursor.name());
+        Event event = event(cursor);
+        State target = new State(cursor.name());
+        List<String> effects = cursor.names();
+        boolean internal = cursor.truth();
+        Set<String> keeps = new LinkedHashSet<>(cursor.names());
+        return new Transition(source, event, target, effects, internal, keeps);
+    }
+
+    private static Event event(Cursor cursor) {
+        String name = cursor.name();
+        return new Event(name, cursor.names());
+    }
+}

@@ -1,0 +1,123 @@
+package org.evoloop.journal;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+import java.util.Set;
+import org.evoloop.core.Core;
+import org.evoloop.core.Input;
+import org.evoloop.evolution.ModelPair;
+import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.State;
+import org.evoloop.statemachine.StateMachine;
+import org.evoloop.statemachine.Transition;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** What is to be seen of a journal by whoever does not keep it. */
+class JournalFilesTest {
+    @TempDir
+    private Path directory;
+
+    private static String at(Core core) {
+        return core.at() + " " + core.doubt();
+    }
+
+    private List<String> read(List<JournalRecord> records) {
+        new JournalFiles(directory).read(records::add);
+        return records.stream()
+                .map(each -> each.where() + " " + each.doubt())
+                .toList();
+    }
+
+    @Test
+    void eachRecordTellsWhereTheCoreWasWhileTheJournalIsInUse() {
+        try (Kept kept = Kept.in(directory)) {
+            for (Input input : Story.of(Robot.RULES, new Random(1), 80)) {
+                kept.tell(input);
+                List<String> where = read(new ArrayList<>());
+                assertThat(where.isEmpty() ? at(kept.core) : where.get(where.size() - 1))
+                        .as("after %s", input)
+                        .isEqualTo(at(kept.core));
+            }
+        }
+    }
+
+    @Test
+    void manySegmentsAreOneStory() {
+        Journal small = Journal.in(directory).withSegmentBytes(1 << 16);
+        try (Kept kept = new Kept(directory, small)) {
+            kept.tell(Story.of(Robot.RULES, new Random(2), 20_000));
+            List<JournalRecord> records = new ArrayList<>();
+            List<String> where = read(records);
+            assertThat(where.get(where.size() - 1)).isEqualTo(at(kept.core));
+            assertThat(records).extracting(JournalRecord::segment).contains("0000000001.journal", "0000000005.journal");
+            assertThat(records).isSortedAccordingTo((one, other) -> Long.compare(one.nanos(), other.nanos()));
+        }
+    }
+
+    @Test
+    void damageIsToldFromWhatIsNoJournal() throws Exception {
+        assertThatThrownBy(() -> new JournalFiles(directory))
+                .hasMessageContaining("is no journal")
+                .isInstanceOfSatisfying(
+                        JournalException.class,
+                        wrong -> assertThat(wrong.isDamage()).isFalse());
+        try (Kept kept = Kept.in(directory)) {
+            kept.tell(Story.of(Robot.RULES, new Random(3), 20));
+        }
+        Path segment = Directory.segments(directory).get(0);
+        byte[] bytes = Files.readAllBytes(segment);
+        bytes[bytes.length - 1] ^= 1;
+        Files.write(segment, bytes);
+        assertThatThrownBy(() -> read(new ArrayList<>()))
+                .hasMessageContaining("its checksum is wrong")
+                .isInstanceOfSatisfying(
+                        JournalException.class,
+                        wrong -> assertThat(wrong.isDamage()).isTrue());
+    }
+
+    @Test
+    void theModelsComeBackAsTheyWere() {
+        StateMachine machine = StateMachine.named("one of everything")
+                .drawn(new State("Off [history Dim]"), new State("Off"), List.of("hum"), List.of("Lamp.Off"), false)
+                .drawn(new State("End"), new State("End"), List.of(), List.of("Lamp.A", "Lamp.B"), true)
+                .initial("Off [history Dim]")
+                .initialEffects(List.of("begin"))
+                .spontaneous("burnOut")
+                .defers("End", new Event("switch"))
+                .transition(
+                        new Transition(
+                                new State("Off [history Dim]"),
+                                new Event("switch", List.of("dark")),
+                                new State("End"),
+                                List.of("light"),
+                                false,
+                                Set.of("after 2 s")),
+                        "")
+                .transition(
+                        new Transition(new State("End"), new Event("tick"), new State("End"), List.of(), true), "")
+                .build();
+        Bytes bytes = new Bytes();
+        bytes.clear();
+        MachineBytes.write(bytes, machine);
+        Cursor cursor = new Cursor(bytes.array());
+        cursor.goTo(0, bytes.length());
+        StateMachine back = MachineBytes.read(cursor);
+        cursor.requireEnd();
+
+        assertThat(Fingerprint.of(new ModelPair(back, back))).isEqualTo(Fingerprint.of(new ModelPair(machine, machine)));
+        for (State state : machine.states()) {
+            assertThat(back.withoutMemory(state)).isEqualTo(machine.withoutMemory(state));
+            assertThat(back.activities(state)).isEqualTo(machine.activities(state));
+            assertThat(back.paths(state)).isEqualTo(machine.paths(state));
+            assertThat(back.isEnd(state)).isEqualTo(machine.isEnd(state));
+        }
+        assertThat(back.initialEffects()).isEqualTo(machine.initialEffects());
+    }
+}

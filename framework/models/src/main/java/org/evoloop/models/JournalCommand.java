@@ -1,0 +1,25 @@
+package org.evoloop.models;
+
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/** Looks into a converter's journal. */
+@Command(
+        name = "journal",
+        description = "Looks into the journal that a converter keeps with --journal DIR, also while it is in use.",
+        subcommands = {JournalShowCommand.class, JournalVerifyCommand.class, JournalExportCommand.class},
+        mixinStandardHelpOptions = true)
+final class JournalCommand implements Runnable {
+    @Spec
+    @SuppressWarnings("NullAway.Init") // picocli sets it
+    private CommandSpec spec;
+
+    @Override
+    public void run() {
+        throw new ParameterException(
+                spec.commandLine(),
+                "say what to do: " + String.join(", ", spec.subcommands().keySet()));
+    }
+}

@@ -1,0 +1,128 @@
+package org.evoloop.models;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.sql.SQLException;
+import java.util.List;
+import java.util.concurrent.Callable;
+import org.evoloop.journal.JournalException;
+import org.evoloop.journal.JournalFiles;
+import org.evoloop.journal.JournalFiles.SegmentInfo;
+import org.evoloop.models.record.RecordJson;
+import org.evoloop.models.record.RecordTable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** Writes a journal for other programs. */
+@Command(
+        name = "export",
+        description =
+                "Writes all records into a file for other programs: a JSON document, or an SQLite database with the tables"
+                        + " segment and record.",
+        mixinStandardHelpOptions = true)
+@SuppressWarnings("NullAway.Init") // picocli sets the fields
+final class JournalExportCommand implements Callable<Integer> {
+    /** How a journal can be written. */
+    enum Format {
+        JSON,
+        SQLITE
+    }
+
+    @Spec
+    private CommandSpec spec;
+
+    @Mixin
+    private JournalDirectory journal;
+
+    @Option(names = "--format", required = true, description = "One of ${COMPLETION-CANDIDATES}.")
+    private Format format;
+
+    @Option(names = "--output", required = true, paramLabel = "FILE", description = "A file that does not exist yet.")
+    private Path output;
+
+    @Override
+    public Integer call() throws Exception {
+        return journal.examine(spec, this::export);
+    }
+
+    private int export(JournalFiles files) throws IOException, SQLException {
+        if (Files.exists(output)) {
+            throw new IllegalArgumentException(output + " exists; delete it, or name another file");
+        }
+        try {
+            if (format == Format.JSON) {
+                writeJson(files);
+            } else {
+                writeTable(files);
+            }
+            return 0;
+        } catch (UncheckedSql e) {
+            Files.deleteIfExists(output);
+            throw cannotBeWritten(e.failure);
+        } catch (SQLException | IOException e) {
+            Files.deleteIfExists(output);
+            throw cannotBeWritten(e);
+        } catch (JournalException e) {
+            Files.deleteIfExists(output);
+            throw e;
+        }
+    }
+
+    private IllegalArgumentException cannotBeWritten(Exception why) {
+        return new IllegalArgumentException(
+                output + " cannot be written: " + why.getMessage() + "; name a file in a directory with room", why);
+    }
+
+    private void writeJson(JournalFiles files) throws IOException {
+        try (PrintWriter to = new PrintWriter(Files.newBufferedWriter(output, StandardCharsets.US_ASCII))) {
+            to.print("{\"records\":[");
+            String[] separator = {"\n"};
+            List<SegmentInfo> segments = files.read(each -> {
+                to.print(separator[0] + RecordJson.line(each));
+                separator[0] = ",\n";
+            });
+            to.print("\n],\"segments\":[");
+            separator[0] = "\n";
+            segments.forEach(each -> {
+                to.print(separator[0] + RecordJson.line(each));
+                separator[0] = ",\n";
+            });
+            to.print("\n]}\n");
+            if (to.checkError()) {
+                throw new IOException("there is no room");
+            }
+        }
+    }
+
+    private void writeTable(JournalFiles files) throws SQLException {
+        try (RecordTable table = new RecordTable(output.toString())) {
+            List<SegmentInfo> segments = files.read(each -> {
+                try {
+                    table.add(each);
+                } catch (SQLException e) {
+                    throw new UncheckedSql(e);
+                }
+            });
+            for (SegmentInfo segment : segments) {
+                table.add(segment);
+            }
+            table.commit();
+        }
+    }
+
+    /** What a reader of records cannot throw as it is. */
+    private static final class UncheckedSql extends RuntimeException {
+        private final SQLException failure;
+
+        UncheckedSql(SQLException failure) {
+            super(failure);
+            this.failure = failure;
+        }
+    }
+}

@@ -1,0 +1,148 @@
+package org.evoloop.models;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.sql.DriverManager;
+import java.sql.ResultSet;
+import java.util.Set;
+import org.evoloop.converter.EventExecute;
+import org.evoloop.converter.StateKnowledge;
+import org.evoloop.converter.SystemEventConverter;
+import org.evoloop.evolution.ModelPair;
+import org.evoloop.evolution.Occurrence;
+import org.evoloop.evolution.Source;
+import org.evoloop.evolution.Step;
+import org.evoloop.evolution.Values;
+import org.evoloop.function.NewFunction;
+import org.evoloop.journal.Journal;
+import org.evoloop.loop.LoopConfig;
+import org.evoloop.statemachine.Event;
+import org.evoloop.time.ManualClock;
+import org.evoloop.xmi.XmiFile;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.ObjectMapper;
+
+/** A lamp's converter keeps a journal and goes on keeping it while somebody looks into it. */
+class JournalCommandTest {
+    @TempDir
+    private Path folder;
+
+    private SystemEventConverter converter;
+
+    @BeforeEach
+    void keepAJournal() throws Exception {
+        XmiFile lamp = XmiFile.read(Path.of(System.getProperty("evoloop.root"), "models", "light-bulb.xml"));
+        converter = new SystemEventConverter(
+                LoopConfig.defaults("lamp", new ManualClock()).withoutThreads());
+        converter.addExecute(new EventExecute("Lamp") {
+            @Override
+            protected Set<String> sendableEvents() {
+                return Set.of("switch");
+            }
+
+            @Override
+            protected void send(Step step) {}
+        });
+        converter.addKnowledge(new StateKnowledge(new ModelPair(lamp.pick("original"), lamp.pick("new"))) {
+            @Override
+            protected void registerNewFunctions() {
+                function("wait", NewFunction.none());
+                function("incandescentOn", NewFunction.none());
+            }
+        });
+        converter.journal(Journal.in(folder.resolve("journal")));
+        converter.build();
+        converter.start();
+        converter.offer(new Occurrence.Heard(
+                new Event("switch"),
+                Values.of("by", "a \"visitor\""),
+                Source.CONTROLLER,
+                Occurrence.ANY_VISIT,
+                converter.clock().nanoTime()));
+        while (converter.step()) {
+            // All that waits.
+        }
+    }
+
+    @AfterEach
+    void close() {
+        converter.close();
+    }
+
+    private String directory() {
+        return folder.resolve("journal").toString();
+    }
+
+    @Test
+    void showPrintsARecordALine() {
+        Tool all = Tool.run("journal", "show", directory());
+        assertThat(all.status()).isZero();
+        assertThat(all.out().lines())
+                .allMatch(line -> line.matches("\\d{4}-\\d\\d-\\d\\d [\\d:.]+ +\\d+\\.\\d{6}  [a-z-]+ .* at \\(.*"))
+                .anyMatch(line -> line.contains("observed   switch (controller, by=a \"visitor\")  at (off, off)"))
+                .anyMatch(line -> line.contains("sent       #1  at (on, on)  | switch handled"));
+        assertThat(Tool.run("journal", "show", directory(), "--last", "1").out())
+                .isEqualTo(all.out().lines().reduce((before, last) -> last).orElseThrow() + "\n");
+        assertThat(Tool.run("journal", "show", directory(), "--from", "2100-01-01T00:00").out()).isEmpty();
+        assertThat(Tool.run("journal", "show", directory(), "--to", "2100-01-01T00:00:00Z").out())
+                .isEqualTo(all.out());
+        assertThat(Tool.run("journal", "show", directory(), "--json").out().lines())
+                .hasSize((int) all.out().lines().count())
+                .anyMatch(line -> line.contains("\"event\":\"switch\",\"source\":\"controller\""));
+    }
+
+    @Test
+    void exportsHoldEveryRecord() throws Exception {
+        long records = Tool.run("journal", "show", directory()).out().lines().count();
+        Path json = folder.resolve("out.json");
+        assertThat(Tool.run("journal", "export", directory(), "--format", "json", "--output", json.toString()))
+                .isEqualTo(new Tool(0, "", ""));
+        JsonNode document = new ObjectMapper().readTree(Files.readString(json));
+        assertThat(document.get("records").size()).isEqualTo((int) records);
+        assertThat(document.get("segments").get(0).get("original").asString()).contains("original");
+        Path table = folder.resolve("out.db");
+        assertThat(Tool.run("journal", "export", directory(), "--format", "sqlite", "--output", table.toString()))
+                .isEqualTo(new Tool(0, "", ""));
+        try (var database = DriverManager.getConnection("jdbc:sqlite:" + table);
+                ResultSet row = database.createStatement()
+                        .executeQuery("SELECT count(*), max(event_values) FROM record WHERE event IS NULL OR event = 'switch'")) {
+            assertThat(row.getLong(1)).isEqualTo(records);
+            assertThat(row.getString(2)).isEqualTo("{\"by\":\"a \\\"visitor\\\"\"}");
+        }
+        Tool again = Tool.run("journal", "export", directory(), "--format", "sqlite", "--output", table.toString());
+        assertThat(again.status()).isEqualTo(2);
+        assertThat(again.err()).isEqualTo("error: " + table + " exists; delete it, or name another file\n");
+    }
+
+    @Test
+    void verifyTellsDamageFromSoundnessAndFromWhatIsNoJournal() throws Exception {
+        Tool sound = Tool.run("journal", "verify", directory());
+        assertThat(sound.status()).isZero();
+        assertThat(sound.out()).endsWith(directory() + " is sound: "
+                + Tool.run("journal", "show", directory()).out().lines().count() + " records\n");
+        Path copy = Files.createDirectory(folder.resolve("copy"));
+        byte[] bytes = Files.readAllBytes(folder.resolve("journal/0000000001.journal"));
+        bytes[100] ^= 4;
+        Files.write(copy.resolve("0000000001.journal"), bytes);
+        for (String command : new String[] {"verify", "show"}) {
+            Tool damaged = Tool.run("journal", command, copy.toString());
+            assertThat(damaged.status()).isEqualTo(1);
+            assertThat(damaged.err())
+                    .matches("error: .*/0000000001.journal, byte 32, record 1: its checksum is wrong. The journal is damaged;"
+                            + " restore a copy .*\n");
+        }
+        Path none = Files.createDirectory(folder.resolve("none"));
+        Tool wrong = Tool.run("journal", "verify", none.toString());
+        assertThat(wrong.status()).isEqualTo(2);
+        assertThat(wrong.err()).startsWith("error: " + none + " is no journal");
+        assertThat(Tool.run("journal").status()).isEqualTo(2);
+        assertThat(Tool.run("journal", "show", directory(), "--last", "0").err())
+                .isEqualTo("error: --last is 0; allowed is 1 and more\n");
+    }
+}

@@ -1,0 +1,220 @@
+package org.evoloop.service;
+
+import static java.util.Objects.requireNonNull;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.util.Locale;
+import java.util.concurrent.locks.LockSupport;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.evoloop.time.Threads;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Has a device made safe by a process of its own, within a second after this one has ended in any way but through
+ * {@link #close}, or stands still: stopped by a signal, starved, or hung where it looks after the device.
+ *
+ * <p>While the device is active the guard process is told so every {@value #BEAT_MILLIS} ms; it acts when it has heard nothing
+ * for {@link #LIMIT}. This process knows that by its own clock, a little earlier: from then on {@link #mayTell} is false, so
+ * that a process that goes on after it stood still tells the device nothing that it had decided before.
+ *
+ * <p>A guard process that ends or hangs is replaced by another one.
+ *
+ * <p>Threading: thread-safe. Has a thread of its own, in real time.
+ */
+public final class DeviceGuard implements AutoCloseable {
+    /** So long nothing is heard of this process before the device is made safe. */
+    public static final Duration LIMIT = Duration.ofMillis(500);
+
+    private static final Logger LOG = LoggerFactory.getLogger(DeviceGuard.class);
+    private static final int BEAT_MILLIS = 100;
+    private static final long BEAT_NANOS = Duration.ofMillis(BEAT_MILLIS).toNanos();
+
+    /** Before the guard process can have acted. */
+    private static final long FENCE_NANOS = LIMIT.toNanos() - BEAT_NANOS;
+
+    /** So long a device that was told something counts as active, whatever can be seen of it. */
+    private static final long TOLD_NANOS = Duration.ofSeconds(1).toNanos();
+
+    /** A guard process that has said nothing for so long is of no use. */
+    private static final long ANSWER_NANOS = Duration.ofSeconds(5).toNanos();
+
+    private static final long RESTART_NANOS = Duration.ofSeconds(1).toNanos();
+
+    private static final Pattern ACTED = Pattern.compile("(?:safe|failed) (\\d+)");
+
+    private final GuardedDevice device;
+    private final Thread thread;
+    private GuardProcess process;
+    private long startedNanos = System.nanoTime();
+    private long answeredNanos = startedNanos;
+    private boolean watching;
+    private long beats;
+
+    /** The first beat since the device became active. */
+    private long firstBeat;
+
+    private long beatNanos;
+    private long toldNanos = startedNanos - TOLD_NANOS;
+
+    /** Why the device is made safe; null while it need not be. */
+    private @Nullable String expired;
+
+    private boolean failing;
+    private volatile boolean closed;
+
+    private DeviceGuard(GuardedDevice device) throws IOException {
+        this.device = requireNonNull(device, "the guarded device is null");
+        this.process = begin();
+        this.thread = new Thread(this::run, "evoloop-guard");
+        thread.setDaemon(true);
+    }
+
+    /**
+     * Starts the guard process.
+     *
+     * @throws IOException if this system has none of what it needs: bash, and setsid of util-linux
+     */
+    public static DeviceGuard start(GuardedDevice device) throws IOException {
+        DeviceGuard guard = new DeviceGuard(device);
+        guard.thread.start();
+        return guard;
+    }
+
+    private GuardProcess begin() throws IOException {
+        return new GuardProcess(LIMIT, device.makeSafeCommand(), this::heard);
+    }
+
+    /**
+     * To be asked before the device is told anything that may make it active: whether this process has been at work all the
+     * time. If not, the device is not to be told anything before {@link GuardedDevice#madeSafe} has returned.
+     */
+    public synchronized boolean mayTell() {
+        long now = System.nanoTime();
+        toldNanos = now;
+        if (expire(now)) {
+            return false;
+        }
+        if (!watching) {
+            beat(now);
+        }
+        return true;
+    }
+
+    /** How the guard process is, for people. */
+    public synchronized String describe() {
+        return process.isAlive() ? "guarded by process " + process.pid() : "NOT guarded: the guard process has ended";
+    }
+
+    private void run() {
+        long next = System.nanoTime();
+        while (!closed) {
+            next = Math.max(next + BEAT_NANOS, System.nanoTime());
+            while (!closed && next - System.nanoTime() > 0) {
+                LockSupport.parkNanos(this, next - System.nanoTime());
+            }
+            try {
+                look();
+            } catch (RuntimeException failure) {
+                LOG.error("the guarded device cannot be looked after", failure);
+            }
+        }
+    }
+
+    private void look() {
+        boolean active = device.isActive();
+        String reason = beatUnlessExpired(active);
+        if (reason != null) {
+            LOG.warn("{}", reason);
+            device.madeSafe(reason);
+            goOn();
+        }
+    }
+
+    private synchronized @Nullable String beatUnlessExpired(boolean active) {
+        long now = System.nanoTime();
+        if (expire(now)) {
+            process.tell("stop");
+            return expired;
+        }
+        replaceIfUseless(now);
+        if (active || now - toldNanos < TOLD_NANOS) {
+            beat(now);
+        } else if (watching) {
+            watching = false;
+            process.tell("off");
+        }
+        return null;
+    }
+
+    private void beat(long now) {
+        beats++;
+        if (!watching) {
+            watching = true;
+            firstBeat = beats;
+            answeredNanos = now;
+        }
+        // Taken before it is written: whoever is stopped in between has not been heard.
+        beatNanos = now;
+        process.tell("on " + beats);
+    }
+
+    /** Whether the guard process has acted, or is about to. */
+    private boolean expire(long now) {
+        long stood = now - beatNanos;
+        if (expired == null && watching && stood >= FENCE_NANOS) {
+            expired = String.format(
+                    Locale.ROOT, "this program stood still for %.1f s, so the device has been made safe", stood / 1e9);
+        }
+        return expired != null;
+    }
+
+    private synchronized void goOn() {
+        expired = null;
+        watching = false;
+    }
+
+    private synchronized void heard(String line) {
+        long now = System.nanoTime();
+        answeredNanos = now;
+        Matcher acted = ACTED.matcher(line);
+        boolean news = watching && acted.matches() && Long.parseLong(acted.group(1)) >= firstBeat;
+        if (news && !expire(now)) {
+            expired = "the guard process has not heard of this program in time, so the device has been made safe";
+        }
+    }
+
+    private void replaceIfUseless(long now) {
+        boolean hung = watching && now - answeredNanos > ANSWER_NANOS;
+        if ((process.isAlive() && !hung) || now - startedNanos < RESTART_NANOS) {
+            return;
+        }
+        startedNanos = now;
+        answeredNanos = now;
+        try {
+            process.kill();
+            process = begin();
+            failing = false;
+            LOG.warn("the guard process {}; another one is started", hung ? "does not answer" : "has ended");
+        } catch (IOException failure) {
+            if (!failing) {
+                failing = true;
+                LOG.error("nothing guards the device: {}", failure.getMessage());
+            }
+        }
+    }
+
+    /** The process is about to end and has left the device as it should be: the guard ends, too. Idempotent. */
+    @Override
+    public void close() {
+        closed = true;
+        LockSupport.unpark(thread);
+        Threads.join(thread, Duration.ofSeconds(1));
+        synchronized (this) {
+            process.tell("end");
+        }
+    }
+}

@@ -1,0 +1,77 @@
+package org.evoloop.service;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
+import java.time.Duration;
+import java.util.Locale;
+import java.util.function.Consumer;
+import org.evoloop.time.Threads;
+
+/**
+ * One guard process, {@code device-guard.bash}: it has a terminal's session of its own, so that what stops or ends this
+ * process does not stop or end it.
+ *
+ * <p>Threading: thread-safe. What it says is heard on a thread of its own.
+ */
+final class GuardProcess {
+    private static final String PROGRAM = program();
+
+    private final Process process;
+
+    /** @param answers hears each line that it says @throws IOException if it cannot be started */
+    GuardProcess(Duration limit, String makeSafeCommand, Consumer<String> answers) throws IOException {
+        String seconds = String.format(Locale.ROOT, "%.3f", limit.toNanos() / 1e9);
+        process = new ProcessBuilder("setsid", "bash", "-c", PROGRAM, "evoloop-guard", seconds, makeSafeCommand)
+                .redirectError(ProcessBuilder.Redirect.INHERIT)
+                .start();
+        Threads.start("evoloop-guard-" + process.pid(), () -> hear(answers));
+    }
+
+    private static String program() {
+        try (InputStream file = GuardProcess.class.getResourceAsStream("device-guard.bash")) {
+            if (file == null) {
+                throw new AssertionError("the guard's program is not where its class is");
+            }
+            return new String(file.readAllBytes(), StandardCharsets.UTF_8);
+        } catch (IOException unreadable) {
+            throw new AssertionError("the guard's program cannot be read", unreadable);
+        }
+    }
+
+    private void hear(Consumer<String> answers) {
+        try (BufferedReader lines = process.inputReader(StandardCharsets.UTF_8)) {
+            for (String line = lines.readLine(); line != null; line = lines.readLine()) {
+                answers.accept(line);
+            }
+        } catch (IOException ended) {
+            // isAlive tells.
+        }
+    }
+
+    /** Tells it a word; one that has ended hears nothing. */
+    void tell(String word) {
+        try {
+            OutputStream to = process.getOutputStream();
+            to.write((word + "\n").getBytes(StandardCharsets.US_ASCII));
+            to.flush();
+        } catch (IOException ended) {
+            // isAlive tells.
+        }
+    }
+
+    boolean isAlive() {
+        return process.isAlive();
+    }
+
+    long pid() {
+        return process.pid();
+    }
+
+    /** Ends it, whatever it does. */
+    void kill() {
+        process.destroyForcibly();
+    }
+}

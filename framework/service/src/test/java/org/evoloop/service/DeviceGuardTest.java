@@ -1,0 +1,132 @@
+package org.evoloop.service;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.awaitility.Awaitility.await;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The guard process is a real one. What it does when this process is killed or stopped, GuardedRobotTest shows. */
+@Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+@EnabledOnOs(OS.LINUX)
+class DeviceGuardTest {
+    @TempDir
+    private Path folder;
+
+    /** One that leaves a mark where it is made safe. */
+    private final class Device implements GuardedDevice {
+        private final LinkedBlockingQueue<String> reasons = new LinkedBlockingQueue<>();
+        private final CountDownLatch goOn = new CountDownLatch(1);
+        private volatile boolean active;
+        private volatile boolean hangs;
+
+        @Override
+        public String makeSafeCommand() {
+            return "echo safe >> " + mark();
+        }
+
+        @Override
+        public boolean isActive() {
+            if (hangs) {
+                try {
+                    goOn.await();
+                } catch (InterruptedException end) {
+                    Thread.currentThread().interrupt();
+                }
+            }
+            return active;
+        }
+
+        @Override
+        public void madeSafe(String reason) {
+            active = false;
+            reasons.add(reason);
+        }
+    }
+
+    private Path mark() {
+        return folder.resolve("mark");
+    }
+
+    /** The guard process, as {@code describe} names it. */
+    private static ProcessHandle processOf(DeviceGuard guard) {
+        String words = guard.describe();
+        return ProcessHandle.of(Long.parseLong(words.substring(words.lastIndexOf(' ') + 1)))
+                .orElseThrow();
+    }
+
+    @Test
+    void aDeviceThatIsHungUponIsMadeSafeAndNotToldAnythingBeforeThatIsKnown() throws Exception {
+        Device device = new Device();
+        try (DeviceGuard guard = DeviceGuard.start(device)) {
+            device.active = true;
+            assertThat(guard.mayTell()).isTrue();
+            device.hangs = true;
+            await().until(() -> Files.exists(mark()));
+            assertThat(guard.mayTell()).isFalse();
+            device.hangs = false;
+            device.goOn.countDown();
+            assertThat(device.reasons.poll(30, TimeUnit.SECONDS)).contains("so the device has been made safe");
+            await().until(guard::mayTell);
+        }
+        assertThat(Files.readAllLines(mark())).as("once").containsExactly("safe");
+    }
+
+    @Test
+    void aDeviceThatIsNotActiveIsNotWatched() throws Exception {
+        Device device = new Device();
+        try (DeviceGuard guard = DeviceGuard.start(device)) {
+            assertThat(guard.describe()).matches("guarded by process \\d+");
+            device.hangs = true;
+            assertThat(device.reasons.poll(2 * DeviceGuard.LIMIT.toMillis(), TimeUnit.MILLISECONDS))
+                    .isNull();
+            device.goOn.countDown();
+        }
+        assertThat(mark()).doesNotExist();
+    }
+
+    @Test
+    void aGuardProcessThatIsKilledIsReplaced() throws Exception {
+        Device device = new Device();
+        device.active = true;
+        try (DeviceGuard guard = DeviceGuard.start(device)) {
+            ProcessHandle first = processOf(guard);
+            first.destroyForcibly();
+            first.onExit().get(30, TimeUnit.SECONDS);
+            await().until(() ->
+                    guard.describe().startsWith("guarded") && !guard.describe().endsWith(" " + first.pid()));
+        }
+        assertThat(mark()).doesNotExist();
+    }
+
+    @Test
+    void whatCannotBeDoneAtOnceIsTriedAgain() throws IOException, InterruptedException {
+        Path port = folder.resolve("port");
+        Process guard = new ProcessBuilder(
+                        "bash", "-c", program(), "evoloop-guard", "0.5", "[ -e " + port + " ] && echo safe > " + mark())
+                .redirectError(ProcessBuilder.Redirect.DISCARD)
+                .start();
+        guard.getOutputStream().close();
+        assertThat(guard.waitFor(Duration.ofMillis(300).toMillis(), TimeUnit.MILLISECONDS))
+                .isFalse();
+        Files.createFile(port);
+        assertThat(guard.waitFor(30, TimeUnit.SECONDS)).isTrue();
+        assertThat(mark()).exists();
+    }
+
+    private static String program() throws IOException {
+        return new String(
+                DeviceGuard.class.getResourceAsStream("device-guard.bash").readAllBytes(), StandardCharsets.UTF_8);
+    }
+}

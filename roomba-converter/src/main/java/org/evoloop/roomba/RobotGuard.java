@@ -1,0 +1,128 @@
+package org.evoloop.roomba;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.time.Instant;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.function.IntFunction;
+import org.evoloop.converter.DeviceLink;
+import org.evoloop.roomba.link.Link;
+import org.evoloop.roomba.link.SerialSettings;
+import org.evoloop.roomba.oi.ActuatorCommand;
+import org.evoloop.roomba.oi.Command;
+import org.evoloop.roomba.session.RoombaSession;
+import org.evoloop.service.DeviceGuard;
+import org.evoloop.service.GuardedDevice;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Has the robot stopped and put into Passive mode when this program has ended or stands still, so that its owner finds it
+ * with its buttons and its safety as usual.
+ *
+ * <p>The guard process opens the port only then. jSerialComm locks it by {@code flock} against programs that ask for that
+ * lock; the guard does not.
+ *
+ * <p>Threading: as {@link GuardedDevice}; all else from any thread.
+ */
+final class RobotGuard implements GuardedDevice, AutoCloseable {
+    private final SerialSettings settings;
+    private final DeviceGuard guard;
+    private volatile @Nullable GuardedLink link;
+    private volatile @Nullable RoombaSession session;
+
+    /** @throws IllegalArgumentException if the guard process cannot be started */
+    RobotGuard(String port) {
+        settings = new SerialSettings(port);
+        try {
+            guard = DeviceGuard.start(this);
+        } catch (IOException failure) {
+            throw new IllegalArgumentException(
+                    "nothing would stop the robot if this program were killed: " + failure.getMessage()
+                            + "; install bash and util-linux, or go without with --no-guard",
+                    failure);
+        }
+    }
+
+    /** The same cable, on which nothing is sent once the robot has been stopped. */
+    IntFunction<Link> cable(IntFunction<Link> cable) {
+        return baud -> {
+            GuardedLink opened = new GuardedLink(cable.apply(baud), guard::mayTell);
+            link = opened;
+            return opened;
+        };
+    }
+
+    /** From now on it is known whether the robot is under control. Returns its link, with how the guard is. */
+    DeviceLink watch(RoombaSession watched) {
+        session = watched;
+        return new DeviceLink() {
+            @Override
+            public boolean isUp() {
+                return watched.isUp();
+            }
+
+            @Override
+            public Optional<Instant> downSince() {
+                return watched.downSince();
+            }
+
+            @Override
+            public String describe() {
+                return watched.describe() + ", " + guard.describe();
+            }
+        };
+    }
+
+    @Override
+    public String makeSafeCommand() {
+        String path = "'" + settings.path().toString().replace("'", "'\\''") + "'";
+        return "stty -F " + path + " " + settings.baud() + " raw -echo cs8 -parenb -cstopb -crtscts clocal && printf '"
+                + octal(stop()) + "' > " + path;
+    }
+
+    /**
+     * What stops the robot. A command that this program had begun takes at most as many of the bytes for its data as its
+     * longest one has; the rest is understood. A robot that works by itself takes no notice.
+     */
+    private static byte[] stop() {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        bytes.writeBytes(new ActuatorCommand.DriveDirect(0, 0).bytes());
+        bytes.writeBytes(new ActuatorCommand.DriveDirect(0, 0).bytes());
+        for (int rest = RoombaSession.STREAM.size() + 2; rest >= 0; rest--) {
+            bytes.writeBytes(new Command.Start().bytes());
+        }
+        return bytes.toByteArray();
+    }
+
+    private static String octal(byte[] bytes) {
+        StringBuilder text = new StringBuilder();
+        for (byte each : bytes) {
+            text.append(String.format(Locale.ROOT, "\\%03o", each & 0xFF));
+        }
+        return text.toString();
+    }
+
+    @Override
+    public boolean isActive() {
+        RoombaSession watched = session;
+        return watched != null && watched.mayBeUnderControl();
+    }
+
+    @Override
+    public void madeSafe(String reason) {
+        RoombaSession watched = session;
+        if (watched != null) {
+            watched.stoppedByOthers(reason);
+        }
+        GuardedLink current = link;
+        if (current != null) {
+            current.lose(reason);
+        }
+    }
+
+    @Override
+    public void close() {
+        guard.close();
+    }
+}

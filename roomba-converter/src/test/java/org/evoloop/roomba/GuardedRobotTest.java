@@ -1,0 +1,211 @@
+package org.evoloop.roomba;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.io.Writer;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Random;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.evoloop.roomba.OtherRobot.Truth;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.io.TempDir;
+
+/**
+ * Whatever ends the converter, or stops it: within a second of the robot's time the robot stands and is in Passive mode.
+ * Robot, converter and guard are processes of their own.
+ */
+@Timeout(value = 1800, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+@EnabledOnOs(OS.LINUX)
+class GuardedRobotTest {
+    private static final long LIMIT_MILLIS = 1_000;
+
+    /** Move drives at 85 mm/s at most; a position is told to a tenth of a millimetre. */
+    private static final double LIMIT_MM = 85 + 1;
+
+    /** Its wheels count on when the robot is carried back, so no Move must arrive. */
+    private static final String FAR_AWAY = "100000,0";
+
+    private final Random random = new Random(20_261_123);
+    private final List<Process> processes = new ArrayList<>();
+    private OtherRobot robot;
+    private long longestMillis;
+    private double farthestMm;
+
+    @TempDir
+    private Path folder;
+
+    @BeforeEach
+    void startTheRobot() throws IOException {
+        robot = new OtherRobot();
+    }
+
+    @AfterEach
+    void leaveNoProcess() throws InterruptedException {
+        for (Process process : processes) {
+            process.destroyForcibly().waitFor();
+        }
+        robot.close();
+    }
+
+    private Process start(String... options) throws IOException {
+        List<String> arguments = new ArrayList<>(List.of("--port", robot.port(), "--start", "--start-point", FAR_AWAY));
+        arguments.addAll(List.of(options));
+        Process process = Program.startWithLog(folder.resolve("log"), arguments.toArray(String[]::new));
+        processes.add(process);
+        return process;
+    }
+
+    private String log() throws IOException {
+        return Files.readString(folder.resolve("log"));
+    }
+
+    private static void type(Process converter, String lines) throws IOException {
+        Writer input = converter.outputWriter(StandardCharsets.UTF_8);
+        input.write(lines);
+        input.flush();
+    }
+
+    private static void signal(String name, Process process) throws Exception {
+        assertThat(new ProcessBuilder("kill", "-" + name, Long.toString(process.pid()))
+                        .start()
+                        .waitFor())
+                .isZero();
+    }
+
+    /** Lets Move drive for a moment that nobody knows before. */
+    private Truth untilItDrives() {
+        Truth begun = robot.await(
+                "the robot drives", now -> now.mode().equals("safe") && now.left() > 40 && now.right() > 40);
+        long moment = random.nextInt(2_000);
+        return robot.await("some time", now -> now.millis() - begun.millis() >= moment);
+    }
+
+    private void assertMadeSafe(Truth before) {
+        Truth safe = robot.await("it is safe", now -> !now.drives() && now.isPassive());
+        assertThat(safe.millis() - before.millis()).isLessThanOrEqualTo(LIMIT_MILLIS);
+        assertThat(safe.mmFrom(before)).isLessThanOrEqualTo(LIMIT_MM);
+        longestMillis = Math.max(longestMillis, safe.millis() - before.millis());
+        farthestMm = Math.max(farthestMm, safe.mmFrom(before));
+    }
+
+    /** How fast the robot drives at most while so many milliseconds of its time pass. */
+    private double fastestFor(long millis) {
+        Truth first = robot.truth();
+        double fastest = 0;
+        for (Truth now = first; now.millis() - first.millis() < millis; now = robot.truth()) {
+            fastest = Math.max(fastest, Math.max(Math.abs(now.left()), Math.abs(now.right())));
+        }
+        return fastest;
+    }
+
+    private void kill(int times) throws Exception {
+        for (int life = 0; life < times; life++) {
+            Process converter = start();
+            type(converter, "press clean\npress spot\n");
+            untilItDrives();
+            Truth before = robot.truth();
+            converter.destroyForcibly();
+            assertMadeSafe(before);
+            assertThat(fastestFor(300)).isZero();
+            robot.execute("place 0 0 0");
+        }
+        tell(times + " kills");
+    }
+
+    private void tell(String what) {
+        System.out.printf(Locale.ROOT, "%s: safe after %d ms and %.1f mm at most%n", what, longestMillis, farthestMm);
+    }
+
+    private void freeze(int times) throws Exception {
+        Process converter = start();
+        type(converter, "press clean\n");
+        for (int freeze = 0; freeze < times; freeze++) {
+            type(converter, "press spot\n");
+            untilItDrives();
+            Truth before = robot.truth();
+            signal("STOP", converter);
+            assertMadeSafe(before);
+            long moment = random.nextInt(3_000);
+            robot.await("some time", now -> now.millis() - before.millis() >= moment);
+            signal("CONT", converter);
+            assertThat(fastestFor(1_000)).as("it does not drive on").isZero();
+            robot.await("it is under control again", now -> now.mode().equals("safe") && !now.drives());
+            assertThat(fastestFor(300)).isZero();
+            robot.execute("place 0 0 0");
+        }
+        tell(times + " freezes");
+        type(converter, "status\nexit\n");
+        assertThat(converter.waitFor()).isZero();
+        assertThat(log()).contains("this program stood still for", "states      original On, new On");
+    }
+
+    @Test
+    void theRobotStandsWhenTheConverterIsKilled() throws Exception {
+        kill(3);
+    }
+
+    @Test
+    void theRobotStandsWhenTheConverterIsFrozenAndDoesNotDriveOnWhenThatGoesOn() throws Exception {
+        freeze(2);
+    }
+
+    @Test
+    @Tag("slow")
+    void theRobotStandsAfterEachOfAHundredKillsAndTwentyFreezes() throws Exception {
+        kill(100);
+        freeze(20);
+    }
+
+    @Test
+    void aRobotThatCleansByItselfGoesOn() throws Exception {
+        Process converter = start();
+        type(converter, "press clean\npress clean\n");
+        Truth before = robot.await("it cleans", now -> now.activity().equals("clean") && now.drives());
+        signal("STOP", converter);
+        robot.await("some time", now -> now.millis() - before.millis() > 1_500);
+        assertThat(robot.truth().activity()).isEqualTo("clean");
+        converter.destroyForcibly();
+        robot.await("some time", now -> now.millis() - before.millis() > 2_500);
+        assertThat(robot.truth().activity()).isEqualTo("clean");
+    }
+
+    @Test
+    void withoutAGuardTheRobotDrivesOn() throws Exception {
+        Process converter = start("--no-guard");
+        type(converter, "press clean\npress spot\nstatus\n");
+        untilItDrives();
+        Truth before = robot.truth();
+        converter.destroyForcibly();
+        Truth later = robot.await("some time", now -> now.millis() - before.millis() > 2_000);
+        assertThat(later.drives()).isTrue();
+        assertThat(log()).contains("link        up").doesNotContain("guarded");
+
+        Process stopPost = new ProcessBuilder("sh", "-c", execStopPost())
+                .redirectErrorStream(true)
+                .start();
+        assertThat(stopPost.waitFor()).as(execStopPost()).isZero();
+        assertMadeSafe(robot.truth());
+    }
+
+    /** What the documented unit runs when the service has ended, as systemd reads it. */
+    private String execStopPost() throws IOException {
+        String guide = Files.readString(Path.of(System.getProperty("evoloop.root"), "docs", "service.md"));
+        Matcher unit =
+                Pattern.compile("ExecStopPost=-sh -c '(.*?)'\n", Pattern.DOTALL).matcher(guide);
+        assertThat(unit.find()).isTrue();
+        return unit.group(1).replaceAll("\\\\\n *", " ").replace("\\\\", "\\").replace("/dev/ttyUSB0", robot.port());
+    }
+}

@@ -1,0 +1,78 @@
+package org.evoloop.roomba;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.util.function.Predicate;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.awaitility.Awaitility;
+
+/** A simulated robot in a process of its own, and what is true of it, whatever a converter believes. */
+final class OtherRobot implements AutoCloseable {
+    /** The truth at one moment of the robot's time. */
+    record Truth(long millis, String activity, String mode, double x, double y, double left, double right) {
+        boolean drives() {
+            return left != 0 || right != 0;
+        }
+
+        boolean isPassive() {
+            return mode.equals("passive");
+        }
+
+        double mmFrom(Truth earlier) {
+            return Math.hypot(x - earlier.x, y - earlier.y);
+        }
+    }
+
+    private final SimulatedWorld world;
+
+    OtherRobot() throws IOException {
+        world = SimulatedWorld.inAnotherProcess(1, false);
+    }
+
+    String port() {
+        return world.port().toString();
+    }
+
+    String execute(String command) {
+        return world.execute(command);
+    }
+
+    Truth truth() {
+        String json = world.execute("state");
+        return new Truth(
+                Long.parseLong(value(json, "timeMillis")),
+                value(json, "activity"),
+                value(json, "oiMode"),
+                number(json, "xMm"),
+                number(json, "yMm"),
+                number(json, "leftMmPerS"),
+                number(json, "rightMmPerS"));
+    }
+
+    private static double number(String json, String key) {
+        return Double.parseDouble(value(json, key));
+    }
+
+    private static String value(String json, String key) {
+        Matcher found = Pattern.compile("\"" + key + "\":\"?([^,\"]*)").matcher(json);
+        if (!found.find()) {
+            throw new AssertionError("no " + key + " in " + json);
+        }
+        return found.group(1);
+    }
+
+    /** The first truth that is so. */
+    Truth await(String what, Predicate<Truth> wanted) {
+        return Awaitility.await(what)
+                .pollDelay(Duration.ZERO)
+                .pollInterval(Duration.ofMillis(5))
+                .atMost(Duration.ofSeconds(60))
+                .until(this::truth, wanted);
+    }
+
+    @Override
+    public void close() {
+        world.close();
+    }
+}
