@@ -3,6 +3,7 @@ package org.evoloop.console;
 import java.io.PrintStream;
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.Collectors;
 import org.evoloop.converter.HistoryEntry;
 import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.loop.ComponentStatus;
@@ -23,10 +24,7 @@ final class ConverterCommands {
         ConverterCommands own = new ConverterCommands(converter, commands);
         commands.add(ConsoleCommand.of(
                 "start", "opens the loop: events are converted from now on", (arguments, out) -> converter.start()));
-        commands.add(ConsoleCommand.of(
-                "stop",
-                "closes the loop: events are refused until the next start",
-                (arguments, out) -> converter.stop()));
+        commands.add(ConsoleCommand.of("stop", "closes the loop: events are refused until the next start", own::stop));
         commands.add(ConsoleCommand.of(
                         "status [--json]",
                         "shows states, queue, events, times and components; --json prints one line for programs",
@@ -44,6 +42,17 @@ final class ConverterCommands {
                 own::history));
         commands.add(ConsoleCommand.of("help [COMMAND]", "lists the commands, or explains one", own::help)
                 .completing(before -> before.isEmpty() ? commands.names() : List.of()));
+    }
+
+    private void stop(List<String> arguments, PrintStream out) {
+        if (!converter.stop()) {
+            String busy = converter.status().components().stream()
+                    .filter(component -> component.activity() != ComponentStatus.Activity.WAITING)
+                    .map(component -> component.name() + " in its thread " + component.thread())
+                    .collect(Collectors.joining(", "));
+            out.println("stopped; the rest follows when what was begun has returned or was given up"
+                    + (busy.isEmpty() ? "" : ": " + busy));
+        }
     }
 
     private void status(List<String> arguments, PrintStream out) {

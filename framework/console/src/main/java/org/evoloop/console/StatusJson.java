@@ -21,6 +21,8 @@ import org.jspecify.annotations.Nullable;
  *       activity} (waiting, working, stuck, ended), {@code failures}, {@code lastFailure}
  *   <li>{@code doubt}: why the original state may be wrong, empty if it is sure
  *   <li>{@code function}: {@code state}, {@code thread}, {@code progress}, all empty if no new function runs
+ *   <li>{@code faults}, a list of what is no component and has failed, such as a guard or a function: {@code part}, {@code
+ *       failures}, {@code lastFailure}
  *   <li>{@code link}: {@code up}, {@code text}; {@code null} if the converter was told of none
  * </ul>
  */
@@ -71,6 +73,7 @@ final class StatusJson {
                                 .put("state", status.function().state())
                                 .put("thread", status.function().thread())
                                 .put("progress", status.function().progress()))
+                .put("faults", status.faults().stream().map(StatusJson::fault).toList())
                 .put("link", link(status.link()))
                 .toString();
     }
@@ -87,6 +90,13 @@ final class StatusJson {
                 .put("activity", lowerCase(component.activity()))
                 .put("failures", component.failures())
                 .put("lastFailure", component.lastFailure());
+    }
+
+    private static JsonObject fault(ConverterStatus.Fault fault) {
+        return new JsonObject()
+                .put("part", fault.part())
+                .put("failures", fault.failures())
+                .put("lastFailure", fault.lastFailure());
     }
 
     static String lowerCase(Enum<?> constant) {

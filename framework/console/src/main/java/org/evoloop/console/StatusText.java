@@ -53,6 +53,13 @@ final class StatusText {
         line(out, "function", function(status.function()));
         line(out, "link", link(status.link()));
         components(status.components(), out);
+        for (ConverterStatus.Fault fault : status.faults()) {
+            line(out, "fault", fault.part() + failures("  ", fault.failures(), fault.lastFailure()));
+        }
+    }
+
+    private static String failures(String before, long count, String last) {
+        return count == 0 ? "" : before + count + (count == 1 ? " failure: " : " failures, the last: ") + last;
     }
 
     private static void line(PrintStream out, String label, String text) {
@@ -99,9 +106,7 @@ final class StatusText {
                 .max()
                 .orElse(1);
         for (ComponentStatus component : components) {
-            String failures = component.failures() == 0
-                    ? ""
-                    : "  " + component.failures() + " failures, the last: " + component.lastFailure();
+            String failures = failures("  ", component.failures(), component.lastFailure());
             line(
                     out,
                     lowerCase(component.role()),

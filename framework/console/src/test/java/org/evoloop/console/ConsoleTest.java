@@ -83,7 +83,7 @@ class ConsoleTest {
                                 + component.formatted("EventPlan", "plan") + ","
                                 + component.formatted("Lamp", "execute") + "],"
                                 + "\"function\":{\"state\":\"\",\"thread\":\"\",\"progress\":\"\"},"
-                                + "\"link\":null}" + System.lineSeparator());
+                                + "\"faults\":[],\"link\":null}" + System.lineSeparator());
     }
 
     @Test

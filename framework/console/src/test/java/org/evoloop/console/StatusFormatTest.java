@@ -41,6 +41,7 @@ class StatusFormatTest {
                             2,
                             "Motors.execute: \"no\\answer\"\t\u00e9")),
             new ConverterStatus.RunningFunction("Move", "function-Move-7", ""),
+            List.of(new ConverterStatus.Fault("guard [full]", 1, "guard.full: no scales")),
             new ConverterStatus.LinkStatus(true, "/dev/ttyUSB0"));
 
     @Test
@@ -60,7 +61,8 @@ class StatusFormatTest {
                         "link        up, /dev/ttyUSB0",
                         "monitor     Panel   waiting  mapek-robot-monitor-Panel")
                 .anyMatch(line -> line.startsWith("execute     Motors  stuck    mapek-robot-execute-Motors"
-                        + "  2 failures, the last: Motors.execute: \"no\\answer\""));
+                        + "  2 failures, the last: Motors.execute: \"no\\answer\""))
+                .endsWith("fault       guard [full]  1 failure: guard.full: no scales");
     }
 
     @Test
@@ -76,6 +78,8 @@ class StatusFormatTest {
                 .contains("\"activity\":\"stuck\",\"failures\":2,"
                         + "\"lastFailure\":\"Motors.execute: \\\"no\\\\answer\\\"\\u0009\\u00e9\"}]")
                 .endsWith("\"function\":{\"state\":\"Move\",\"thread\":\"function-Move-7\",\"progress\":\"\"},"
+                        + "\"faults\":[{\"part\":\"guard [full]\",\"failures\":1,"
+                        + "\"lastFailure\":\"guard.full: no scales\"}],"
                         + "\"link\":{\"up\":true,\"text\":\"/dev/ttyUSB0\"}}");
     }
 
@@ -94,6 +98,7 @@ class StatusFormatTest {
                 BUSY.conversionTime(),
                 BUSY.components(),
                 BUSY.function(),
+                BUSY.faults(),
                 BUSY.link());
 
         StatusText.status(stopped, out.stream);

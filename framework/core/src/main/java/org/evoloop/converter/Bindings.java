@@ -9,11 +9,13 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Predicate;
 import org.evoloop.evolution.DecisionTable;
 import org.evoloop.evolution.DeviceEvents;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.evolution.Values;
+import org.evoloop.loop.LoopConfig;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.Names;
 import org.evoloop.statemachine.State;
@@ -29,6 +31,7 @@ import org.jspecify.annotations.Nullable;
 final class Bindings implements Predicate<String> {
     private final ModelPair pair;
     private final Map<String, Predicate<Values>> guards = new HashMap<>();
+    private final Map<String, GuardWatch> watches = new ConcurrentHashMap<>();
     private final Map<String, Effect.OfEvent> effects = new HashMap<>();
     private final Map<Event, Integer> costs = new LinkedHashMap<>();
     private final Set<State> doNotPass = new HashSet<>();
@@ -73,7 +76,26 @@ final class Bindings implements Predicate<String> {
 
     private boolean holds(String text, Values values) {
         Predicate<Values> condition = guards.get(text);
-        return condition != null && condition.test(values);
+        GuardWatch watch = watches.get(text);
+        return condition != null && (watch == null ? condition.test(values) : watch.test(condition, values));
+    }
+
+    /** From now on guards are watched: what they throw is counted, and one that hangs is not asked again until it returns. */
+    void watch(LoopConfig config, FailureLog failures) {
+        for (String text : guards.keySet()) {
+            watches.put(text, new GuardWatch(text, config, failures));
+        }
+    }
+
+    /** The guards that are being asked now. */
+    List<String> asked() {
+        List<String> asked = new ArrayList<>();
+        for (Map.Entry<String, GuardWatch> watch : watches.entrySet()) {
+            if (watch.getValue().isAsked()) {
+                asked.add(watch.getKey());
+            }
+        }
+        return asked;
     }
 
     /** @throws IllegalStateException if nothing is bound to {@code text} */

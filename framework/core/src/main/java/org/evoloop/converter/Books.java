@@ -15,8 +15,8 @@ import org.jspecify.annotations.Nullable;
  */
 record Books(Transcript transcript, FailureLog failures, History history, LatencyWindow latency, Listeners listeners) {
 
-    Books(Clock clock, Listeners listeners) {
-        this(new Transcript(), new FailureLog(), new History(clock), new LatencyWindow(), listeners);
+    Books(Clock clock, FailureLog failures, Listeners listeners) {
+        this(new Transcript(), failures, new History(clock), new LatencyWindow(), listeners);
     }
 
     /** An occurrence has come to its end. */

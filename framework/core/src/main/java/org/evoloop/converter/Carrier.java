@@ -29,6 +29,8 @@ final class Carrier {
     /** Whether the execute component that returned last has left something to another one. */
     private volatile boolean handedBack;
 
+    private volatile String runningEffect = "";
+
     Carrier(CoreDriver driver, Visits visits, Bindings bindings, FailureLog failures, Transcript transcript) {
         this.driver = driver;
         this.visits = visits;
@@ -154,16 +156,24 @@ final class Carrier {
 
     /** Returns what went wrong; the device has obeyed, so nothing keeps the other effects from being run. */
     private String run(String effect, Occurrence occurrence, EventExecute execute) throws InterruptedException {
+        runningEffect = effect;
         try {
             bindings.run(effect, occurrence.values());
             return "";
         } catch (InterruptedException stop) {
             throw stop;
-        } catch (Exception cause) {
+        } catch (Exception | LinkageError | AssertionError | StackOverflowError cause) {
             Failure<Occurrence> failure = new Failure<>(execute.name(), "effect " + effect, 0, occurrence, cause);
-            failures.log(failure);
+            failures.fault("effect " + effect, failure);
             return failure.toString();
+        } finally {
+            runningEffect = "";
         }
+    }
+
+    /** The effect that is being run; empty if none is. */
+    String runningEffect() {
+        return runningEffect;
     }
 
     /** Carries out what belongs to no occurrence in progress: visits begin or end. */

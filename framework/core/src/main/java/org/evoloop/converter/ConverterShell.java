@@ -1,6 +1,8 @@
 package org.evoloop.converter;
 
+import java.time.Duration;
 import java.util.List;
+import java.util.function.BooleanSupplier;
 import org.evoloop.core.Rules;
 import org.evoloop.core.Tally;
 import org.evoloop.evolution.DecisionTable;
@@ -25,16 +27,23 @@ final class ConverterShell implements LoopListener<Occurrence> {
     final Visits visits;
     final CoreDriver driver;
     final Carrier carrier;
+    final Hooks hooks;
+
+    /** Whether it was opened, and has not let go of the device since. */
+    private volatile boolean holdsDevice;
 
     ConverterShell(
             LoopConfig config,
             StateKnowledge knowledge,
             DecisionTable table,
+            FailureLog failures,
             Listeners listeners,
+            BooleanSupplier closing,
             @Nullable ConverterJournal journal) {
         this.config = config;
         this.knowledge = knowledge;
-        this.books = new Books(config.clock(), listeners);
+        this.books = new Books(config.clock(), failures, listeners);
+        this.hooks = new Hooks(config, closing);
         this.driver = new CoreDriver(
                 new Rules(table, knowledge::timersOf, config.queueCapacity()),
                 config.clock(),
@@ -44,6 +53,7 @@ final class ConverterShell implements LoopListener<Occurrence> {
         this.visits = new Visits(config, knowledge, books.transcript(), books.failures());
         this.carrier = new Carrier(driver, visits, knowledge.bindings(), books.failures(), books.transcript());
         this.loop = new MapeLoop<>(config, this, carrier::next, driver);
+        knowledge.bindings().watch(config, failures);
         visits.attach(loop);
         knowledge.attach(driver);
     }
@@ -56,43 +66,68 @@ final class ConverterShell implements LoopListener<Occurrence> {
 
     /** Opens the loop, after every execute component has seen to what the device needs in the current state. */
     void start() {
+        holdsDevice = true;
         for (EventExecute execute : carrier.executes()) {
-            try {
-                execute.settled(driver.configuration());
-            } catch (Exception cause) {
-                failed(execute, "settled", cause);
-            }
+            hook(execute, "settled", config.stepLimit(), () -> execute.settled(driver.configuration()));
         }
         loop.start(carrier::carryOut);
+    }
+
+    /** Whether it has to let go of the device before it is at rest. */
+    boolean holdsDevice() {
+        return holdsDevice;
     }
 
     /** Whether the caller is a component, a function or the clock, for which nobody must wait who was called by them. */
     boolean ownsCurrentThread() {
         return loop.ownsCurrentThread()
                 || visits.ownsCurrentThread()
+                || hooks.ownsCurrentThread()
                 || config.clock().ownsCurrentThread();
     }
 
     /** Ends the current visit and lets go of the device; the loop is closed. */
     void release() {
+        holdsDevice = false;
         driver.release();
-        carrier.carryOut();
+        // The function may take the join limit to end, and then its endings run.
+        Duration limit = config.joinLimit().multipliedBy(2);
+        String hangs = hooks.call(limit, carrier::carryOut);
+        if (!hangs.isEmpty()) {
+            books.failures()
+                    .fault("end of a visit", new Failure<>("visit", "onEnd", 0, null, Hooks.late(limit, hangs)));
+        }
         for (EventExecute execute : carrier.executes()) {
-            try {
-                execute.released();
-            } catch (Exception cause) {
-                failed(execute, "released", cause);
-            }
+            hook(execute, "released", config.joinLimit(), execute::released);
         }
     }
 
-    /** Outside of the loop, on the thread of whoever opens or closes it. */
-    private void failed(EventExecute execute, String phase, Exception cause) {
+    private interface Hook {
+        void run() throws Exception;
+    }
+
+    /** Outside of the loop. */
+    private void hook(EventExecute execute, String phase, Duration limit, Hook hook) {
+        String hangs = hooks.call(limit, () -> {
+            try {
+                hook.run();
+            } catch (Throwable cause) {
+                failed(execute, phase, cause);
+            }
+        });
+        if (!hangs.isEmpty()) {
+            failed(execute, phase, Hooks.late(limit, hangs));
+        }
+    }
+
+    private void failed(EventExecute execute, String phase, Throwable cause) {
         if (cause instanceof InterruptedException) {
             Thread.currentThread().interrupt();
-        } else {
-            report(new Failure<>(execute.name(), phase, 0, null, cause));
+            return;
         }
+        Failure<Occurrence> failure = new Failure<>(execute.name(), phase, 0, null, cause);
+        loop.count(failure);
+        report(failure);
     }
 
     private void report(Failure<Occurrence> failure) {
@@ -114,7 +149,19 @@ final class ConverterShell implements LoopListener<Occurrence> {
 
     @Override
     public void givenUp(Failure<Occurrence> failure) {
+        blame(failure);
         ends(failure, true);
+    }
+
+    /** Names what a component that does not return was calling. */
+    private void blame(Failure<Occurrence> failure) {
+        for (String guard : knowledge.bindings().asked()) {
+            books.failures().fault("guard [" + guard + "]", failure);
+        }
+        String effect = carrier.runningEffect();
+        if (!effect.isEmpty()) {
+            books.failures().fault("effect " + effect, failure);
+        }
     }
 
     private void ends(Failure<Occurrence> failure, boolean givenUp) {

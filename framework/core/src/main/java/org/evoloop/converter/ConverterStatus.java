@@ -25,6 +25,7 @@ import org.jspecify.annotations.Nullable;
  * @param conversionTime how long conversions take
  * @param components every component and its thread
  * @param function the new function that runs
+ * @param faults guards, effects, functions, tasks and listeners that have failed
  * @param link the connection to the device; null if no link was registered
  * @since 0.1
  */
@@ -39,6 +40,7 @@ public record ConverterStatus(
         ConversionTime conversionTime,
         List<ComponentStatus> components,
         RunningFunction function,
+        List<Fault> faults,
         @Nullable LinkStatus link) {
 
     /** How many events had which outcome, see {@link org.evoloop.core.Outcome}. */
@@ -60,6 +62,15 @@ public record ConverterStatus(
      * @param progress how far it is, in its own words; empty if it says nothing
      */
     public record RunningFunction(String state, String thread, String progress) {}
+
+    /**
+     * What is no component and has failed.
+     *
+     * @param part which it is, such as {@code guard [full]} or {@code function Move}
+     * @param failures how often
+     * @param lastFailure the message of the last failure
+     */
+    public record Fault(String part, long failures, String lastFailure) {}
 
     /** The connection, see {@link DeviceLink}. */
     public record LinkStatus(boolean up, String text) {}

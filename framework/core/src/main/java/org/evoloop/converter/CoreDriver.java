@@ -36,7 +36,6 @@ final class CoreDriver implements Intake<Occurrence> {
 
     private final Clock clock;
     private final Bindings bindings;
-    private final EventNames names;
     private final CoreOutputs outputs;
     private final Books books;
 
@@ -46,7 +45,6 @@ final class CoreDriver implements Intake<Occurrence> {
         this.rules = rules;
         this.clock = clock;
         this.bindings = knowledge.bindings();
-        this.names = knowledge.eventNames();
         this.books = books;
         Snapshot kept = journal == null
                 ? null
@@ -55,7 +53,7 @@ final class CoreDriver implements Intake<Occurrence> {
                         clock,
                         new Retelling(books, rules.table().models().initial()));
         Configuration at = kept == null ? rules.table().models().initial() : kept.at();
-        this.outputs = new CoreOutputs(at, names, books);
+        this.outputs = new CoreOutputs(at, knowledge.eventNames(), books);
         this.core = kept == null ? new Core(rules, outputs) : new Core(rules, kept, outputs);
         if (kept != null) {
             core.recovered(clock.nanoTime());
@@ -142,9 +140,7 @@ final class CoreDriver implements Intake<Occurrence> {
         if (resumed != null) {
             return resumed;
         }
-        return occurrence instanceof Occurrence.Heard heard && !names.knows(heard.event())
-                ? new Decision.Refused(now, names.unknown(heard.event()))
-                : rules.decide(now, steps, pending, bindings.with(occurrence.values()));
+        return rules.decide(now, steps, pending, bindings.with(occurrence.values()));
     }
 
     // Execute
@@ -258,11 +254,20 @@ final class CoreDriver implements Intake<Occurrence> {
         }
         Set<String> holding = new TreeSet<>();
         for (String text : drawn) {
-            if (bindings.test(text)) {
+            if (holds(text)) {
                 holding.add(text);
             }
         }
         return holding;
+    }
+
+    /** A guard that fails does not hold: what the device has done is reported all the same. */
+    private boolean holds(String text) {
+        try {
+            return bindings.test(text);
+        } catch (RuntimeException | Error counted) {
+            return false;
+        }
     }
 
     Rules rules() {

@@ -7,6 +7,7 @@ import org.evoloop.core.Outputs;
 import org.evoloop.core.Pending;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
+import org.evoloop.evolution.EventNames;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Step;
 import org.evoloop.loop.Intake.Admission;
@@ -123,7 +124,7 @@ final class CoreOutputs implements Outputs {
             books.failures().warn(occurrence + " in " + before + ": " + impossible.reason());
         }
         if (occurrence instanceof Occurrence.Heard heard) {
-            warnOfUnknown(heard, outcome);
+            warnOfUnknown(heard, outcome, detail);
         } else if (occurrence instanceof Occurrence.Found && outcome == Outcome.FAILED) {
             books.failures().warn(detail);
         }
@@ -132,14 +133,12 @@ final class CoreOutputs implements Outputs {
     }
 
     /** An event that neither model knows is told once a burst: until another one comes. */
-    private void warnOfUnknown(Occurrence.Heard heard, Outcome outcome) {
+    private void warnOfUnknown(Occurrence.Heard heard, Outcome outcome, String detail) {
         if (outcome == Outcome.HANDLED || names.knows(heard.event())) {
             unknown = null;
         } else if (!heard.event().equals(unknown)) {
             unknown = heard.event();
-            books.failures()
-                    .warn(names.unknown(heard.event()) + " ("
-                            + heard.source().name().toLowerCase(Locale.ROOT) + ")");
+            books.failures().warn(detail + " (" + heard.source().name().toLowerCase(Locale.ROOT) + ")");
         }
     }
 }

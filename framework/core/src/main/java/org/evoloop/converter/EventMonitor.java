@@ -2,6 +2,7 @@ package org.evoloop.converter;
 
 import java.util.Set;
 import java.util.function.Supplier;
+import org.evoloop.evolution.EventNames;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Source;
 import org.evoloop.evolution.Values;
@@ -59,6 +60,31 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
     final boolean tell(Occurrence occurrence) {
         MapeLoop<Occurrence, ?, ?> joined = loop;
         return joined != null && joined.tell(this, occurrence);
+    }
+
+    /** Whether a thread of the converter asks this monitor now, and the caller is none that the loop waits for. */
+    final boolean isServed() {
+        MapeLoop<Occurrence, ?, ?> joined = loop;
+        return joined != null
+                && hasThread()
+                && joined.state() != LoopState.NEW
+                && joined.state() != LoopState.EXITED
+                && joined.has(this)
+                && !joined.ownsCurrentThread();
+    }
+
+    /** Whether it belonged to a converter that has been built, and does not any more. */
+    final boolean hasLeft() {
+        MapeLoop<Occurrence, ?, ?> joined = loop;
+        return joined != null && joined.state() != LoopState.NEW && !joined.has(this);
+    }
+
+    /** Tells a loop without threads, whoever calls; does nothing if there is none yet. */
+    final void hand(Occurrence occurrence) {
+        MapeLoop<Occurrence, ?, ?> joined = loop;
+        if (joined != null && joined.state() != LoopState.NEW) {
+            joined.offer(occurrence);
+        }
     }
 
     /**

@@ -1,30 +1,71 @@
 package org.evoloop.converter;
 
+import java.time.Duration;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
+import java.util.concurrent.RejectedExecutionException;
 import org.evoloop.loop.Failure;
+import org.evoloop.time.Clock;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Logs failures and warnings so that one that happens again and again cannot flood the log: the first, the second, the fourth, the
- * eighth, and so on.
+ * Logs failures and warnings so that nothing that happens again and again can flood the log: of equal ones the first, the second,
+ * the fourth, the eighth, and so on; of all together {@value #MOST_LINES} in {@value #INTERVAL_SECONDS} s, and how many more
+ * there were. Counts the failures of what is no component.
  *
  * <p>Threading: thread-safe.
  */
 final class FailureLog {
     private static final Logger LOG = LoggerFactory.getLogger(SystemEventConverter.class);
     private static final int DISTINCT = 100;
+    private static final int MOST_LINES = 20;
+    private static final int INTERVAL_SECONDS = 10;
 
+    private final Clock clock;
     private final Map<String, Long> counts = new LinkedHashMap<>();
+    private final Map<String, ConverterStatus.Fault> faults = new LinkedHashMap<>();
+    private long intervalNanos;
+    private int lines;
+    private long leftOut;
+
+    /** @param clock the time of intervals */
+    FailureLog(Clock clock) {
+        this.clock = clock;
+        this.intervalNanos = clock.nanoTime();
+    }
 
     void log(Failure<?> failure) {
-        long count = count(failure.toString());
-        if (count == 1 && isBug(failure.cause())) {
-            LOG.error("{}", failure, failure.cause());
-        } else {
-            warn(failure.toString(), count);
+        String what = failure.toString();
+        long count = count(what);
+        if (count > 1 || !isBug(failure.cause())) {
+            warn(what, count);
+        } else if (mayLog()) {
+            try {
+                LOG.error("{}", what, failure.cause());
+            } catch (RuntimeException badCause) {
+                LOG.error("{}", what);
+            }
         }
+    }
+
+    /** The same of {@code part}, such as {@code guard [full]}, which is no component and has no failures of its own. */
+    void fault(String part, Failure<?> failure) {
+        String last = failure.toString();
+        synchronized (this) {
+            if (faults.size() < DISTINCT || faults.containsKey(part)) {
+                ConverterStatus.Fault before = faults.get(part);
+                faults.put(part, new ConverterStatus.Fault(part, before == null ? 1 : before.failures() + 1, last));
+            }
+        }
+        log(failure);
+    }
+
+    /** What is no component and has failed, in the order of the first time. */
+    synchronized List<ConverterStatus.Fault> faults() {
+        return new ArrayList<>(faults.values());
     }
 
     /**
@@ -36,8 +77,8 @@ final class FailureLog {
         warn(what, count(what));
     }
 
-    private static void warn(String what, long count) {
-        if (Long.bitCount(count) == 1) {
+    private void warn(String what, long count) {
+        if (Long.bitCount(count) == 1 && mayLog()) {
             LOG.warn("{}{}", what, count == 1 ? "" : " (" + count + " times)");
         }
     }
@@ -55,5 +96,43 @@ final class FailureLog {
         long count = counts.getOrDefault(what, 0L) + 1;
         counts.put(what, count);
         return count;
+    }
+
+    /** Whether there is room for one more line in this interval. */
+    private boolean mayLog() {
+        boolean firstLeftOut;
+        synchronized (this) {
+            if (clock.nanoTime() - intervalNanos
+                    >= Duration.ofSeconds(INTERVAL_SECONDS).toNanos()) {
+                intervalNanos = clock.nanoTime();
+                lines = 0;
+            }
+            if (lines < MOST_LINES) {
+                lines++;
+                return true;
+            }
+            firstLeftOut = leftOut++ == 0;
+        }
+        if (firstLeftOut) {
+            sayLater();
+        }
+        return false;
+    }
+
+    private void sayLater() {
+        try {
+            clock.schedule(Duration.ofSeconds(INTERVAL_SECONDS), this::sayLeftOut);
+        } catch (RejectedExecutionException closed) {
+            sayLeftOut();
+        }
+    }
+
+    private void sayLeftOut() {
+        long more;
+        synchronized (this) {
+            more = leftOut;
+            leftOut = 0;
+        }
+        LOG.warn("{} more different warnings were left out; status counts the failures", more);
     }
 }

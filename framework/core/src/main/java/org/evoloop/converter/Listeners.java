@@ -8,6 +8,7 @@ import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.loop.Failure;
 import org.evoloop.loop.LoopConfig;
+import org.evoloop.time.OwnedThread;
 import org.evoloop.time.Threads;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -24,20 +25,22 @@ final class Listeners {
     private static final int MOST_WAITING = 1024;
 
     private final LoopConfig config;
+    private final FailureLog failures;
     private final List<ConverterListener> all = new CopyOnWriteArrayList<>();
     private final LinkedBlockingQueue<Consumer<ConverterListener>> waiting = new LinkedBlockingQueue<>(MOST_WAITING);
     private @Nullable Thread thread;
     private volatile boolean losing;
+    private volatile boolean closed;
 
-    Listeners(LoopConfig config) {
+    Listeners(LoopConfig config, FailureLog failures) {
         this.config = config;
+        this.failures = failures;
     }
 
     synchronized void add(ConverterListener listener) {
         all.add(listener);
         if (config.threads() && thread == null) {
-            Thread telling = new Thread(this::tell, "mapek-" + config.name() + "-listeners");
-            telling.setDaemon(true);
+            Thread telling = OwnedThread.of(this, "mapek-" + config.name() + "-listeners", this::tell);
             thread = telling;
             telling.start();
         }
@@ -45,15 +48,16 @@ final class Listeners {
 
     private void tell() {
         try {
-            while (true) {
+            while (!closed) {
                 call(waiting.take());
                 losing = false;
             }
         } catch (InterruptedException stop) {
-            // The converter was closed; what happened before is still reported.
-            for (Consumer<ConverterListener> last = waiting.poll(); last != null; last = waiting.poll()) {
-                call(last);
-            }
+            // The converter was closed.
+        }
+        // What happened before is still reported.
+        for (Consumer<ConverterListener> last = waiting.poll(); last != null; last = waiting.poll()) {
+            call(last);
         }
     }
 
@@ -61,10 +65,16 @@ final class Listeners {
         for (ConverterListener listener : all) {
             try {
                 what.accept(listener);
-            } catch (RuntimeException cause) {
-                LOG.warn("listener {} failed", listener, cause);
+            } catch (Throwable cause) {
+                String name = nameOf(listener);
+                failures.fault("listener " + name, new Failure<>(name, "listener", 0, null, cause));
             }
         }
+    }
+
+    private static String nameOf(ConverterListener listener) {
+        String simple = listener.getClass().getSimpleName();
+        return simple.isEmpty() ? listener.getClass().getName() : simple;
     }
 
     private void tell(Consumer<ConverterListener> what) {
@@ -102,8 +112,8 @@ final class Listeners {
     }
 
     /** Whether the caller is a listener. */
-    synchronized boolean ownsCurrentThread() {
-        return thread == Thread.currentThread();
+    boolean ownsCurrentThread() {
+        return OwnedThread.isCurrentOf(this);
     }
 
     /** Makes the calls that still wait, and ends the thread. Idempotent; not for a listener to call. */
@@ -112,6 +122,7 @@ final class Listeners {
         synchronized (this) {
             telling = thread;
         }
+        closed = true;
         if (telling != null) {
             telling.interrupt();
             if (!Threads.join(telling, config.joinLimit())) {

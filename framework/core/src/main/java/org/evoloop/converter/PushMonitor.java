@@ -4,19 +4,23 @@ import java.util.Objects;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.locks.LockSupport;
 import org.evoloop.evolution.Occurrence;
 import org.jspecify.annotations.Nullable;
 
 /**
  * A monitor whose events come from other threads: a console, a driver's callback, a web server.
  *
- * <p>Threading: {@link #push} and {@link #press} may be called from any thread and never wait. Once the loop has been
+ * <p>Threading: {@link #push} and {@link #press} may be called from any thread and do not wait for events to be converted. Once the loop has been
  * built they pass events to it directly, since the monitor's own thread would have to be woken first; what one thread
  * pushes stays in order.
  *
  * @since 0.1
  */
 public class PushMonitor extends EventMonitor {
+    private static final int MOST_KEPT = 1024;
+    private static final long LOOK_NANOS = 100_000;
+
     private final BlockingQueue<Occurrence> pushed = new LinkedBlockingQueue<>();
 
     /** How many occurrences the monitor's own thread has yet to report; none may overtake them. */
@@ -45,10 +49,37 @@ public class PushMonitor extends EventMonitor {
         push(pressed);
     }
 
-    /** Reports an occurrence. While the converter is stopped it is refused, and counted by {@code status}. */
+    /**
+     * Reports an occurrence. While the converter is stopped it is refused, and counted by {@code status}. Until the converter is
+     * built, the last {@value #MOST_KEPT} are kept; when this monitor has been taken out of a converter, none is.
+     */
     protected final void push(Occurrence occurrence) {
         Objects.requireNonNull(occurrence, "the occurrence is null");
+        while (behind.get() > 0 && isServed()) {
+            // What was pushed before the converter was built comes first; the monitor's thread is reporting it.
+            LockSupport.parkNanos(this, LOOK_NANOS);
+        }
         if (behind.get() > 0 || !tell(occurrence)) {
+            keep(occurrence);
+        }
+    }
+
+    private void keep(Occurrence occurrence) {
+        synchronized (pushed) {
+            if (hasLeft()) {
+                for (Occurrence left = pushed.poll(); left != null; left = pushed.poll()) {
+                    behind.decrementAndGet();
+                }
+                return;
+            }
+            if (pushed.size() >= MOST_KEPT) {
+                // Whoever steps a converter without threads may be slow, but loses nothing that the converter can take.
+                Occurrence oldest = pushed.poll();
+                if (oldest != null) {
+                    behind.decrementAndGet();
+                    hand(oldest);
+                }
+            }
             behind.incrementAndGet();
             pushed.add(occurrence);
         }

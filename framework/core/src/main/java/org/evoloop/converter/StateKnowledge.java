@@ -16,6 +16,7 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Predicate;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.DeviceEvents;
+import org.evoloop.evolution.EventNames;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.evolution.Values;
 import org.evoloop.function.NewFunction;

@@ -39,7 +39,8 @@ import org.jspecify.annotations.Nullable;
  * <p>Lifecycle: see {@link LoopState}. {@link #stop} ends the running new function and refuses events; {@link #start}
  * enters the current state again and continues from there.
  *
- * <p>Threading: all methods may be called from any thread, but those that change the converter not from its own.
+ * <p>Threading: all methods may be called from any thread; components cannot change the converter, but may {@link #stop} and
+ * {@link #close} it, and functions, tasks of visits and listeners may change it too.
  *
  * @since 0.1
  */
@@ -47,10 +48,13 @@ public final class SystemEventConverter implements AutoCloseable {
     private final LoopConfig config;
     private final Belongings belongings;
     private final Map<String, Supplier<? extends Component>> spares = new LinkedHashMap<>();
+    private final FailureLog failures;
     private final Listeners listeners;
+    private final ChangeLock changes;
+    private final Stopping stopping;
     private Assembly assembly = new Assembly();
     private @Nullable StateKnowledge knowledge;
-    private @Nullable DeviceLink link;
+    private volatile @Nullable DeviceLink link;
     private @Nullable ConverterJournal journal;
     private volatile @Nullable ConverterShell shell;
 
@@ -61,21 +65,24 @@ public final class SystemEventConverter implements AutoCloseable {
     public SystemEventConverter(LoopConfig config) {
         this.config = requireNonNull(config, "the converter's config is null");
         this.belongings = new Belongings(config.name());
-        this.listeners = new Listeners(config);
+        this.failures = new FailureLog(config.clock());
+        this.listeners = new Listeners(config, failures);
+        this.changes = new ChangeLock(config.name(), this::isComponent, this::ownsCurrentThread);
+        this.stopping = new Stopping(config.name());
     }
 
     /** Adds a monitor, also while the converter runs. @throws IllegalStateException if the name is taken */
-    public synchronized void addMonitor(EventMonitor monitor) {
+    public void addMonitor(EventMonitor monitor) {
         add(monitor);
     }
 
     /** Sets the analyze component, in place of the usual one; before {@link #build}. */
-    public synchronized void addAnalyze(EventAnalyze analyze) {
+    public void addAnalyze(EventAnalyze analyze) {
         add(analyze);
     }
 
     /** Sets the plan component, in place of the usual one; before {@link #build}. */
-    public synchronized void addPlan(EventPlan plan) {
+    public void addPlan(EventPlan plan) {
         add(plan);
     }
 
@@ -85,17 +92,19 @@ public final class SystemEventConverter implements AutoCloseable {
      * @throws IllegalStateException if the name is taken
      * @throws ModelException if it sends what the device does not know
      */
-    public synchronized void addExecute(EventExecute execute) {
+    public void addExecute(EventExecute execute) {
         add(execute);
     }
 
     /** Sets the knowledge, before {@link #build}. @throws IllegalStateException if there is one already */
-    public synchronized void addKnowledge(StateKnowledge stateKnowledge) {
+    public void addKnowledge(StateKnowledge stateKnowledge) {
         requireNonNull(stateKnowledge, "the knowledge is null");
-        if (knowledge != null) {
-            throw new IllegalStateException("there is knowledge already, " + knowledge.name());
-        }
-        knowledge = stateKnowledge;
+        changes.change(() -> {
+            if (knowledge != null) {
+                throw new IllegalStateException("there is knowledge already, " + knowledge.name());
+            }
+            knowledge = stateKnowledge;
+        });
     }
 
     /** From now on {@code listener} is notified of what this converter does. */
@@ -111,13 +120,15 @@ public final class SystemEventConverter implements AutoCloseable {
      *
      * @throws IllegalStateException if it has been built, or has a journal already
      */
-    public synchronized void journal(ConverterJournal kept) {
+    public void journal(ConverterJournal kept) {
         requireNonNull(kept, "the journal is null");
-        if (shell != null || journal != null) {
-            throw new IllegalStateException("converter " + config.name()
-                    + (shell != null ? " has been built before" : " has a journal already"));
-        }
-        journal = kept;
+        changes.change(() -> {
+            if (shell != null || journal != null) {
+                throw new IllegalStateException("converter " + config.name()
+                        + (shell != null ? " has been built before" : " has a journal already"));
+            }
+            journal = kept;
+        });
     }
 
     private void closeJournal() {
@@ -127,7 +138,7 @@ public final class SystemEventConverter implements AutoCloseable {
     }
 
     /** Registers the connection to the device, for {@link #status}. */
-    public synchronized void addLink(DeviceLink deviceLink) {
+    public void addLink(DeviceLink deviceLink) {
         link = requireNonNull(deviceLink, "the link is null");
     }
 
@@ -136,16 +147,22 @@ public final class SystemEventConverter implements AutoCloseable {
      *
      * @throws IllegalStateException if the name is taken
      */
-    public synchronized void addSpare(String name, Supplier<? extends Component> spare) {
+    public void addSpare(String name, Supplier<? extends Component> spare) {
         requireNonNull(name, "the name of a spare is null");
         requireNonNull(spare, "the spare " + name + " is null");
-        if (spares.putIfAbsent(name, spare) != null) {
-            throw new IllegalStateException("there is a spare named " + name + " already");
+        synchronized (spares) {
+            if (spares.putIfAbsent(name, spare) != null) {
+                throw new IllegalStateException("there is a spare named " + name + " already");
+            }
         }
     }
 
     private void add(Component component) {
         requireNonNull(component, "the component is null");
+        changes.change(() -> addInTurn(component));
+    }
+
+    private void addInTurn(Component component) {
         ConverterShell built = shell;
         Assembly changed = assembly.with(component);
         if (built != null) {
@@ -176,7 +193,11 @@ public final class SystemEventConverter implements AutoCloseable {
      * @throws IllegalArgumentException if an option is out of range; the message lists all of them
      * @throws RuntimeException if the journal cannot be gone on with; the message says why and what to do
      */
-    public synchronized void build() {
+    public void build() {
+        changes.change(this::buildInTurn);
+    }
+
+    private void buildInTurn() {
         StateKnowledge known = knowledge;
         if (shell != null) {
             throw new IllegalStateException("converter " + config.name() + " has been built before");
@@ -233,7 +254,8 @@ public final class SystemEventConverter implements AutoCloseable {
         if (table == null || !problems.isEmpty()) {
             throw new ModelException(String.join("\n", problems));
         }
-        ConverterShell built = new ConverterShell(config, known, table, listeners, journal);
+        ConverterShell built =
+                new ConverterShell(config, known, table, failures, listeners, changes::isClosing, journal);
         built.use(table, assembly.executes());
         for (Component component : assembly.all()) {
             join(built, component);
@@ -269,24 +291,62 @@ public final class SystemEventConverter implements AutoCloseable {
     }
 
     /** Opens the loop; does nothing if it is open. @throws IllegalStateException if it is not built, or has ended */
-    public synchronized void start() {
+    public void start() {
         ConverterShell built = built();
-        if (built.loop.state() != LoopState.RUNNING) {
-            built.start();
-        }
+        stopping.await(ownsCurrentThread());
+        changes.change(() -> {
+            if (built.loop.state() != LoopState.RUNNING) {
+                built.start();
+            }
+        });
     }
 
     /**
-     * Closes the loop: the event that is in it comes to its end, those that wait are refused, and the running new function
-     * ends. Then the execute components let go of the device. Does nothing if it is closed.
+     * Closes the loop: from now on nothing begins, and events that wait are refused. The event that is in it comes to its
+     * end, and the running new function ends; then the execute components let go of the device. That is waited for as long
+     * as a person waits for an answer, {@value Stopping#ANSWER_MILLIS} ms: what takes longer follows by itself, and what hangs
+     * is given up. Does nothing if it is closed. Called by a component, a function, a task of a visit or a listener it does
+     * not wait at all.
+     *
+     * @return whether all of it has been done; false if something has not returned yet
      */
-    public synchronized void stop() {
+    public boolean stop() {
         ConverterShell built = built();
-        if (built.loop.state() == LoopState.RUNNING) {
-            built.loop.stop();
+        if (!built.holdsDevice()) {
+            return true;
+        }
+        built.loop.shut();
+        Runnable rest = () -> changes.change(() -> {
+            // If it was just being opened.
+            built.loop.shut();
+            letGo(built);
+        });
+        if (!config.threads()) {
+            rest.run();
+            return true;
+        }
+        return stopping.begin(rest, ownsCurrentThread());
+    }
+
+    /** After the loop was closed. */
+    private void letGo(ConverterShell built) {
+        if (built.holdsDevice()) {
+            built.loop.awaitQuiet();
             closedAt = config.clock().wallTime();
             built.release();
         }
+    }
+
+    /** Whether the caller is a component, a function or the clock, for which nobody must wait who was called by them. */
+    private boolean ownsCurrentThread() {
+        ConverterShell built = shell;
+        return listeners.ownsCurrentThread() || (built != null && built.ownsCurrentThread());
+    }
+
+    /** Whether the caller must not even wait for its turn to change the converter: every change waits for it. */
+    private boolean isComponent() {
+        ConverterShell built = shell;
+        return built != null && (built.loop.ownsCurrentThread() || built.hooks.ownsCurrentThread());
     }
 
     /**
@@ -295,28 +355,25 @@ public final class SystemEventConverter implements AutoCloseable {
      */
     @Override
     public void close() {
-        ConverterShell built = shell;
-        boolean fromWithin = listeners.ownsCurrentThread() || (built != null && built.ownsCurrentThread());
-        if (config.threads() && fromWithin) {
+        if (config.threads() && ownsCurrentThread()) {
             Threads.start("converter-" + config.name() + "-close", this::end);
         } else {
             end();
         }
     }
 
-    private synchronized void end() {
-        ConverterShell built = shell;
-        if (built != null) {
-            boolean wasRunning = built.loop.state() == LoopState.RUNNING;
-            built.loop.close();
-            if (wasRunning) {
-                closedAt = config.clock().wallTime();
-                built.release();
+    private void end() {
+        changes.close(() -> {
+            ConverterShell built = shell;
+            if (built != null) {
+                built.loop.close();
+                letGo(built);
+                belongings.giveBackAll(built.knowledge);
             }
-            belongings.giveBackAll(built.knowledge);
-        }
-        closeJournal();
+            closeJournal();
+        });
         listeners.close();
+        stopping.await(false);
     }
 
     /**
@@ -326,8 +383,12 @@ public final class SystemEventConverter implements AutoCloseable {
      * @throws IllegalStateException if the converter needs it
      * @throws ModelException if a decision could then not be carried out
      */
-    public synchronized void remove(String name) {
+    public void remove(String name) {
         ConverterShell built = built();
+        changes.change(() -> removeInTurn(built, name));
+    }
+
+    private void removeInTurn(ConverterShell built, String name) {
         Assembly changed = assembly.without(name);
         DecisionTable table = changed.has(Component.Role.EXECUTE)
                 ? changed.decisions(built.knowledge)
@@ -344,9 +405,13 @@ public final class SystemEventConverter implements AutoCloseable {
      * @throws IllegalArgumentException if there is no component of that name, or it has another role
      * @throws ModelException if a decision could then not be carried out
      */
-    public synchronized void exchange(String name, Component next) {
+    public void exchange(String name, Component next) {
         ConverterShell built = built();
         requireNonNull(next, "what shall take the place of " + name + " is null");
+        changes.change(() -> exchangeInTurn(built, name, next));
+    }
+
+    private void exchangeInTurn(ConverterShell built, String name, Component next) {
         built.loop.requireExchangeable(name, next);
         Assembly changed = assembly.with(name, next);
         DecisionTable table = changed.decisions(built.knowledge);
@@ -364,18 +429,24 @@ public final class SystemEventConverter implements AutoCloseable {
      * @param spare as named by {@link #addSpare}
      * @throws IllegalArgumentException if there is no such component or spare, or their roles differ
      */
-    public synchronized void exchange(String name, String spare) {
-        Supplier<? extends Component> supplier = spares.get(spare);
+    public void exchange(String name, String spare) {
+        Supplier<? extends Component> supplier;
+        synchronized (spares) {
+            supplier = spares.get(spare);
+        }
         if (supplier == null) {
+            Set<String> names = spares();
             throw new IllegalArgumentException("no spare is named " + spare + "; there are "
-                    + (spares.isEmpty() ? "none" : String.join(", ", spares.keySet())));
+                    + (names.isEmpty() ? "none" : String.join(", ", names)));
         }
         exchange(name, requireNonNull(supplier.get(), "the spare " + spare + " is null"));
     }
 
     /** The names of the spares, in the order in which they were added. */
-    public synchronized Set<String> spares() {
-        return Collections.unmodifiableSet(new LinkedHashSet<>(spares.keySet()));
+    public Set<String> spares() {
+        synchronized (spares) {
+            return Collections.unmodifiableSet(new LinkedHashSet<>(spares.keySet()));
+        }
     }
 
     /** Queues an occurrence as if a monitor had reported it; false if it was refused or dropped. */
@@ -423,6 +494,7 @@ public final class SystemEventConverter implements AutoCloseable {
                 built.driver.conversionTime(),
                 built.loop.components(),
                 built.visits.runningFunction(),
+                failures.faults(),
                 device == null ? null : new ConverterStatus.LinkStatus(device.isUp(), device.describe()));
     }
 

@@ -25,6 +25,8 @@ import org.slf4j.LoggerFactory;
 final class Transcript {
     static final String LOGGER = "org.evoloop.transcript";
 
+    private static final int MOST_LATER = 1000;
+
     private static final Logger LOG = LoggerFactory.getLogger(LOGGER);
 
     private final Object logging = new Object();
@@ -34,6 +36,10 @@ final class Transcript {
 
     private volatile boolean isReady;
     private final List<String> later = new ArrayList<>();
+
+    /** How many lines there were no room for in it. */
+    private int leftOut;
+
     private boolean inEvent;
     private boolean begun;
 
@@ -144,7 +150,11 @@ final class Transcript {
         for (int index = 0; index < later.size(); index++) {
             line("{}", later.get(index));
         }
+        if (leftOut > 0) {
+            line("... and {} more lines", leftOut);
+        }
         later.clear();
+        leftOut = 0;
     }
 
     private void line(Object format, Object argument) {
@@ -163,7 +173,12 @@ final class Transcript {
     void notice(String text) {
         synchronized (this) {
             if (inEvent) {
-                later.add(text);
+                // Whoever says so much while one event is in the loop has said enough.
+                if (later.size() < MOST_LATER) {
+                    later.add(text);
+                } else {
+                    leftOut++;
+                }
             } else {
                 line("{}", text);
             }

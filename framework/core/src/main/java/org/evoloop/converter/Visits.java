@@ -64,7 +64,7 @@ final class Visits implements VisitHost {
         }
         long now = config.clock().nanoTime();
         for (Map.Entry<Event, Long> timer : enter.deadlines().entrySet()) {
-            entered.after(Duration.ofNanos(Math.max(0, timer.getValue() - now)), () -> fire(entered, timer.getKey()));
+            entered.onClock(Duration.ofNanos(Math.max(0, timer.getValue() - now)), () -> fire(entered, timer.getKey()));
         }
     }
 
@@ -159,6 +159,7 @@ final class Visits implements VisitHost {
 
     @Override
     public void failed(Visit failing, Throwable cause) {
-        failures.log(new Failure<>(failing.state().name(), "function", 0, null, cause));
+        String state = failing.state().name();
+        failures.fault("function " + state, new Failure<>(state, "function", 0, null, cause));
     }
 }

@@ -17,6 +17,10 @@ final class Arrivals {
     private final Ledger ledger;
     private final Predicate<Pending> deferred = this::isDeferred;
 
+    // What was said of the last event that neither model knows; no part of the state.
+    private @Nullable Event lastUnknown;
+    private String unknown = "";
+
     Arrivals(Ledger ledger) {
         this.ledger = ledger;
     }
@@ -96,12 +100,24 @@ final class Arrivals {
 
     /** What only the device can take, such as a time trigger of its own model, it has taken. */
     private void hear(Occurrence.Heard heard) {
-        if (heard.deviceActed()
+        if (!ledger.rules.table().names().knows(heard.event()) && (ledger.open || heard.deviceActed())) {
+            // It would come to nothing, and must not take the room of what has happened.
+            endAtOnce(heard, Outcome.IGNORED, unknown(heard.event()));
+        } else if (heard.deviceActed()
                 || ledger.rules.table().isDevicesOwn(heard.event().trigger())) {
             follow(heard);
         } else {
             askedFor(heard);
         }
+    }
+
+    /** A misspelt event comes again and again, and to look for similar names takes a while. */
+    private String unknown(Event event) {
+        if (!event.equals(lastUnknown)) {
+            lastUnknown = event;
+            unknown = ledger.rules.table().names().unknown(event);
+        }
+        return unknown;
     }
 
     private void enqueue(Occurrence occurrence, @Nullable State from, @Nullable Step own) {

@@ -32,6 +32,7 @@ import org.jspecify.annotations.Nullable;
 public final class DecisionTable {
     private final ModelPair pair;
     private final DeviceEvents device;
+    private final EventNames names;
     /** Whether the device takes any event by itself that could be sent. */
     private final boolean interferes;
 
@@ -59,6 +60,7 @@ public final class DecisionTable {
         this.device = device.declaredBy(pair.original());
         this.interferes = this.device.spontaneous().stream().anyMatch(this.device.sendable()::contains);
         this.conversion = new EventConversion(pair, this.device);
+        this.names = EventNames.of(pair);
         this.originalGuards = new GuardedTriggers(pair.original());
         this.evolvedGuards = new GuardedTriggers(pair.evolved());
         pair.evolved().events().forEach(this::giveNumber);
@@ -223,6 +225,11 @@ public final class DecisionTable {
     /** The models that it decides for. */
     public ModelPair models() {
         return pair;
+    }
+
+    /** The events that either model knows. */
+    public EventNames names() {
+        return names;
     }
 
     /** The number of the initial situation, for the quick methods. */

@@ -86,9 +86,11 @@ public interface Visit {
     void finishAfter(Duration delay, String event);
 
     /**
-     * Runs {@code task} on the clock's thread, where it must not wait, after {@code delay}, unless the state is left first.
-     * What it throws is reported like what the function throws.
+     * Runs {@code task} after {@code delay}, unless the state is left first, on a thread that all tasks of this visit share;
+     * in a converter without threads on the clock's, where it must not wait. What it throws is reported like what the
+     * function throws.
      *
+     * @throws IllegalStateException if 10,000 tasks of this visit wait for their time
      * @throws IllegalArgumentException if {@code delay} is negative, or longer than {@link Clock#LONGEST}
      */
     void after(Duration delay, Runnable task);

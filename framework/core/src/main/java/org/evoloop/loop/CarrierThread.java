@@ -13,8 +13,8 @@ final class CarrierThread extends LoopThread {
     /** Whether its turn came soon the last time, so that it is worth staying awake. The thread's own. */
     private boolean patient = true;
 
-    CarrierThread(String name, WaitStrategy waiting) {
-        super(name);
+    CarrierThread(Object owner, String name, WaitStrategy waiting) {
+        super(owner, name);
         this.waiting = waiting;
     }
 

@@ -1,6 +1,7 @@
 package org.evoloop.loop;
 
 import java.util.Locale;
+import org.evoloop.time.OwnedThread;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -23,7 +24,7 @@ final class Crew {
     private CarrierThread nextShared() {
         carriers++;
         return new CarrierThread(
-                threadName(config, "carrier") + (carriers == 1 ? "" : "-" + carriers), config.waiting());
+                this, threadName(config, "carrier") + (carriers == 1 ? "" : "-" + carriers), config.waiting());
     }
 
     private static String threadName(LoopConfig config, String rest) {
@@ -39,7 +40,7 @@ final class Crew {
     @Nullable
     CarrierThread own(Component component) {
         return config.threading() == ThreadingModel.THREAD_PER_COMPONENT
-                ? new CarrierThread(threadName(config, component), config.waiting())
+                ? new CarrierThread(this, threadName(config, component), config.waiting())
                 : null;
     }
 
@@ -47,6 +48,11 @@ final class Crew {
     @Nullable
     CarrierThread shared() {
         return shared;
+    }
+
+    /** Whether the caller's thread calls components, or has called one until it was given up or taken out. */
+    boolean ownsCurrentThread() {
+        return OwnedThread.isCurrentOf(this);
     }
 
     void start() {

@@ -21,12 +21,25 @@ public record Failure<O>(
         long cycle,
         @Nullable O occurrence,
         Throwable cause) {
+    private static final int LONGEST = 1000;
 
     /** For messages: {@code Lamp.execute: no answer}. */
     @Override
     public String toString() {
-        String message = cause.getMessage();
-        return component + "." + phase + ": "
-                + (message == null ? cause.getClass().getSimpleName() : message);
+        return component + "." + phase + ": " + message();
+    }
+
+    /** What was thrown is not ours: its message may be missing, as long as a book, or throw by itself. */
+    private String message() {
+        String message;
+        try {
+            message = cause.getMessage();
+        } catch (RuntimeException bad) {
+            message = null;
+        }
+        if (message == null) {
+            return cause.getClass().getSimpleName();
+        }
+        return message.length() <= LONGEST ? message : message.substring(0, LONGEST) + "...";
     }
 }

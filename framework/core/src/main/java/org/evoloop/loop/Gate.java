@@ -1,5 +1,7 @@
 package org.evoloop.loop;
 
+import org.evoloop.time.OwnedThread;
+
 /**
  * Opens and closes the loop, and holds the next occurrence back while the loop is changed.
  *
@@ -21,6 +23,18 @@ final class Gate<O> {
         lock.acquire();
         try {
             sequencer.become(next);
+        } finally {
+            sequencer.release();
+        }
+    }
+
+    /** Closes it if it is open; for any thread, at any time. */
+    void shut() {
+        lock.acquire();
+        try {
+            if (sequencer.state() == LoopState.RUNNING) {
+                sequencer.become(LoopState.STOPPED);
+            }
         } finally {
             sequencer.release();
         }
@@ -51,13 +65,30 @@ final class Gate<O> {
      * given up.
      */
     void quietly(Runnable change) {
+        quietly(false, change);
+    }
+
+    /**
+     * The same, unless the caller is a function, or another thread that somebody waits for, and is told to end meanwhile.
+     *
+     * @throws IllegalStateException if it was told to end; nothing was changed
+     */
+    void quietlyUnlessTold(Runnable change) {
+        quietly(Thread.currentThread() instanceof OwnedThread, change);
+    }
+
+    private void quietly(boolean impatient, Runnable change) {
         StageWorker<?> late = null;
         Failure<O> failure = null;
         boolean interrupted = false;
         lock.acquire();
         try {
             sequencer.hold(true);
-            interrupted = config.threads() && sequencer.awaitQuiet(config.joinLimit());
+            interrupted = config.threads() && sequencer.awaitQuiet(config.joinLimit(), impatient);
+            if (impatient && interrupted && sequencer.busy() != null) {
+                throw new IllegalStateException("the loop " + config.name() + " was not changed: "
+                        + Thread.currentThread().getName() + " was told to end");
+            }
             String why = config.threads()
                     ? "was interrupted: it did not return within "
                             + config.joinLimit().toMillis() + " ms"

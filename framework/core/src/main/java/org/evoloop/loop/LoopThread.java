@@ -2,6 +2,7 @@ package org.evoloop.loop;
 
 import java.time.Duration;
 import java.util.concurrent.locks.LockSupport;
+import org.evoloop.time.OwnedThread;
 import org.evoloop.time.Threads;
 
 /** A thread of the loop: one round after the other, until it is retired. */
@@ -9,10 +10,9 @@ abstract class LoopThread implements Runnable {
     private final Thread thread;
     private volatile boolean retired;
 
-    LoopThread(String name) {
-        thread = new Thread(this, name);
-        // A component that cannot be stopped must not keep the program alive.
-        thread.setDaemon(true);
+    /** @param owner the crew that it belongs to */
+    LoopThread(Object owner, String name) {
+        thread = OwnedThread.within(owner, name, this);
     }
 
     /** One round on this thread; returns when it is time to look whether the thread is still wanted. */

@@ -86,7 +86,7 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
         synchronized (admin) {
             requireUsable();
             requireUnknown(added);
-            gate.quietly(() -> enlist(added, Integer.MAX_VALUE));
+            gate.quietlyUnlessTold(() -> enlist(added, Integer.MAX_VALUE));
         }
     }
 
@@ -114,14 +114,12 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
         }
     }
 
-    /** Whether the caller is a thread that calls one of the components. */
+    /**
+     * Whether the caller is a thread of this loop or of one that was made on such a thread, also after its component was
+     * given up or taken out.
+     */
     public boolean ownsCurrentThread() {
-        for (Worker worker : roster.workers()) {
-            if (worker.ownsCurrentThread()) {
-                return true;
-            }
-        }
-        return false;
+        return roster.ownsCurrentThread();
     }
 
     /**
@@ -138,7 +136,7 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
                 throw new IllegalStateException(name + " is the only component of the role "
                         + worker.component().role() + "; exchange it instead");
             }
-            gate.quietly(() -> roster.drop(worker));
+            gate.quietlyUnlessTold(() -> roster.drop(worker));
             awaitEnd(worker.threadToEnd());
         }
     }
@@ -159,7 +157,7 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
             requireUsable();
             requireExchangeable(name, next);
             Worker worker = roster.require(name);
-            gate.quietly(() -> {
+            gate.quietlyUnlessTold(() -> {
                 enlist(next, roster.drop(worker));
                 meanwhile.run();
             });
@@ -233,10 +231,26 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
      * closed.
      */
     public void stop() {
+        if (sequencer.state() == LoopState.RUNNING) {
+            requireUsable();
+            shut();
+            awaitQuiet();
+        }
+    }
+
+    /**
+     * Closes the loop at once, for any thread and whatever hangs: nothing begins any more, and what waits is refused.
+     * {@link #awaitQuiet} has to follow. Does nothing if it is closed.
+     */
+    public void shut() {
+        gate.shut();
+    }
+
+    /** After {@link #shut}: has the occurrence that is in the loop come to its end, or be given up. */
+    public void awaitQuiet() {
         synchronized (admin) {
-            if (sequencer.state() == LoopState.RUNNING) {
+            if (sequencer.state() == LoopState.STOPPED) {
                 requireUsable();
-                gate.become(LoopState.STOPPED);
                 gate.quietly(() -> {});
             }
         }
@@ -350,6 +364,14 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
     /** How the queue fares. */
     public QueueStatus queueStatus() {
         return sequencer.queueStatus();
+    }
+
+    /** Counts a failure outside of the loop as one of the component that it names, if that is part of the loop. */
+    public void count(Failure<O> failure) {
+        Worker worker = roster.find(failure.component());
+        if (worker != null) {
+            worker.countFailure(failure.toString());
+        }
     }
 
     /** Every component, in the order of the loop. */

@@ -29,17 +29,17 @@ final class MonitorWorker<O> extends Worker {
     /** How often in a row it has returned null at once. */
     private long idle;
 
-    MonitorWorker(Monitor<O> monitor, LoopConfig config, Sequencer<O> sequencer) {
+    MonitorWorker(Monitor<O> monitor, LoopConfig config, Sequencer<O> sequencer, Crew crew) {
         super(monitor);
         this.monitor = monitor;
         this.sequencer = sequencer;
         this.clock = config.clock();
-        this.thread = config.threads() ? new MonitorThread(Crew.threadName(config, monitor)) : null;
+        this.thread = config.threads() ? new MonitorThread(crew, Crew.threadName(config, monitor)) : null;
     }
 
     private final class MonitorThread extends LoopThread {
-        MonitorThread(String name) {
-            super(name);
+        MonitorThread(Crew crew, String name) {
+            super(crew, name);
         }
 
         @Override

@@ -35,7 +35,7 @@ final class Roster<O, A, P> {
     @SuppressWarnings("unchecked")
     Worker enlist(Component component, int position) {
         if (component instanceof Monitor) {
-            MonitorWorker<O> worker = new MonitorWorker<>((Monitor<O>) component, config, sequencer);
+            MonitorWorker<O> worker = new MonitorWorker<>((Monitor<O>) component, config, sequencer, crew);
             monitors.add(Math.min(position, monitors.size()), worker);
             return worker;
         }
@@ -66,6 +66,11 @@ final class Roster<O, A, P> {
                     + present.component().name()
                     + "; exchange it instead");
         }
+    }
+
+    /** Whether the caller is a thread that calls one of the components, or one that was given up or taken out. */
+    boolean ownsCurrentThread() {
+        return crew.ownsCurrentThread();
     }
 
     /** Starts every thread. */

@@ -283,8 +283,12 @@ final class Sequencer<O> {
         return busy;
     }
 
-    /** Waits until no occurrence is in the loop. Returns whether the caller was interrupted meanwhile. */
-    boolean awaitQuiet(Duration limit) {
+    /**
+     * Waits until no occurrence is in the loop. Returns whether the caller was interrupted meanwhile.
+     *
+     * @param impatient whether an interrupt cuts the wait short
+     */
+    boolean awaitQuiet(Duration limit, boolean impatient) {
         boolean interrupted = false;
         long left = limit.toNanos();
         while ((busy != null || breakingOff) && left > 0) {
@@ -292,6 +296,9 @@ final class Sequencer<O> {
                 left = ended.awaitNanos(left);
             } catch (InterruptedException e) {
                 interrupted = true;
+                if (impatient) {
+                    break;
+                }
             }
         }
         return interrupted;

@@ -49,11 +49,6 @@ abstract class Worker {
         }
     }
 
-    final boolean ownsCurrentThread() {
-        LoopThread known = thread();
-        return known != null && known.isCurrent();
-    }
-
     final void countFailure(String message) {
         lastFailure = message;
         failures.incrementAndGet();

@@ -3,7 +3,6 @@ package org.evoloop.statemachine;
 import java.util.Collection;
 import java.util.Comparator;
 import java.util.List;
-import java.util.Locale;
 import java.util.stream.Stream;
 
 /**
@@ -15,7 +14,15 @@ public final class Names {
     private static final int NEAREST = 3;
     private static final int LISTED = 20;
 
+    /** A longer name is no slip of the pen; to look for similar ones would take the square of its length. */
+    private static final int LONGEST = 200;
+
     private Names() {}
+
+    /** {@code name} for messages: what is longer than {@value #LONGEST} letters is cut off. */
+    public static String shown(String name) {
+        return name.length() <= LONGEST ? name : name.substring(0, LONGEST) + "... (" + name.length() + " letters)";
+    }
 
     /**
      * For messages: {@code "; did you mean Clean?"}, else, if no name is near, what there is.
@@ -35,6 +42,9 @@ public final class Names {
 
     /** Those that differ by few letters, or only in capitals, blanks, hyphens and the like; the nearest first. */
     private static List<String> nearest(String wrong, Stream<String> known) {
+        if (wrong.length() > LONGEST) {
+            return List.of();
+        }
         String plain = plain(wrong);
         int most = Math.max(1, wrong.length() / 3);
         return known.distinct()
@@ -46,7 +56,15 @@ public final class Names {
     }
 
     private static String plain(String name) {
-        return name.toLowerCase(Locale.ROOT).replaceAll("[\\s_.-]", "");
+        // By hand: misspelt events may come in masses.
+        StringBuilder plain = new StringBuilder(name.length());
+        for (int index = 0; index < name.length(); index++) {
+            char letter = name.charAt(index);
+            if (!Character.isWhitespace(letter) && letter != '_' && letter != '.' && letter != '-') {
+                plain.append(Character.toLowerCase(letter));
+            }
+        }
+        return plain.toString();
     }
 
     /** Letters that must be added, left out, changed, or put in the place of their neighbour (optimal string alignment). */

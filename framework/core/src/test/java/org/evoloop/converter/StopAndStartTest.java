@@ -194,7 +194,7 @@ class StopAndStartTest {
             robot.press("Clean", "Spot");
             awaitDeaf(moving);
             assertThat(robot.states()).isEqualTo(at("On", "Move"));
-            until(() -> robot.component("Rude").failures() == 2);
+            until(() -> robot.component("Rude").failures() == 3);
             assertThat(robot.component("Rude").lastFailure()).isEqualTo("Rude.execute: not now");
             robot.converter.stop();
             assertThat(robot.converter.status().loop()).isEqualTo(LoopState.STOPPED);

@@ -1,8 +1,11 @@
 package org.evoloop.function.visit;
 
 import java.time.Duration;
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
 import org.evoloop.function.NewFunction;
 import org.evoloop.function.Visit;
+import org.evoloop.time.OwnedThread;
 import org.evoloop.time.Threads;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -16,11 +19,17 @@ import org.slf4j.LoggerFactory;
 public final class FunctionRunner {
     private static final Logger LOG = LoggerFactory.getLogger(FunctionRunner.class);
 
+    /** With more threads left behind than these, no further function begins. */
+    private static final int MOST_ABANDONED = 16;
+
     private final VisitHost host;
     private final Duration joinLimit;
     private volatile @Nullable HostedVisit visit;
     private volatile @Nullable Thread thread;
     private volatile boolean hasFunction;
+
+    /** Threads that were left to themselves. */
+    private final List<Thread> abandoned = new CopyOnWriteArrayList<>();
 
     /** @param joinLimit how long a function may take to end once it is interrupted, in real time */
     public FunctionRunner(VisitHost host, Duration joinLimit) {
@@ -46,8 +55,17 @@ public final class FunctionRunner {
             current.run(function);
             return;
         }
-        Thread own = new Thread(() -> current.run(function), "function-" + current.state() + "-" + current.number());
-        own.setDaemon(true);
+        abandoned.removeIf(left -> !left.isAlive());
+        if (abandoned.size() >= MOST_ABANDONED) {
+            host.failed(
+                    current,
+                    new IllegalStateException("is not started: " + MOST_ABANDONED
+                            + " threads of functions that were left have not ended yet, the first is "
+                            + abandoned.get(0).getName()));
+            return;
+        }
+        Thread own = OwnedThread.of(
+                host, "function-" + current.state() + "-" + current.number(), () -> current.run(function));
         thread = own;
         own.start();
     }
@@ -63,24 +81,33 @@ public final class FunctionRunner {
         }
         ending.end();
         Thread own = thread;
-        if (own != null && !ownsCurrentThread()) {
+        if (own != null && own != Thread.currentThread()) {
             own.interrupt();
             if (!Threads.join(own, joinLimit)) {
-                LOG.warn(
-                        "thread {} did not end within {} ms after {} was left; its function ignores interrupts",
-                        own.getName(),
-                        joinLimit.toMillis(),
-                        ending.state());
+                leftBehind(own, ending);
             }
+        }
+        Thread hanging = ending.awaitTasks(joinLimit);
+        if (hanging != null) {
+            leftBehind(hanging, ending);
         }
         hasFunction = false;
         thread = null;
         visit = null;
     }
 
-    /** Whether the caller is the function's own thread. */
+    private void leftBehind(Thread left, HostedVisit ending) {
+        abandoned.add(left);
+        LOG.warn(
+                "thread {} did not end within {} ms after {} was left; its function ignores interrupts",
+                left.getName(),
+                joinLimit.toMillis(),
+                ending.state());
+    }
+
+    /** Whether the caller is a thread of a function, or was made by one for a loop. */
     public boolean ownsCurrentThread() {
-        return thread == Thread.currentThread();
+        return OwnedThread.isCurrentOf(host);
     }
 
     /** The visit whose function runs or has left timers and listeners behind; null if the state needs none. */
@@ -88,9 +115,13 @@ public final class FunctionRunner {
         return hasFunction ? visit : null;
     }
 
-    /** The name of the function's thread while it is alive, else empty. */
+    /** The name of the function's thread while it is alive, or of that in which a task of it hangs; else empty. */
     public String threadName() {
         Thread own = thread;
-        return own != null && own.isAlive() ? own.getName() : "";
+        if (own != null && own.isAlive()) {
+            return own.getName();
+        }
+        HostedVisit current = visit;
+        return current == null ? "" : current.hangsIn();
     }
 }

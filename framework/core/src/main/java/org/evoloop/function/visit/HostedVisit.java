@@ -4,9 +4,9 @@ import static java.util.Objects.requireNonNull;
 
 import java.time.Duration;
 import java.util.ArrayDeque;
-import java.util.ArrayList;
 import java.util.Deque;
-import java.util.List;
+import java.util.HashSet;
+import java.util.Set;
 import org.evoloop.function.NewFunction;
 import org.evoloop.function.Visit;
 import org.evoloop.statemachine.Event;
@@ -20,15 +20,25 @@ import org.jspecify.annotations.Nullable;
  * <p>Threading: all methods may be called from any thread.
  */
 public final class HostedVisit implements Visit {
+    /** So many times may be waited for at once. */
+    static final int MOST_TIMERS = 10_000;
+
     private final State state;
     private final long number;
     private final VisitHost host;
     private final Object lock = new Object();
     private volatile boolean ended;
+
+    /** Something that will happen; until its time has come it can be called off. */
+    private static final class Appointment {
+        Clock.@Nullable Timer timer;
+    }
+
     private volatile String progress = "";
 
     // Made when they are needed: most visits need neither.
-    private @Nullable List<Clock.Timer> timers;
+    private @Nullable Set<Appointment> timers;
+    private @Nullable VisitTasks tasks;
     private @Nullable Deque<Runnable> endings;
     private boolean running;
     private @Nullable Event last;
@@ -136,23 +146,58 @@ public final class HostedVisit implements Visit {
     @Override
     public void finishAfter(Duration delay, String event) {
         host.requireKnown(new Event(event));
-        after(delay, () -> finish(event));
+        onClock(delay, () -> finish(event));
     }
 
     @Override
     public void after(Duration delay, Runnable task) {
-        Clock.requireDelay(requireNonNull(delay, "the delay is null"));
         requireNonNull(task, "the task is null");
-        synchronized (lock) {
+        Runnable unlessOver = () -> {
             if (isActive()) {
-                List<Clock.Timer> all = timers == null ? new ArrayList<>() : timers;
-                timers = all;
-                all.add(host.clock().schedule(delay, () -> {
-                    if (isActive()) {
-                        contained(task);
-                    }
-                }));
+                contained(task);
             }
+        };
+        onClock(delay, threads() ? () -> tasks().run(unlessOver) : unlessOver);
+    }
+
+    private VisitTasks tasks() {
+        synchronized (lock) {
+            VisitTasks made = tasks == null ? new VisitTasks(this, host) : tasks;
+            tasks = made;
+            if (ended) {
+                made.end();
+            }
+            return made;
+        }
+    }
+
+    /**
+     * As {@link #after}, for what is no function's: {@code task} neither waits nor throws, and runs on the clock's thread.
+     *
+     * @throws IllegalStateException if {@value #MOST_TIMERS} are pending
+     */
+    public void onClock(Duration delay, Runnable task) {
+        Clock.requireDelay(requireNonNull(delay, "the delay is null"));
+        synchronized (lock) {
+            if (!isActive()) {
+                return;
+            }
+            Set<Appointment> all = timers == null ? new HashSet<>() : timers;
+            timers = all;
+            if (all.size() + (tasks == null ? 0 : tasks.waiting()) >= MOST_TIMERS) {
+                throw new IllegalStateException(
+                        this + " waits for " + MOST_TIMERS + " times already; set the next when one has come");
+            }
+            Appointment appointment = new Appointment();
+            all.add(appointment);
+            appointment.timer = host.clock().schedule(delay, () -> {
+                synchronized (lock) {
+                    all.remove(appointment);
+                }
+                if (isActive()) {
+                    task.run();
+                }
+            });
         }
     }
 
@@ -212,22 +257,51 @@ public final class HostedVisit implements Visit {
 
     /** The state is left: timers are called off and endings run. Idempotent. */
     void end() {
-        List<Clock.Timer> toCancel;
+        Set<Appointment> toCancel;
+        VisitTasks toEnd;
         Deque<Runnable> toRun;
         synchronized (lock) {
             ended = true;
             lock.notifyAll();
             toCancel = timers;
             timers = null;
+            toEnd = tasks;
             toRun = endings;
             endings = null;
         }
         if (toCancel != null) {
-            toCancel.forEach(Clock.Timer::cancel);
+            for (Appointment appointment : toCancel) {
+                Clock.Timer timer = appointment.timer;
+                if (timer != null) {
+                    timer.cancel();
+                }
+            }
+        }
+        if (toEnd != null) {
+            toEnd.end();
         }
         if (toRun != null) {
             toRun.forEach(this::contained);
         }
+    }
+
+    /** After {@link #end}: waits for the task that runs. Returns its thread if it does not return; else null. */
+    @Nullable
+    Thread awaitTasks(Duration limit) {
+        VisitTasks ending;
+        synchronized (lock) {
+            ending = tasks;
+        }
+        return ending == null ? null : ending.awaitEnd(limit);
+    }
+
+    /** The thread in which a task hangs; empty if none does. */
+    String hangsIn() {
+        VisitTasks running;
+        synchronized (lock) {
+            running = tasks;
+        }
+        return running == null ? "" : running.hangsIn();
     }
 
     /** A task that throws must not disturb the clock's thread, nor the thread that leaves the state. */

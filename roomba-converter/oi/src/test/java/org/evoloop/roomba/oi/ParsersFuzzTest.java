@@ -23,7 +23,7 @@ class ParsersFuzzTest {
     private static final byte[] GAP = new byte[512];
 
     @MethodSource("seeds")
-    @FuzzTest(maxDuration = "60s")
+    @FuzzTest
     void anIntactFrameIsDeliveredAfterAnyBytesAndEachByteIsAccountedFor(byte[] bytes) {
         List<SensorValues> found = new ArrayList<>();
         StreamFramer framer = new StreamFramer(PACKETS);
@@ -38,7 +38,7 @@ class ParsersFuzzTest {
     }
 
     @MethodSource("seeds")
-    @FuzzTest(maxDuration = "60s")
+    @FuzzTest
     void aFrameOfAnyPacketsIsDeliveredAfterAnyBytes(byte[] bytes) {
         List<SensorValues> found = new ArrayList<>();
         StreamFramer framer = StreamFramer.forAnyPackets();
@@ -53,7 +53,7 @@ class ParsersFuzzTest {
     }
 
     @MethodSource("seeds")
-    @FuzzTest(maxDuration = "60s")
+    @FuzzTest
     void aCommandIsRecognisedAfterAnyBytesHoweverTheyAreCut(byte[] bytes) {
         List<Parsed> found = new ArrayList<>();
         byte[] all = Feeding.join(bytes, GAP, new Command.Start().bytes());

@@ -1,0 +1,83 @@
+package org.evoloop.converter;
+
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.ReentrantLock;
+import java.util.function.BooleanSupplier;
+
+/**
+ * Lets one change of a converter happen after the other. What the converter itself calls must not wait here for somebody who
+ * waits for it: while the converter is being closed, or its thread is told to end, its change is refused.
+ *
+ * <p>Threading: thread-safe.
+ */
+final class ChangeLock {
+    private static final long LOOK_MILLIS = 20;
+
+    private final String name;
+    private final BooleanSupplier fromLoop;
+    private final BooleanSupplier fromWithin;
+    private final ReentrantLock lock = new ReentrantLock();
+    private volatile boolean closing;
+
+    /**
+     * @param name the converter's
+     * @param fromLoop whether the caller is a component, for which every change waits
+     * @param fromWithin whether the caller is anything that the converter calls
+     */
+    ChangeLock(String name, BooleanSupplier fromLoop, BooleanSupplier fromWithin) {
+        this.name = name;
+        this.fromLoop = fromLoop;
+        this.fromWithin = fromWithin;
+    }
+
+    /** @throws IllegalStateException if the caller is a component, or the converter is being closed by another thread */
+    void change(Runnable change) {
+        if (fromLoop.getAsBoolean()) {
+            throw refused("a converter cannot be changed from its own thread "
+                    + Thread.currentThread().getName() + "; hand the change to another thread");
+        }
+        if (fromWithin.getAsBoolean()) {
+            acquireUnlessTold();
+        } else {
+            lock.lock();
+        }
+        runAndRelease(change);
+    }
+
+    /** Waits for a change that is under way, whoever calls, and keeps those out that wait for their turn. */
+    void close(Runnable closing) {
+        this.closing = true;
+        lock.lock();
+        runAndRelease(closing);
+    }
+
+    /** Whether the converter is being closed, or has been. */
+    boolean isClosing() {
+        return closing;
+    }
+
+    private void runAndRelease(Runnable change) {
+        try {
+            change.run();
+        } finally {
+            lock.unlock();
+        }
+    }
+
+    private void acquireUnlessTold() {
+        try {
+            while (!lock.tryLock(LOOK_MILLIS, TimeUnit.MILLISECONDS)) {
+                if (closing) {
+                    throw refused("it is being closed");
+                }
+            }
+        } catch (InterruptedException told) {
+            Thread.currentThread().interrupt();
+            throw refused(Thread.currentThread().getName() + " was told to end");
+        }
+    }
+
+    private IllegalStateException refused(String why) {
+        return new IllegalStateException("the converter " + name + " was not changed: " + why);
+    }
+}

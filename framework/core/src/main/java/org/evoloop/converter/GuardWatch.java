@@ -1,0 +1,58 @@
+package org.evoloop.converter;
+
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.Predicate;
+import org.evoloop.evolution.Values;
+import org.evoloop.loop.Failure;
+import org.evoloop.loop.LoopConfig;
+import org.evoloop.time.Clock;
+
+/**
+ * One guard: what it throws is counted, and while it hangs nobody else is sent into it. Those who report what the device does ask
+ * guards on their own threads, and each of them would hang as well.
+ *
+ * <p>Threading: thread-safe.
+ */
+final class GuardWatch {
+    private final String text;
+    private final Clock clock;
+    private final long limitNanos;
+    private final FailureLog failures;
+    private final AtomicInteger asked = new AtomicInteger();
+
+    /** When it was last seen to return, or was first asked by one of those who are asking it. */
+    private volatile long movedNanos;
+
+    GuardWatch(String text, LoopConfig config, FailureLog failures) {
+        this.text = text;
+        this.clock = config.clock();
+        this.limitNanos = config.stepLimit().toNanos();
+        this.failures = failures;
+    }
+
+    /** Whether somebody is asking it now. */
+    boolean isAsked() {
+        return asked.get() > 0;
+    }
+
+    /** @throws IllegalStateException if it hangs in another thread, for longer than a step may take */
+    boolean test(Predicate<Values> condition, Values values) {
+        long now = clock.nanoTime();
+        if (isAsked() && now - movedNanos > limitNanos) {
+            throw new IllegalStateException("guard [" + text + "] has not returned for " + limitNanos / 1_000_000
+                    + " ms in another thread, and is not asked again before it does");
+        }
+        if (asked.getAndIncrement() == 0) {
+            movedNanos = now;
+        }
+        try {
+            return condition.test(values);
+        } catch (RuntimeException | Error cause) {
+            failures.fault("guard [" + text + "]", new Failure<>("guard", text, 0, null, cause));
+            throw cause;
+        } finally {
+            movedNanos = clock.nanoTime();
+            asked.getAndDecrement();
+        }
+    }
+}

@@ -1,0 +1,112 @@
+package org.evoloop.function.visit;
+
+import java.time.Duration;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import org.evoloop.time.OwnedThread;
+import org.evoloop.time.Threads;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Runs the tasks that a function has set a time for, one after the other, on a thread of the visit. The clock waits for each
+ * for a moment, so that what is short comes in the order of its time; one that hangs holds up the tasks after it, but not the
+ * clock.
+ *
+ * <p>Threading: thread-safe. The thread is started with the first task.
+ */
+final class VisitTasks {
+    /** So long the clock waits for a task. */
+    static final long PATIENCE_MILLIS = 250;
+
+    private final HostedVisit visit;
+    private final VisitHost host;
+    private final LinkedBlockingQueue<Runnable> due = new LinkedBlockingQueue<>();
+    private @Nullable Thread thread;
+    private volatile boolean over;
+    private volatile boolean hangs;
+
+    VisitTasks(HostedVisit visit, VisitHost host) {
+        this.visit = visit;
+        this.host = host;
+    }
+
+    /** How many are due and have not begun. */
+    int waiting() {
+        return due.size();
+    }
+
+    /** Runs {@code task}, which must not throw; on the clock's thread. */
+    void run(Runnable task) {
+        Thread own = thread();
+        if (own == Thread.currentThread()) {
+            task.run();
+            return;
+        }
+        CountDownLatch done = new CountDownLatch(1);
+        due.add(() -> {
+            task.run();
+            hangs = false;
+            done.countDown();
+        });
+        try {
+            if (!hangs && !done.await(PATIENCE_MILLIS, TimeUnit.MILLISECONDS)) {
+                hangs = done.getCount() > 0;
+                host.failed(
+                        visit,
+                        new TimeoutException("a task has not returned for " + PATIENCE_MILLIS + " ms in the thread "
+                                + own.getName() + "; the tasks after it wait"));
+            }
+        } catch (InterruptedException stop) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    private synchronized Thread thread() {
+        Thread own = thread;
+        if (own == null) {
+            own = OwnedThread.of(host, "function-" + visit.state() + "-" + visit.number() + "-tasks", this::work);
+            thread = own;
+            own.start();
+        }
+        return own;
+    }
+
+    private void work() {
+        while (!over) {
+            try {
+                due.take().run();
+            } catch (InterruptedException told) {
+                // The visit is over, or a task was interrupted by itself; the condition above tells which.
+            }
+        }
+    }
+
+    /** No further task runs, and the one that does is interrupted. */
+    void end() {
+        over = true;
+        Thread own = own();
+        if (own != null && own != Thread.currentThread()) {
+            own.interrupt();
+        }
+    }
+
+    private synchronized @Nullable Thread own() {
+        return thread;
+    }
+
+    /** After {@link #end}: waits for the task that runs. Returns its thread if it does not return; else null. */
+    @Nullable
+    Thread awaitEnd(Duration limit) {
+        Thread own = own();
+        boolean ended = own == null || own == Thread.currentThread() || Threads.join(own, limit);
+        return ended ? null : own;
+    }
+
+    /** The thread in which a task hangs; empty if none does. */
+    String hangsIn() {
+        Thread own = own();
+        return hangs && own != null ? own.getName() : "";
+    }
+}

@@ -1,0 +1,60 @@
+package org.evoloop.xmi;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.code_intelligence.jazzer.junit.FuzzTest;
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+import org.evoloop.statemachine.ModelException;
+import org.evoloop.statemachine.StateMachine;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** Whatever a model file holds, it is read, or refused with a message. CONTRIBUTING.md tells how to let Jazzer look for more. */
+@Timeout(30)
+class ModelsFuzzTest {
+
+    @MethodSource("seeds")
+    @FuzzTest
+    void aModelFileIsReadOrRefused(byte[] bytes) {
+        try {
+            for (XmiMachine machine :
+                    XmiFile.read("fuzzed.xml", new ByteArrayInputStream(bytes)).machines()) {
+                flatten(machine);
+            }
+        } catch (ModelException refused) {
+            assertThat(refused).hasMessageStartingWith("fuzzed.xml");
+        }
+    }
+
+    private static void flatten(XmiMachine machine) {
+        try {
+            StateMachine flat = machine.toStateMachine();
+            assertThat(flat.hasState(flat.initial())).isTrue();
+        } catch (ModelException refused) {
+            assertThat(refused.getMessage()).isNotBlank();
+        }
+    }
+
+    /** A file of each dialect: Astah's, SCXML, UML 2; and two that are none. */
+    static List<byte[]> seeds() throws IOException {
+        Path root = Path.of(System.getProperty("evoloop.root"));
+        List<byte[]> seeds = new ArrayList<>();
+        try (Stream<Path> models = Files.list(root.resolve("models"));
+                Stream<Path> samples = Files.list(root.resolve("framework/models/src/test/resources/samples"))) {
+            for (Path file : Stream.concat(models, samples).sorted().toList()) {
+                if (file.toString().matches(".*\\.(xml|xmi|uml|scxml)")) {
+                    seeds.add(Files.readAllBytes(file));
+                }
+            }
+        }
+        seeds.add("<html/>".getBytes(java.nio.charset.StandardCharsets.UTF_8));
+        seeds.add(new byte[] {'P', 'K', 3, 4});
+        return seeds;
+    }
+}
