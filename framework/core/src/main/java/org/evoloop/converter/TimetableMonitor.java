@@ -12,6 +12,7 @@ import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
+import org.evoloop.evolution.EventNames;
 import org.evoloop.statemachine.Event;
 import org.evoloop.time.Clock;
 import org.slf4j.Logger;
