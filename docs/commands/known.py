@@ -95,6 +95,10 @@ KNOWN = [
     typed("./evoloop docs", slow=True, shows="target/site/index.html"),
     typed("./evoloop api", shows="no release yet"),
     typed("./evoloop reproducible", slow=True, shows="files are the same"),
+    Known(
+        "./mvnw -Prelease -Dgpg.skip -Dmaven.test.skip=true install",
+        why_not="is ./evoloop install with more jars, which ./evoloop reproducible builds",
+    ),
     Known("./mvnw -Prelease -Dmaven.test.skip=true deploy", run="./evoloop reproducible --help", shows="SBOM"),
     Known("./mvnw -Prelease -Dmaven.test.skip=true -DskipUpload=false deploy", why_not="uploads to Maven Central"),
     typed("./evoloop bench --help", shows="--quick"),
