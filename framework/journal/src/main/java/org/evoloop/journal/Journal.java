@@ -128,6 +128,18 @@ public final class Journal implements ConverterJournal {
         }
     }
 
+    /** @throws JournalException if it is damaged, or cannot be read */
+    @Override
+    public void retell(Rules rules, Past past) {
+        Replay replay = new Replay(rules, Fingerprint.of(rules.table().models()), past);
+        for (Path segment : Directory.segments(path)) {
+            // One that was deleted meanwhile was too old to be kept.
+            if (SegmentReader.writtenBytes(segment) > 0) {
+                replay.tell(segment);
+            }
+        }
+    }
+
     /** @throws JournalException if it cannot be written */
     @Override
     public Inputs keep(Core core, Consumer<Exception> failed) {
