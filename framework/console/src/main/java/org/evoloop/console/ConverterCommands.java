@@ -39,7 +39,8 @@ final class ConverterCommands {
                 .completing(own::exchangeable));
         commands.add(ConsoleCommand.of(
                 "history [N]",
-                "shows the last N events, " + EVENTS_LISTED + " if not told, and what became of them; a journal reaches further back than memory",
+                "shows the last N events, " + EVENTS_LISTED
+                        + " if not told, and what became of them; a journal reaches further back than memory",
                 own::history));
         commands.add(ConsoleCommand.of("help [COMMAND]", "lists the commands, or explains one", own::help)
                 .completing(before -> before.isEmpty() ? commands.names() : List.of()));

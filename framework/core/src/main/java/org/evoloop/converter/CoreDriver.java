@@ -55,7 +55,9 @@ final class CoreDriver implements Intake<Occurrence> {
                         rules,
                         clock,
                         new Retelling(
-                                books.history(), books.latency(), rules.table().models().initial()));
+                                books.history(),
+                                books.latency(),
+                                rules.table().models().initial()));
         Configuration at = kept == null ? rules.table().models().initial() : kept.at();
         this.outputs = new CoreOutputs(at, names, books);
         this.core = kept == null ? new Core(rules, outputs) : new Core(rules, kept, outputs);

@@ -68,9 +68,9 @@ class ConverterRecoveryTest {
         assertThat(robot.converter.history()).hasSize(200);
         List<HistoryEntry> all = robot.converter.history(1_000);
         assertThat(all.size()).isGreaterThanOrEqualTo(300);
-        assertThat(all).extracting(HistoryEntry::number).isEqualTo(LongStream.rangeClosed(1, all.size())
-                .boxed()
-                .toList());
+        assertThat(all)
+                .extracting(HistoryEntry::number)
+                .isEqualTo(LongStream.rangeClosed(1, all.size()).boxed().toList());
         assertThat(robot.converter.history(5))
                 .as("the same, whether it is remembered or read")
                 .isEqualTo(all.subList(all.size() - 5, all.size()));
