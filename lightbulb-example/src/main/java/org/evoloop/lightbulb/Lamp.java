@@ -15,6 +15,11 @@ final class Lamp {
         System.out.println(this);
     }
 
+    /** Whether it is on, as a lamp remains while no converter runs. */
+    synchronized void remains(boolean lit) {
+        on = lit;
+    }
+
     /** Puts a filter in front of the lamp, or takes it away. */
     synchronized void filter(boolean inPlace) {
         filtered = inPlace;

@@ -9,6 +9,8 @@ import org.evoloop.console.ConsoleCommand;
 import org.evoloop.converter.PushMonitor;
 import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.evolution.ModelPair;
+import org.evoloop.journal.Journal;
+import org.evoloop.journal.JournalException;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.service.Service;
 import org.evoloop.service.ServiceOptions;
@@ -18,12 +20,12 @@ import org.evoloop.time.SystemClock;
 import org.evoloop.xmi.ModelFiles;
 import org.evoloop.xmi.XmiFile;
 
-/** Puts the converter together and runs its console; options: {@code [--models FILE] [--start] [--name NAME]}. */
+/** Puts the converter together and runs its console; options: {@code [--models FILE]} and those of a service. */
 public final class Main {
     public static void main(String[] arguments) {
         try {
             System.exit(run(new ArrayList<>(List.of(arguments))));
-        } catch (ModelException | IllegalArgumentException | IOException problem) {
+        } catch (ModelException | JournalException | IllegalArgumentException | IOException problem) {
             System.err.println("error: " + problem.getMessage());
             System.exit(2);
         }
@@ -48,7 +50,12 @@ public final class Main {
             converter.addMonitor(wallSwitch);
             converter.addExecute(new LampExecute(lamp));
             converter.addKnowledge(new LampKnowledge(models, lamp));
+            Path journal = unattended.journal();
+            if (journal != null) {
+                converter.journal(Journal.in(journal));
+            }
             converter.build();
+            lamp.remains(converter.status().states().original().name().equals("on"));
 
             Console console = new Console(converter, System.in, System.out, System.err);
             console.addCommand(ConsoleCommand.of(

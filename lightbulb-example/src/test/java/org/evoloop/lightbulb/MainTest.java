@@ -103,6 +103,29 @@ class MainTest {
     }
 
     @Test
+    void aLampWhoseConverterWasKilledIsStillOnAndGoesOff(@TempDir File folder) throws Exception {
+        String kept = new File(folder, "journal").toString();
+        Process killed = program(ROOT, "--start", "--journal", kept);
+        Writer keyboard = killed.outputWriter(StandardCharsets.UTF_8);
+        keyboard.write("switch\n");
+        keyboard.flush();
+        readTo(killed.inputReader(StandardCharsets.UTF_8), " new_current_state: on");
+        killed.destroyForcibly().waitFor();
+
+        Process next = program(ROOT, "--models", "models/light-bulb.xml", "--journal", kept);
+        try (Writer again = next.outputWriter(StandardCharsets.UTF_8)) {
+            again.write("history\nstart\nswitch\n");
+            again.flush();
+            assertThat(readTo(next.inputReader(StandardCharsets.UTF_8), " new_current_state: wait"))
+                    .anyMatch(line -> line.contains("switch (controller)  (off, off) -> (on, on)  handled"));
+        }
+        assertThat(next.waitFor(20, TimeUnit.SECONDS)).isTrue();
+        assertThat(next.exitValue()).isZero();
+        assertRefused(program(ROOT, "--journal"), "error: --journal needs a directory");
+        assertRefused(program(ROOT, "--journal", "/dev/null"), "error: the journal /dev/null cannot be written");
+    }
+
+    @Test
     void modelsThatAreNotThereAreOneLineOfError(@TempDir File elsewhere) throws Exception {
         assertRefused(program(elsewhere), "error: no file models/light-bulb.xml in ");
         assertRefused(program(elsewhere, "--models", "none.xml"), "error: none.xml");

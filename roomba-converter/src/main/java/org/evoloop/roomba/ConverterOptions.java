@@ -11,6 +11,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Function;
 import org.evoloop.evolution.ModelPair;
+import org.evoloop.journal.Journal;
 import org.evoloop.roomba.camera.CameraException;
 import org.evoloop.roomba.camera.CameraSource;
 import org.evoloop.roomba.camera.tool.CameraOptions;
@@ -134,7 +135,7 @@ final class ConverterOptions {
                 startPoint(pace, simulatedCamera),
                 MoveOptions.defaults().withLimit(seconds(searchLimitSeconds)).atPace(pace),
                 seconds(spotWait == null ? USUAL_SPOT_WAIT_SECONDS : spotWait),
-                journal);
+                journal == null ? null : Journal.in(journal));
     }
 
     private static void requireWithin(String option, double value, double least, double most) {

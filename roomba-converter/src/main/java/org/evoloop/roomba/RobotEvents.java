@@ -34,6 +34,16 @@ final class RobotEvents {
         };
     }
 
+    /** What it does in this state of its model. */
+    static ActivityEstimate.Activity activity(State state) {
+        for (ActivityEstimate.Activity activity : ActivityEstimate.Activity.values()) {
+            if (stateName(activity).filter(state.name()::equals).isPresent()) {
+                return activity;
+            }
+        }
+        throw new IllegalArgumentException("the robot has no state " + state);
+    }
+
     /** The state of the robot's model in which it does this. */
     static State state(SeenActivity activity) {
         return new State(

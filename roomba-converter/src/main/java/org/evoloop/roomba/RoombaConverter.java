@@ -1,6 +1,5 @@
 package org.evoloop.roomba;
 
-import java.nio.file.Path;
 import java.time.Duration;
 import java.util.function.Function;
 import java.util.function.IntFunction;
@@ -46,7 +45,7 @@ public record RoombaConverter(
             Function<Clock, StartPointSensor> startPoint,
             MoveOptions move,
             Duration spotWait,
-            @Nullable Path journal) {
+            @Nullable Journal journal) {
 
         /** Without a journal. */
         public Options(
@@ -79,13 +78,16 @@ public record RoombaConverter(
         converter.addKnowledge(knowledge);
         converter.addLink(session);
         converter.addSpare("ExecuteCommand2", () -> new ExecuteCommand(session, clock, resumption));
-        Path journal = options.journal();
+        Journal journal = options.journal();
         if (journal != null) {
-            converter.journal(Journal.in(journal));
+            converter.journal(journal);
             // Whatever moved before another process ended: the robot does not drive on by itself.
             resumption.released();
         }
         converter.build();
+        if (journal != null) {
+            session.assume(RobotEvents.activity(converter.status().states().original()));
+        }
         return new RoombaConverter(session, robot, controller, converter);
     }
 

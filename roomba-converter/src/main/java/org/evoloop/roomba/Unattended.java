@@ -17,6 +17,6 @@ final class Unattended {
 
     /** @throws IllegalArgumentException if the name is not one */
     ServiceOptions options() {
-        return new ServiceOptions(start, name);
+        return new ServiceOptions(start, name, null);
     }
 }

@@ -55,6 +55,8 @@ public final class DeviceSuite implements Suite {
                     .figures();
             rows.addAll(way.rows(press, bare));
         }
+        rows.addAll(JournalCost.rows(
+                Fork.shipped(JournalCost.class, List.of("10"), times).figures()));
         return rows;
     }
 

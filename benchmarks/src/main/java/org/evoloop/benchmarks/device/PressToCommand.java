@@ -69,7 +69,8 @@ public final class PressToCommand {
         Latencies.print("press", nanos);
     }
 
-    private static void press(WorldCommands world, RoombaConverter roomba, Clock clock) throws InterruptedException {
+    /** Presses once, and waits until that has been dealt with. */
+    static void press(WorldCommands world, RoombaConverter roomba, Clock clock) throws InterruptedException {
         long before = roomba.converter().status().events().handled();
         world.execute("press clean");
         while (roomba.converter().status().events().handled() == before) {

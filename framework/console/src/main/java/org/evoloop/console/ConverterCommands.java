@@ -4,7 +4,6 @@ import java.io.PrintStream;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
-import org.evoloop.converter.HistoryEntry;
 import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.loop.ComponentStatus;
 
@@ -38,7 +37,8 @@ final class ConverterCommands {
                 .completing(own::exchangeable));
         commands.add(ConsoleCommand.of(
                 "history [N]",
-                "shows the last N events, " + EVENTS_LISTED + " if not told, and what became of them",
+                "shows the last N events, " + EVENTS_LISTED
+                        + " if not told, and what became of them; a journal reaches further back than memory",
                 own::history));
         commands.add(ConsoleCommand.of("help [COMMAND]", "lists the commands, or explains one", own::help)
                 .completing(before -> before.isEmpty() ? commands.names() : List.of()));
@@ -83,8 +83,7 @@ final class ConverterCommands {
 
     private void history(List<String> arguments, PrintStream out) {
         int wanted = arguments.isEmpty() ? EVENTS_LISTED : count(arguments.get(0));
-        List<HistoryEntry> entries = converter.history();
-        StatusText.history(entries.subList(Math.max(0, entries.size() - wanted), entries.size()), out);
+        StatusText.history(converter.history(wanted), out);
     }
 
     private static int count(String text) {

@@ -49,6 +49,16 @@ public interface ConverterJournal {
      */
     Inputs keep(Core core, Consumer<Exception> failed);
 
+    /**
+     * Tells again all that is kept, the oldest first; takes some seconds if that is much. May be called on any thread, also
+     * while inputs are being kept.
+     *
+     * @param rules of the converter that keeps it
+     * @param past hears what the core said
+     * @throws RuntimeException if it cannot be read; the message says why and what to do
+     */
+    void retell(Rules rules, Past past);
+
     /** Nothing more is kept. Idempotent. */
     void close();
 }

@@ -38,6 +38,7 @@ final class CoreDriver implements Intake<Occurrence> {
     private final Bindings bindings;
     private final CoreOutputs outputs;
     private final Books books;
+    private final @Nullable ConverterJournal journal;
 
     private volatile Rules rules;
 
@@ -51,13 +52,18 @@ final class CoreDriver implements Intake<Occurrence> {
                 : journal.open(
                         rules,
                         clock,
-                        new Retelling(books, rules.table().models().initial()));
+                        new Retelling(
+                                books.history(),
+                                books.latency(),
+                                rules.table().models().initial()));
         Configuration at = kept == null ? rules.table().models().initial() : kept.at();
         this.outputs = new CoreOutputs(at, knowledge.eventNames(), books);
         this.core = kept == null ? new Core(rules, outputs) : new Core(rules, kept, outputs);
         if (kept != null) {
+            books.history().countOn(ended(kept.tally()));
             core.recovered(clock.nanoTime());
         }
+        this.journal = journal;
         this.inputs = journal == null ? core : journal.keep(core, books::journalFailed);
     }
 
@@ -280,6 +286,28 @@ final class CoreDriver implements Intake<Occurrence> {
 
     synchronized List<HistoryEntry> history() {
         return books.history().entries();
+    }
+
+    /** How many came to an end that history tells of. */
+    private static long ended(Tally tally) {
+        return tally.handled() + tally.ignored() + tally.stale() + tally.failed() + tally.dropped();
+    }
+
+    /** The last {@code count}; what is not remembered is read from the journal, while events go on. */
+    List<HistoryEntry> history(int count) {
+        ConverterJournal kept = journal;
+        synchronized (this) {
+            if (kept == null || books.history().reaches(count)) {
+                List<HistoryEntry> entries = history();
+                return entries.subList(Math.max(0, entries.size() - count), entries.size());
+            }
+        }
+        History past = new History(clock, count);
+        kept.retell(
+                rules,
+                new Retelling(past, new LatencyWindow(), rules.table().models().initial()));
+        past.countOn(ended(tally()));
+        return past.entries();
     }
 
     synchronized ConverterStatus.ConversionTime conversionTime() {

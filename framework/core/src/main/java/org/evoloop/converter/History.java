@@ -12,7 +12,7 @@ import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The last {@value #SIZE} events and what became of them.
+ * The last events and what became of them, {@value #SIZE} unless more are wanted.
  *
  * <p>Threading: guarded by the lock of the {@link CoreDriver}.
  */
@@ -20,11 +20,27 @@ final class History {
     private static final int SIZE = 200;
 
     private final Clock clock;
-    private final HistoryLine[] lines = new HistoryLine[SIZE];
+    private final HistoryLine[] lines;
+    private final int size;
     private long recorded;
 
+    /** How many were recorded by others before the first. */
+    private long before;
+
     History(Clock clock) {
+        this(clock, SIZE);
+    }
+
+    /** @param size how many are kept */
+    History(Clock clock, int size) {
         this.clock = clock;
+        this.size = size;
+        this.lines = new HistoryLine[size];
+    }
+
+    /** The last one that was recorded is so many-th of all that there have ever been. */
+    void countOn(long number) {
+        before = Math.max(0, number - recorded);
     }
 
     /**
@@ -51,7 +67,7 @@ final class History {
             Outcome outcome,
             @Nullable Decision decision,
             String detail) {
-        int place = (int) (recorded++ % SIZE);
+        int place = (int) (recorded++ % size);
         HistoryLine line = lines[place];
         if (line == null) {
             line = new HistoryLine();
@@ -62,15 +78,20 @@ final class History {
 
     /** The last one that was recorded. */
     HistoryEntry last() {
-        return Objects.requireNonNull(lines[(int) ((recorded - 1) % SIZE)]).toEntry();
+        return Objects.requireNonNull(lines[(int) ((recorded - 1) % size)]).toEntry(before);
+    }
+
+    /** Whether {@code count} are there, or all that there have been. */
+    boolean reaches(int count) {
+        return count <= Math.min(recorded, size) || before + recorded <= Math.min(recorded, size);
     }
 
     List<HistoryEntry> entries() {
         List<HistoryEntry> entries = new ArrayList<>();
-        for (long number = Math.max(0, recorded - SIZE); number < recorded; number++) {
-            HistoryLine line = lines[(int) (number % SIZE)];
+        for (long number = Math.max(0, recorded - size); number < recorded; number++) {
+            HistoryLine line = lines[(int) (number % size)];
             if (line != null) {
-                entries.add(line.toEntry());
+                entries.add(line.toEntry(before));
             }
         }
         return List.copyOf(entries);

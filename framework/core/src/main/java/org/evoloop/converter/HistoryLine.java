@@ -45,10 +45,11 @@ final class HistoryLine {
         detail = newDetail;
     }
 
-    HistoryEntry toEntry() {
+    /** @param earlier how many there were before those that its history counts */
+    HistoryEntry toEntry(long earlier) {
         Decision decided = decision;
         return new HistoryEntry(
-                number,
+                earlier + number,
                 Objects.requireNonNull(at),
                 Objects.requireNonNull(occurrence),
                 Objects.requireNonNull(before),

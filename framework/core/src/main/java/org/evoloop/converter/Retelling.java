@@ -10,15 +10,17 @@ import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;
 import org.jspecify.annotations.Nullable;
 
-/** What a core has said before: it goes into history and latency, and nothing is done about it again. */
+/** What a core has said before: it goes into a history and the latency, and nothing is done about it again. */
 final class Retelling implements ConverterJournal.Past {
-    private final Books books;
+    private final History history;
+    private final LatencyWindow latency;
     private Supplier<Instant> time = () -> Instant.EPOCH;
 
     private Configuration at;
 
-    Retelling(Books books, Configuration at) {
-        this.books = books;
+    Retelling(History history, LatencyWindow latency, Configuration at) {
+        this.history = history;
+        this.latency = latency;
         this.at = at;
     }
 
@@ -39,12 +41,12 @@ final class Retelling implements ConverterJournal.Past {
 
     @Override
     public void decided(Pending pending, Decision decision, long waitedNanos) {
-        books.latency().record(waitedNanos);
+        latency.record(waitedNanos);
     }
 
     @Override
     public void dropped(Occurrence occurrence, boolean first) {
-        books.history().record(time.get(), occurrence, at, at, Outcome.DROPPED, null, "the queue was full");
+        history.record(time.get(), occurrence, at, at, Outcome.DROPPED, null, "the queue was full");
     }
 
     @Override
@@ -55,6 +57,6 @@ final class Retelling implements ConverterJournal.Past {
             Outcome outcome,
             @Nullable Decision decision,
             String detail) {
-        books.history().record(time.get(), occurrence, before, after, outcome, decision, detail);
+        history.record(time.get(), occurrence, before, after, outcome, decision, detail);
     }
 }

@@ -45,6 +45,9 @@ import org.jspecify.annotations.Nullable;
  * @since 0.1
  */
 public final class SystemEventConverter implements AutoCloseable {
+    /** The most events that {@link #history(int)} tells of at once. */
+    public static final int MOST_HISTORY = 100_000;
+
     private final LoopConfig config;
     private final Belongings belongings;
     private final Map<String, Supplier<? extends Component>> spares = new LinkedHashMap<>();
@@ -507,6 +510,21 @@ public final class SystemEventConverter implements AutoCloseable {
     /** The last events and what became of them, oldest first. */
     public List<HistoryEntry> history() {
         return built().driver.history();
+    }
+
+    /**
+     * The last events and what became of them, oldest first. Those that are not remembered any more are read from the journal, as
+     * far as it reaches; that takes some seconds if it is large.
+     *
+     * @param count how many at most, 1 to {@value #MOST_HISTORY}
+     * @throws IllegalArgumentException if it is another number
+     * @throws RuntimeException if the journal cannot be read; the message says why and what to do
+     */
+    public List<HistoryEntry> history(int count) {
+        if (count < 1 || count > MOST_HISTORY) {
+            throw new IllegalArgumentException("history tells of 1 to " + MOST_HISTORY + " events, not of " + count);
+        }
+        return built().driver.history(count);
     }
 
     private ConverterShell built() {

@@ -17,6 +17,12 @@ import org.jspecify.annotations.Nullable;
 /** Writes down each input that it is told; {@link Decoder} reads it. */
 final class Encoder implements Inputs {
     final Bytes bytes = new Bytes();
+    private final Masks masks;
+
+    /** @param masks what is not written */
+    Encoder(Masks masks) {
+        this.masks = masks;
+    }
 
     private void begin(Kind kind) {
         bytes.clear();
@@ -58,12 +64,12 @@ final class Encoder implements Inputs {
             bytes.truth(heard.deviceActed());
             event(heard.event());
             bytes.names(heard.holding());
-            values(heard.values().byName());
+            values(masks.of(heard.event().name(), heard.values()));
         } else if (occurrence instanceof Occurrence.Asked asked) {
             bytes.octet('a');
             bytes.number(asked.visit());
             event(asked.event());
-            values(asked.values().byName());
+            values(masks.of(asked.event().name(), asked.values()));
         } else if (occurrence instanceof Occurrence.Found found) {
             bytes.octet('f');
             bytes.name(found.state().name());

@@ -4,6 +4,7 @@ import static java.util.Objects.requireNonNull;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.function.Consumer;
 import org.evoloop.converter.ConverterJournal;
 import org.evoloop.core.Core;
@@ -43,13 +44,15 @@ public final class Journal implements ConverterJournal {
     private final int segmentBytes;
     private final long keptBytes;
     private final Forcing forcing;
+    private final Masks masks;
     private @Nullable Segments segments;
 
-    private Journal(Path path, int segmentBytes, long keptBytes, Forcing forcing) {
+    private Journal(Path path, int segmentBytes, long keptBytes, Forcing forcing, Masks masks) {
         this.path = requireNonNull(path, "the directory of a journal is null");
         this.segmentBytes = segmentBytes;
         this.keptBytes = keptBytes;
         this.forcing = requireNonNull(forcing, "forcing is null");
+        this.masks = masks;
         if (segmentBytes < LEAST_SEGMENT_BYTES || segmentBytes > MOST_SEGMENT_BYTES) {
             throw new IllegalArgumentException("segmentBytes is " + segmentBytes + ", allowed is " + LEAST_SEGMENT_BYTES
                     + " to " + MOST_SEGMENT_BYTES);
@@ -61,22 +64,37 @@ public final class Journal implements ConverterJournal {
 
     /** A journal with the usual options, forced by batch. The directory is created if it does not exist. */
     public static Journal in(Path directory) {
-        return new Journal(directory, DEFAULT_SEGMENT_BYTES, DEFAULT_KEPT_BYTES, Forcing.BY_BATCH);
+        return new Journal(directory, DEFAULT_SEGMENT_BYTES, DEFAULT_KEPT_BYTES, Forcing.BY_BATCH, Masks.NONE);
     }
 
     /** The same with segments of {@code bytes}, 65,536 to 1,073,741,824. */
     public Journal withSegmentBytes(int bytes) {
-        return new Journal(path, bytes, keptBytes, forcing);
+        return new Journal(path, bytes, keptBytes, forcing, masks);
     }
 
     /** The same that keeps so much, in bytes; two segments are kept in any case. */
     public Journal withKeptBytes(long bytes) {
-        return new Journal(path, segmentBytes, bytes, forcing);
+        return new Journal(path, segmentBytes, bytes, forcing, masks);
     }
 
     /** The same, put on the disk at other times. */
     public Journal withForcing(Forcing when) {
-        return new Journal(path, segmentBytes, keptBytes, when);
+        return new Journal(path, segmentBytes, keptBytes, when, masks);
+    }
+
+    /**
+     * The same that never writes these values of events. An event that is dealt with after a recovery does not have them:
+     * whoever asks for one gets the exception as for any value that is missing, so the event fails.
+     *
+     * @param values names of values, {@code pin}, or of an event and its value, {@code unlock.pin}
+     * @throws IllegalArgumentException if a name is blank
+     */
+    public Journal withMasked(String... values) {
+        return new Journal(path, segmentBytes, keptBytes, forcing, masks.and(List.of(values)));
+    }
+
+    Masks masks() {
+        return masks;
     }
 
     int segmentBytes() {
@@ -109,6 +127,18 @@ public final class Journal implements ConverterJournal {
         } catch (RuntimeException refused) {
             opened.close();
             throw refused;
+        }
+    }
+
+    /** @throws JournalException if it is damaged, or cannot be read */
+    @Override
+    public void retell(Rules rules, Past past) {
+        Replay replay = new Replay(rules, Fingerprint.of(rules.table().models()), past);
+        for (Path segment : Directory.segments(path)) {
+            // One that was deleted meanwhile was too old to be kept.
+            if (SegmentReader.writtenBytes(segment) > 0) {
+                replay.tell(segment);
+            }
         }
     }
 

@@ -23,13 +23,14 @@ final class Recorder implements Inputs {
     private final Core core;
     private final Segments segments;
     private final Consumer<Exception> failed;
-    private final Encoder encoder = new Encoder();
+    private final Encoder encoder;
     private boolean kept;
 
     Recorder(Core core, Segments segments, Consumer<Exception> failed) throws IOException {
         this.core = core;
         this.segments = segments;
         this.failed = failed;
+        this.encoder = new Encoder(segments.masks());
         segments.begin(core, encoder.bytes);
     }
 

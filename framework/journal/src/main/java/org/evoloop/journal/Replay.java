@@ -41,8 +41,30 @@ final class Replay {
         }
     }
 
+    /** Tells the past only; nothing is repaired, and nobody goes on from there. */
+    void tell(Path file) {
+        tell(file, new SegmentReader(file));
+    }
+
     private void of(Path file) {
         SegmentReader segment = new SegmentReader(file);
+        Core core = tell(file, segment);
+        if (segment.isTorn()) {
+            LOG.warn(
+                    "{} ends in the middle of record {}, at byte {}: it was being written when its process ended, and is"
+                            + " cut off",
+                    file,
+                    segment.number() + 1,
+                    segment.end());
+        }
+        if (segment.size() > segment.end()) {
+            cut(file, segment.end());
+        }
+        last = core.snapshot();
+        lastHead = segment.head();
+    }
+
+    private Core tell(Path file, SegmentReader segment) {
         Head head = segment.head();
         Fingerprint.requireSame(file, head, fingerprint, present.table().models());
         Rules rules = head.rules(present);
@@ -58,19 +80,7 @@ final class Replay {
             }
             core.apply(input);
         }
-        if (segment.isTorn()) {
-            LOG.warn(
-                    "{} ends in the middle of record {}, at byte {}: it was being written when its process ended, and is"
-                            + " cut off",
-                    file,
-                    segment.number() + 1,
-                    segment.end());
-        }
-        if (segment.size() > segment.end()) {
-            cut(file, segment.end());
-        }
-        last = core.snapshot();
-        lastHead = head;
+        return core;
     }
 
     /** What was never written, or not to its end, is in nobody's way any more. */

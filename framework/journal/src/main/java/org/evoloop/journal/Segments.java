@@ -41,6 +41,10 @@ final class Segments implements AutoCloseable {
         return directory.path();
     }
 
+    Masks masks() {
+        return options.masks();
+    }
+
     /** Whether there was room the last time that any was needed. */
     boolean isWritable() {
         return !failing;
@@ -68,7 +72,7 @@ final class Segments implements AutoCloseable {
 
     /** Begins another segment with what {@code core} knows. */
     void begin(Core core, Bytes bytes) throws IOException {
-        byte[] snapshot = SnapshotText.write(core.snapshot()).getBytes(StandardCharsets.UTF_8);
+        byte[] snapshot = SnapshotText.write(masks().of(core.snapshot())).getBytes(StandardCharsets.UTF_8);
         Head begun = Head.of(fingerprint, core.rules(), Times.nanos(clock.wallTime()), clock.nanoTime());
         int unwritten = bytes.length();
         bytes.forgetNames();

@@ -5,7 +5,10 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.List;
 import java.util.Optional;
+import java.util.stream.LongStream;
+import org.evoloop.converter.HistoryEntry;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -47,6 +50,32 @@ class ConverterRecoveryTest {
         assertThat(robot.states()).isEqualTo("(Clean, SpotWait)");
         assertThat(robot.sent).containsExactly("Clean", "Clean");
         assertThat(robot.outcomes()).containsExactly("Clean HANDLED", "Clean HANDLED", "Clean HANDLED");
+    }
+
+    @Test
+    void historyReachesAsFarBackAsTheJournal() throws Exception {
+        for (int press = 0; press < 150; press++) {
+            robot.press("Clean");
+            robot.settle();
+        }
+        robot.copyAndRevive();
+        robot.converter.start();
+        for (int press = 0; press < 150; press++) {
+            robot.press("Clean");
+            robot.settle();
+        }
+
+        assertThat(robot.converter.history()).hasSize(200);
+        List<HistoryEntry> all = robot.converter.history(1_000);
+        assertThat(all.size()).isGreaterThanOrEqualTo(300);
+        assertThat(all)
+                .extracting(HistoryEntry::number)
+                .isEqualTo(LongStream.rangeClosed(1, all.size()).boxed().toList());
+        assertThat(robot.converter.history(5))
+                .as("the same, whether it is remembered or read")
+                .isEqualTo(all.subList(all.size() - 5, all.size()));
+        assertThat(robot.converter.history(250)).isEqualTo(all.subList(all.size() - 250, all.size()));
+        assertThatThrownBy(() -> robot.converter.history(0)).hasMessageContaining("1 to 100000 events, not of 0");
     }
 
     @Test

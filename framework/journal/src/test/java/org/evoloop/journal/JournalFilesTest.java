@@ -30,9 +30,7 @@ class JournalFilesTest {
 
     private List<String> read(List<JournalRecord> records) {
         new JournalFiles(directory).read(records::add);
-        return records.stream()
-                .map(each -> each.where() + " " + each.doubt())
-                .toList();
+        return records.stream().map(each -> each.where() + " " + each.doubt()).toList();
     }
 
     @Test
@@ -100,8 +98,7 @@ class JournalFilesTest {
                                 false,
                                 Set.of("after 2 s")),
                         "")
-                .transition(
-                        new Transition(new State("End"), new Event("tick"), new State("End"), List.of(), true), "")
+                .transition(new Transition(new State("End"), new Event("tick"), new State("End"), List.of(), true), "")
                 .build();
         Bytes bytes = new Bytes();
         bytes.clear();
@@ -111,7 +108,8 @@ class JournalFilesTest {
         StateMachine back = MachineBytes.read(cursor);
         cursor.requireEnd();
 
-        assertThat(Fingerprint.of(new ModelPair(back, back))).isEqualTo(Fingerprint.of(new ModelPair(machine, machine)));
+        assertThat(Fingerprint.of(new ModelPair(back, back)))
+                .isEqualTo(Fingerprint.of(new ModelPair(machine, machine)));
         for (State state : machine.states()) {
             assertThat(back.withoutMemory(state)).isEqualTo(machine.withoutMemory(state));
             assertThat(back.activities(state)).isEqualTo(machine.activities(state));

@@ -89,8 +89,11 @@ class JournalCommandTest {
                 .anyMatch(line -> line.contains("sent       #1  at (on, on)  | switch handled"));
         assertThat(Tool.run("journal", "show", directory(), "--last", "1").out())
                 .isEqualTo(all.out().lines().reduce((before, last) -> last).orElseThrow() + "\n");
-        assertThat(Tool.run("journal", "show", directory(), "--from", "2100-01-01T00:00").out()).isEmpty();
-        assertThat(Tool.run("journal", "show", directory(), "--to", "2100-01-01T00:00:00Z").out())
+        assertThat(Tool.run("journal", "show", directory(), "--from", "2100-01-01T00:00")
+                        .out())
+                .isEmpty();
+        assertThat(Tool.run("journal", "show", directory(), "--to", "2100-01-01T00:00:00Z")
+                        .out())
                 .isEqualTo(all.out());
         assertThat(Tool.run("journal", "show", directory(), "--json").out().lines())
                 .hasSize((int) all.out().lines().count())
@@ -111,7 +114,8 @@ class JournalCommandTest {
                 .isEqualTo(new Tool(0, "", ""));
         try (var database = DriverManager.getConnection("jdbc:sqlite:" + table);
                 ResultSet row = database.createStatement()
-                        .executeQuery("SELECT count(*), max(event_values) FROM record WHERE event IS NULL OR event = 'switch'")) {
+                        .executeQuery(
+                                "SELECT count(*), max(event_values) FROM record WHERE event IS NULL OR event = 'switch'")) {
             assertThat(row.getLong(1)).isEqualTo(records);
             assertThat(row.getString(2)).isEqualTo("{\"by\":\"a \\\"visitor\\\"\"}");
         }
@@ -124,8 +128,9 @@ class JournalCommandTest {
     void verifyTellsDamageFromSoundnessAndFromWhatIsNoJournal() throws Exception {
         Tool sound = Tool.run("journal", "verify", directory());
         assertThat(sound.status()).isZero();
-        assertThat(sound.out()).endsWith(directory() + " is sound: "
-                + Tool.run("journal", "show", directory()).out().lines().count() + " records\n");
+        assertThat(sound.out())
+                .endsWith(directory() + " is sound: "
+                        + Tool.run("journal", "show", directory()).out().lines().count() + " records\n");
         Path copy = Files.createDirectory(folder.resolve("copy"));
         byte[] bytes = Files.readAllBytes(folder.resolve("journal/0000000001.journal"));
         bytes[100] ^= 4;
@@ -134,8 +139,9 @@ class JournalCommandTest {
             Tool damaged = Tool.run("journal", command, copy.toString());
             assertThat(damaged.status()).isEqualTo(1);
             assertThat(damaged.err())
-                    .matches("error: .*/0000000001.journal, byte 32, record 1: its checksum is wrong. The journal is damaged;"
-                            + " restore a copy .*\n");
+                    .matches(
+                            "error: .*/0000000001.journal, byte 32, record 1: its checksum is wrong. The journal is damaged;"
+                                    + " restore a copy .*\n");
         }
         Path none = Files.createDirectory(folder.resolve("none"));
         Tool wrong = Tool.run("journal", "verify", none.toString());

@@ -26,22 +26,25 @@ class InstancesTest {
 
     private Service open(String name) throws IOException {
         return Service.open(
-                new ServiceOptions(false, name), new ManualClock(), Map.of("XDG_RUNTIME_DIR", runtime.toString()));
+                new ServiceOptions(false, name, null),
+                new ManualClock(),
+                Map.of("XDG_RUNTIME_DIR", runtime.toString()));
     }
 
     @ParameterizedTest
     @ValueSource(strings = {"", "a b", "../lamp", "a/b", "-x", "lämpchen", "a.b", "a\n"})
     void aNameOfOtherCharactersIsRefused(String name) {
-        assertThatThrownBy(() -> new ServiceOptions(false, name))
+        assertThatThrownBy(() -> new ServiceOptions(false, name, null))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("use letters, digits, - and _");
     }
 
     @Test
     void theOptionsAreTakenOutOfTheCommandLine() {
-        List<String> line = new ArrayList<>(List.of("--models", "x", "--name", "lamp-2", "--start"));
+        List<String> line =
+                new ArrayList<>(List.of("--models", "x", "--name", "lamp-2", "--start", "--journal", "kept"));
 
-        assertThat(ServiceOptions.takeFrom(line)).isEqualTo(new ServiceOptions(true, "lamp-2"));
+        assertThat(ServiceOptions.takeFrom(line)).isEqualTo(new ServiceOptions(true, "lamp-2", Path.of("kept")));
         assertThat(line).containsExactly("--models", "x");
         assertThatThrownBy(() -> ServiceOptions.takeFrom(new ArrayList<>(List.of("--name"))))
                 .hasMessage("--name needs a name, as in --name lamp");

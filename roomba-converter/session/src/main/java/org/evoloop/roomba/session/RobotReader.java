@@ -172,6 +172,14 @@ final class RobotReader implements Connection.Owner {
         }
     }
 
+    /** What the robot did when another process saw it last. */
+    synchronized void assume(ActivityEstimate.Activity last) {
+        estimate.assume(last);
+        if (last == ActivityEstimate.Activity.SPOT) {
+            spotWatch.started();
+        }
+    }
+
     /** A command is about to be sent. */
     synchronized void sending(Command command) {
         effect.sending(command);

@@ -97,6 +97,14 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
     }
 
     /**
+     * What the robot did when another process saw it last, before {@link #open}: its motors tell whether it still does, and
+     * listeners hear if not.
+     */
+    public void assume(ActivityEstimate.Activity last) {
+        reader.assume(last);
+    }
+
+    /**
      * Opens the link and asks the robot for its stream; does not wait for an answer.
      *
      * @throws LinkException if the link cannot be opened

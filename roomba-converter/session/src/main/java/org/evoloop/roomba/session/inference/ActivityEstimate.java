@@ -54,6 +54,13 @@ public final class ActivityEstimate {
         return activity;
     }
 
+    /** What it did when it was seen last, by another process; its motors show within 3 s if it still does. */
+    public void assume(Activity last) {
+        forget();
+        activity = last;
+        startFramesLeft = last.isWork() ? START_FRAMES : 0;
+    }
+
     /** One of its buttons was pressed while nobody controls it. */
     public void pressed(Button button) {
         if (activity.isWork()) {

@@ -1,0 +1,127 @@
+package org.evoloop.journal;
+
+import java.util.Collection;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.evoloop.core.Doubt;
+import org.evoloop.core.Pending;
+import org.evoloop.core.Snapshot;
+import org.evoloop.core.Work;
+import org.evoloop.evolution.Occurrence;
+import org.evoloop.evolution.Values;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Which values of events are left out of a journal.
+ *
+ * @param names of values, {@code pin}, or of an event and its value, {@code unlock.pin}
+ */
+record Masks(Set<String> names) {
+    static final Masks NONE = new Masks(Set.of());
+
+    /** @throws IllegalArgumentException if a name is blank */
+    Masks {
+        names = Set.copyOf(names);
+        if (names.stream().anyMatch(String::isBlank)) {
+            throw new IllegalArgumentException(
+                    "a masked value has no name; write that of a value, pin, or of an event and its value, unlock.pin");
+        }
+    }
+
+    private boolean hides(String event, String value) {
+        return names.contains(value) || names.contains(event + "." + value);
+    }
+
+    /** The values of an event that may be written. */
+    Map<String, Object> of(String event, Values values) {
+        Map<String, Object> all = values.byName();
+        if (names.isEmpty() || all.keySet().stream().noneMatch(value -> hides(event, value))) {
+            return all;
+        }
+        Map<String, Object> shown = new TreeMap<>(all);
+        shown.keySet().removeIf(value -> hides(event, value));
+        return shown;
+    }
+
+    /** The same snapshot without what is masked. */
+    Snapshot of(Snapshot known) {
+        return names.isEmpty()
+                ? known
+                : new Snapshot(
+                        known.open(),
+                        known.at(),
+                        of(known.doubt()),
+                        known.steps(),
+                        known.lastStepNanos(),
+                        known.visit(),
+                        known.waiting().stream().map(this::of).toList(),
+                        known.losing(),
+                        known.followOwed(),
+                        of(known.work()),
+                        known.tally(),
+                        known.nowNanos());
+    }
+
+    private @Nullable Doubt of(@Nullable Doubt doubt) {
+        return doubt == null
+                ? null
+                : new Doubt(
+                        doubt.why(),
+                        doubt.number(),
+                        doubt.step(),
+                        doubt.stepsBefore(),
+                        doubt.meanwhile().stream().map(this::of).toList(),
+                        doubt.settled());
+    }
+
+    private @Nullable Work of(@Nullable Work work) {
+        return work == null
+                ? null
+                : new Work(
+                        of(work.pending()),
+                        work.decision(),
+                        work.taken(),
+                        work.effectsRun(),
+                        work.failedEffects(),
+                        work.stage(),
+                        work.meanwhile().stream().map(this::of).toList());
+    }
+
+    private Pending of(Pending pending) {
+        return new Pending(
+                pending.number(),
+                of(pending.occurrence()),
+                pending.from(),
+                pending.own(),
+                pending.stepsBefore(),
+                pending.attempts());
+    }
+
+    private Occurrence of(Occurrence occurrence) {
+        if (occurrence instanceof Occurrence.Heard heard) {
+            return new Occurrence.Heard(
+                    heard.event(),
+                    new Values(of(heard.event().name(), heard.values())),
+                    heard.source(),
+                    heard.deviceActed(),
+                    heard.holding(),
+                    heard.visit(),
+                    heard.observedNanos());
+        }
+        return occurrence instanceof Occurrence.Asked asked
+                ? new Occurrence.Asked(
+                        asked.event(),
+                        new Values(of(asked.event().name(), asked.values())),
+                        asked.visit(),
+                        asked.observedNanos())
+                : occurrence;
+    }
+
+    /** These and more. */
+    Masks and(Collection<String> more) {
+        return new Masks(Stream.concat(names.stream(), more.stream()).collect(Collectors.toSet()));
+    }
+}
