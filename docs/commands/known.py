@@ -154,6 +154,13 @@ KNOWN = [
         run="./evoloop bench plot benchmarks/results/2026-11-22.json docs/benchmarks.svg",
         slow=True,
     ),
+    Known("./evoloop bench soak", run="./evoloop bench soak --events 20000", slow=True, shows="20,000 events"),
+    Known("./evoloop bench soak --stepped", run="./evoloop bench soak --stepped --events 20000", slow=True),
+    Known(
+        "./evoloop bench soak --stepped --json benchmarks/results/soak-2026-11-23.json --plot docs/soak.svg",
+        run="./evoloop bench soak --stepped --events 20000 --json soak.json --plot soak.svg",
+        slow=True,
+    ),
     typed("./evoloop bench profile", slow=True),
     typed("./evoloop bench profile conversion --flame-graphs docs", slow=True),
     typed("./mvnw -q package -pl benchmarks -am -Dmaven.test.skip=true", slow=True),
@@ -198,9 +205,7 @@ KNOWN = [
         "./mvnw -pl roomba-converter -am -Dslow -Dsurefire.failIfNoSpecifiedTests=false -Dtest=NAME test",
         why_not="its tests are among those of ./evoloop test --slow, which runs this",
     ),
-    typed(
-        "JAZZER_FUZZ=1 ./mvnw -pl roomba-converter/oi -am test -Dsurefire.failIfNoSpecifiedTests=false"
-        " -Dtest=ParsersFuzzTest#aCommandIsRecognisedAfterAnyBytesHoweverTheyAreCut",
-        slow=True,
-    ),
+    typed("./evoloop fuzz --help", shows="--minutes N"),
+    Known("./evoloop fuzz --minutes 10", why_not="takes ten minutes for each of its targets"),
+    typed("./evoloop fuzz commands --minutes 1", slow=True, shows="commands: "),
 ]

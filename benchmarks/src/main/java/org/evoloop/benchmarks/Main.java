@@ -27,7 +27,7 @@ import picocli.CommandLine.Option;
         name = "bench",
         description = "Measures Evoloop beside others, on this machine, in one run.",
         mixinStandardHelpOptions = true,
-        subcommands = {PlotCommand.class, ProfileCommand.class})
+        subcommands = {PlotCommand.class, ProfileCommand.class, SoakCommand.class})
 public final class Main implements Callable<Integer> {
     private static final List<Suite> SUITES =
             List.of(new DecisionSuite(), new RingSuite(), new RunningSuite(), new LoadingSuite(), new DeviceSuite());
@@ -71,7 +71,7 @@ public final class Main implements Callable<Integer> {
         List<Suite> wanted = wanted();
         Path file = json;
         if (file != null) {
-            requireWritable(file);
+            requireWritable("--json", file);
         }
         List<Row> rows = new ArrayList<>();
         for (Suite suite : wanted) {
@@ -101,13 +101,13 @@ public final class Main implements Callable<Integer> {
     }
 
     /** Found out now, not when all has been measured. */
-    private static void requireWritable(Path file) {
+    static void requireWritable(String option, Path file) {
         try {
             Files.newOutputStream(file, StandardOpenOption.CREATE, StandardOpenOption.APPEND)
                     .close();
         } catch (IOException cause) {
             throw new IllegalArgumentException(
-                    "--json: cannot write " + file + "; name a file in a directory that exists", cause);
+                    option + ": cannot write " + file + "; name a file in a directory that exists", cause);
         }
     }
 }

@@ -12,8 +12,10 @@ import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Step;
 import org.evoloop.function.Visit;
+import org.evoloop.journal.Journal;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.time.SystemClock;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A converter for the paper's cleaning robot whose device costs nothing, so that what is left is the converter.
@@ -34,6 +36,11 @@ final class CleaningRobot implements AutoCloseable {
     private final Signal converted = new Signal();
 
     CleaningRobot(PathTimer timer, boolean threads) {
+        this(timer, threads, null);
+    }
+
+    /** @param journal null if it keeps none */
+    CleaningRobot(PathTimer timer, boolean threads, @Nullable Journal journal) {
         this.timer = timer;
         this.threads = threads;
         LoopConfig config = LoopConfig.defaults("robot", clock);
@@ -41,6 +48,9 @@ final class CleaningRobot implements AutoCloseable {
         converter.addMonitor(panel);
         converter.addExecute(new Device());
         converter.addKnowledge(new Knowledge());
+        if (journal != null) {
+            converter.journal(journal);
+        }
         converter.build();
         converter.start();
     }

@@ -12,7 +12,7 @@ import org.jspecify.annotations.Nullable;
  */
 final class Stopping {
     /** So long somebody who stops the converter waits. */
-    static final long ANSWER_MILLIS = 150;
+    static final long ANSWER_MILLIS = 100;
 
     /** All that it waits for has limits; this is only so that no mistake in them lasts for ever. */
     private static final Duration LONGEST = Duration.ofMinutes(5);

@@ -4,12 +4,8 @@ import static java.util.Objects.requireNonNull;
 
 import java.time.Instant;
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.Comparator;
-import java.util.LinkedHashMap;
-import java.util.LinkedHashSet;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Supplier;
@@ -50,7 +46,7 @@ public final class SystemEventConverter implements AutoCloseable {
 
     private final LoopConfig config;
     private final Belongings belongings;
-    private final Map<String, Supplier<? extends Component>> spares = new LinkedHashMap<>();
+    private final Spares spares = new Spares();
     private final FailureLog failures;
     private final Listeners listeners;
     private final ChangeLock changes;
@@ -151,13 +147,7 @@ public final class SystemEventConverter implements AutoCloseable {
      * @throws IllegalStateException if the name is taken
      */
     public void addSpare(String name, Supplier<? extends Component> spare) {
-        requireNonNull(name, "the name of a spare is null");
-        requireNonNull(spare, "the spare " + name + " is null");
-        synchronized (spares) {
-            if (spares.putIfAbsent(name, spare) != null) {
-                throw new IllegalStateException("there is a spare named " + name + " already");
-            }
-        }
+        spares.add(name, spare);
     }
 
     private void add(Component component) {
@@ -307,7 +297,7 @@ public final class SystemEventConverter implements AutoCloseable {
     /**
      * Closes the loop: from now on nothing begins, and events that wait are refused. The event that is in it comes to its
      * end, and the running new function ends; then the execute components let go of the device. That is waited for as long
-     * as a person waits for an answer, {@value Stopping#ANSWER_MILLIS} ms: what takes longer follows by itself, and what hangs
+     * as a person waits for an answer, 100 ms: what takes longer follows by itself, and what hangs
      * is given up. Does nothing if it is closed. Called by a component, a function, a task of a visit or a listener it does
      * not wait at all.
      *
@@ -433,23 +423,12 @@ public final class SystemEventConverter implements AutoCloseable {
      * @throws IllegalArgumentException if there is no such component or spare, or their roles differ
      */
     public void exchange(String name, String spare) {
-        Supplier<? extends Component> supplier;
-        synchronized (spares) {
-            supplier = spares.get(spare);
-        }
-        if (supplier == null) {
-            Set<String> names = spares();
-            throw new IllegalArgumentException("no spare is named " + spare + "; there are "
-                    + (names.isEmpty() ? "none" : String.join(", ", names)));
-        }
-        exchange(name, requireNonNull(supplier.get(), "the spare " + spare + " is null"));
+        exchange(name, spares.make(spare));
     }
 
     /** The names of the spares, in the order in which they were added. */
     public Set<String> spares() {
-        synchronized (spares) {
-            return Collections.unmodifiableSet(new LinkedHashSet<>(spares.keySet()));
-        }
+        return spares.names();
     }
 
     /** Queues an occurrence as if a monitor had reported it; false if it was refused or dropped. */

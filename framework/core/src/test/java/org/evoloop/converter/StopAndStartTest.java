@@ -52,7 +52,7 @@ class StopAndStartTest {
             robot.panel.press("Clean");
             until(() -> robot.converter.status().queue().depth() == 1);
 
-            robot.converter.stop();
+            until(robot.converter::stop);
 
             assertThat(robot.states()).isEqualTo(at("Clean", "Clean"));
             assertThat(robot.converter.status().queue().refused()).isEqualTo(1);
@@ -72,7 +72,7 @@ class StopAndStartTest {
         })) {
             robot.panel.press("Clean");
             await(sending);
-            robot.converter.stop();
+            until(robot.converter::stop);
 
             assertThat(robot.converter.status().loop()).isEqualTo(LoopState.STOPPED);
             assertThat(robot.awaitHistory(1).outcome()).isEqualTo(Outcome.FAILED);
@@ -90,7 +90,7 @@ class StopAndStartTest {
     void whileTheLoopIsClosedControllersAreRefusedAndTheRecordFollowsTheDevice() {
         try (LiveRobot robot = new LiveRobot(threading, NewFunction.none())) {
             robot.press("Clean");
-            robot.converter.stop();
+            until(robot.converter::stop);
             robot.panel.pressed("Clean", true);
             robot.panel.pressed("Spot", true);
             robot.awaitStates("Clean", "On");
@@ -119,7 +119,7 @@ class StopAndStartTest {
         })) {
             robot.press("Clean", "Spot");
             assertThat(take(life)).isEqualTo("begins");
-            robot.converter.stop();
+            until(robot.converter::stop);
             assertThat(take(life)).startsWith("is ");
             assertThat(robot.converter.status().function()).isEqualTo(new ConverterStatus.RunningFunction("", "", ""));
 
@@ -135,7 +135,7 @@ class StopAndStartTest {
         try (LiveRobot robot = new LiveRobot(threading, NewFunction.none())) {
             robot.press("Clean", "Clean", "Clean").awaitSpotWait();
             robot.clock.advance(Duration.ofSeconds(4));
-            robot.converter.stop();
+            until(robot.converter::stop);
             robot.clock.advance(Duration.ofSeconds(10));
             robot.converter.start();
             robot.awaitSpotWait();
@@ -151,8 +151,8 @@ class StopAndStartTest {
     void executesAreToldBeforeTheLoopOpensAndAfterItHasClosed() {
         try (LiveRobot robot = new LiveRobot(threading, NewFunction.none())) {
             robot.press("Clean");
-            robot.converter.stop();
-            robot.converter.stop();
+            until(robot.converter::stop);
+            until(robot.converter::stop);
             robot.converter.start();
             robot.converter.start();
             robot.converter.close();
@@ -196,7 +196,7 @@ class StopAndStartTest {
             assertThat(robot.states()).isEqualTo(at("On", "Move"));
             until(() -> robot.component("Rude").failures() == 3);
             assertThat(robot.component("Rude").lastFailure()).isEqualTo("Rude.execute: not now");
-            robot.converter.stop();
+            until(robot.converter::stop);
             assertThat(robot.converter.status().loop()).isEqualTo(LoopState.STOPPED);
         }
     }

@@ -43,7 +43,7 @@ class JournalFuzzTest {
                 kept.tell(story);
             }
             Path only = Directory.segments(directory).get(0);
-            byte[] bytes = Arrays.copyOf(Files.readAllBytes(only), (int) SegmentReader.writtenBytes(only));
+            byte[] bytes = Files.readAllBytes(only);
             for (Path file : List.copyOf(Directory.segments(directory))) {
                 Files.delete(file);
             }
@@ -55,7 +55,6 @@ class JournalFuzzTest {
 
     private static int firstRecord() {
         try {
-            Files.write(file(), WHOLE);
             Path copy = file();
             Files.write(copy, WHOLE);
             SegmentReader reader = new SegmentReader(copy);
