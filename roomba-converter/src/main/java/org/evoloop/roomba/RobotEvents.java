@@ -35,8 +35,8 @@ final class RobotEvents {
     }
 
     /** What it does in this state of its model. */
-    static ActivityEstimate.Activity activity(State state) {
-        for (ActivityEstimate.Activity activity : ActivityEstimate.Activity.values()) {
+    static ActivityEstimate.EstimatedActivity activity(State state) {
+        for (ActivityEstimate.EstimatedActivity activity : ActivityEstimate.EstimatedActivity.values()) {
             if (stateName(activity).filter(state.name()::equals).isPresent()) {
                 return activity;
             }

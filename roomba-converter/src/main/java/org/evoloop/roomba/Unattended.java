@@ -17,6 +17,7 @@ final class Unattended {
 
     /** @throws IllegalArgumentException if the name is not one */
     ServiceOptions options() {
-        return new ServiceOptions(start, name, null);
+        ServiceOptions named = name == null ? ServiceOptions.none() : ServiceOptions.none().withName(name);
+        return start ? named.withStart() : named;
     }
 }

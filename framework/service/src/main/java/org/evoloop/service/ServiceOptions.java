@@ -8,26 +8,62 @@ import org.jspecify.annotations.Nullable;
 /**
  * How a program runs by itself.
  *
- * @param start whether the loop is opened at once, and the end of the standard input ends nothing
- * @param name the name under which {@code ctl} reaches it; null if it has no control socket
- * @param journal the directory in which its converter keeps its journal; null if it keeps none
+ * <p>Threading: immutable.
+ *
  * @since 0.1
  */
-public record ServiceOptions(
-        boolean start, @Nullable String name, @Nullable Path journal) {
+public final class ServiceOptions {
     /** The names of the options, as they stand in a usage line. */
     public static final String USAGE = "[--start] [--name NAME] [--journal DIR]";
 
-    /** @throws IllegalArgumentException if the name is not one */
-    public ServiceOptions {
-        if (name != null) {
-            Instances.requireName(name);
-        }
+    private final boolean start;
+    private final @Nullable String name;
+    private final @Nullable Path journal;
+
+    private ServiceOptions(boolean start, @Nullable String name, @Nullable Path journal) {
+        this.start = start;
+        this.name = name;
+        this.journal = journal;
     }
 
-    /** An ordinary program with a console: nothing starts by itself, and nothing listens. */
+    /** An ordinary program with a console: nothing starts by itself, nothing listens, and nothing is kept. */
     public static ServiceOptions none() {
         return new ServiceOptions(false, null, null);
+    }
+
+    /** The same for a program that opens its loop at once, and goes on when its standard input ends. */
+    public ServiceOptions withStart() {
+        return new ServiceOptions(true, name, journal);
+    }
+
+    /**
+     * The same for a program that {@code ctl} reaches under this name.
+     *
+     * @throws IllegalArgumentException if it is not a name
+     */
+    public ServiceOptions withName(String instance) {
+        Instances.requireName(instance);
+        return new ServiceOptions(start, instance, journal);
+    }
+
+    /** The same for a program whose converter keeps its journal in this directory. */
+    public ServiceOptions withJournal(Path directory) {
+        return new ServiceOptions(start, name, directory);
+    }
+
+    /** Whether the loop is opened at once, and the end of the standard input ends nothing. */
+    public boolean start() {
+        return start;
+    }
+
+    /** The name under which {@code ctl} reaches it; null if it has no control socket. */
+    public @Nullable String name() {
+        return name;
+    }
+
+    /** The directory in which its converter keeps its journal; null if it keeps none. */
+    public @Nullable Path journal() {
+        return journal;
     }
 
     /**
@@ -37,21 +73,20 @@ public record ServiceOptions(
      * @throws IllegalArgumentException if the name or the directory is missing, or the name is not one
      */
     public static ServiceOptions takeFrom(List<String> arguments) {
-        boolean start = false;
-        String name = null;
-        Path journal = null;
+        ServiceOptions taken = none();
         for (Iterator<String> rest = arguments.iterator(); rest.hasNext(); ) {
             String next = rest.next();
             if (next.equals("--start")) {
-                start = true;
+                taken = taken.withStart();
                 rest.remove();
             } else if (next.equals("--name")) {
-                name = value(rest, "--name needs a name, as in --name lamp");
+                taken = taken.withName(value(rest, "--name needs a name, as in --name lamp"));
             } else if (next.equals("--journal")) {
-                journal = Path.of(value(rest, "--journal needs a directory, as in --journal /var/lib/lamp"));
+                taken = taken.withJournal(
+                        Path.of(value(rest, "--journal needs a directory, as in --journal /var/lib/lamp")));
             }
         }
-        return new ServiceOptions(start, name, journal);
+        return taken;
     }
 
     private static String value(Iterator<String> rest, String missing) {

@@ -26,7 +26,7 @@ class InstancesTest {
 
     private Service open(String name) throws IOException {
         return Service.open(
-                new ServiceOptions(false, name, null),
+                ServiceOptions.none().withName(name),
                 new ManualClock(),
                 Map.of("XDG_RUNTIME_DIR", runtime.toString()));
     }
@@ -34,7 +34,7 @@ class InstancesTest {
     @ParameterizedTest
     @ValueSource(strings = {"", "a b", "../lamp", "a/b", "-x", "lämpchen", "a.b", "a\n"})
     void aNameOfOtherCharactersIsRefused(String name) {
-        assertThatThrownBy(() -> new ServiceOptions(false, name, null))
+        assertThatThrownBy(() -> ServiceOptions.none().withName(name))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("use letters, digits, - and _");
     }
@@ -43,8 +43,11 @@ class InstancesTest {
     void theOptionsAreTakenOutOfTheCommandLine() {
         List<String> line =
                 new ArrayList<>(List.of("--models", "x", "--name", "lamp-2", "--start", "--journal", "kept"));
+        ServiceOptions taken = ServiceOptions.takeFrom(line);
 
-        assertThat(ServiceOptions.takeFrom(line)).isEqualTo(new ServiceOptions(true, "lamp-2", Path.of("kept")));
+        assertThat(taken.start()).isTrue();
+        assertThat(taken.name()).isEqualTo("lamp-2");
+        assertThat(taken.journal()).isEqualTo(Path.of("kept"));
         assertThat(line).containsExactly("--models", "x");
         assertThatThrownBy(() -> ServiceOptions.takeFrom(new ArrayList<>(List.of("--name"))))
                 .hasMessage("--name needs a name, as in --name lamp");

@@ -16,9 +16,9 @@ import org.jspecify.annotations.Nullable;
 public enum DecisionKind {
     /** {@link Decision.NotAcceptable}. */
     NOT_ACCEPTABLE,
-    /** {@link Decision.ExistingFunction}. */
+    /** {@link Decision.ExistingState}. */
     EXISTING_FUNCTION,
-    /** {@link Decision.NewFunction}. */
+    /** {@link Decision.NewState}. */
     NEW_FUNCTION,
     /** {@link Decision.Resynchronization}. */
     RESYNCHRONIZATION,

@@ -6,32 +6,45 @@ import java.nio.file.Path;
  * Which serial port, and how. Always 8 data bits, no parity, one stop bit and no flow control, as the robot has it
  * (Open Interface specification, "Serial Port Settings").
  *
- * @param port a path such as {@code /dev/ttyUSB0}, which may be a symbolic link, or a bare name such as {@code ttyUSB0}
- * @param baud the rate; a Roomba of the 500 and 600 series has 115200, or 19200 when told so
- * @param wakeSignal which output wakes the robot
- * @param sendLimitMillis how much longer than the bytes need on the line a send may take before the link counts as lost
+ * <p>Threading: immutable.
+ *
  * @since 0.1
  */
-public record SerialSettings(String port, int baud, WakeSignal wakeSignal, int sendLimitMillis) {
+public final class SerialSettings {
     /** The rate of a robot as it is delivered. */
     public static final int DEFAULT_BAUD = 115_200;
+
     /** Long enough for a busy computer. */
     public static final int DEFAULT_SEND_LIMIT_MILLIS = 1_000;
 
     /** A start bit, eight data bits and a stop bit. */
     private static final long BITS_PER_BYTE = 10;
 
-    public SerialSettings {
+    private final String port;
+    private final int baud;
+    private final WakeSignal wakeSignal;
+    private final int sendLimitMillis;
+
+    /**
+     * The settings of a robot as it is delivered, on an adapter whose RTS wakes it.
+     *
+     * @param port a path such as {@code /dev/ttyUSB0}, which may be a symbolic link, or a bare name such as {@code ttyUSB0}
+     * @throws IllegalArgumentException if the port has no name
+     */
+    public SerialSettings(String port) {
+        this(port, DEFAULT_BAUD, WakeSignal.RTS, DEFAULT_SEND_LIMIT_MILLIS);
+    }
+
+    private SerialSettings(String port, int baud, WakeSignal wakeSignal, int sendLimitMillis) {
         if (port.isBlank()) {
             throw new IllegalArgumentException("the serial port has no name; give one such as /dev/ttyUSB0");
         }
         requirePositive("baud", baud);
         requirePositive("sendLimitMillis", sendLimitMillis);
-    }
-
-    /** The settings of a robot as it is delivered, on an adapter whose RTS wakes it. */
-    public SerialSettings(String port) {
-        this(port, DEFAULT_BAUD, WakeSignal.RTS, DEFAULT_SEND_LIMIT_MILLIS);
+        this.port = port;
+        this.baud = baud;
+        this.wakeSignal = wakeSignal;
+        this.sendLimitMillis = sendLimitMillis;
     }
 
     /** The same, at another rate. */
@@ -47,6 +60,26 @@ public record SerialSettings(String port, int baud, WakeSignal wakeSignal, int s
     /** The same, with another limit. */
     public SerialSettings withSendLimitMillis(int newSendLimitMillis) {
         return new SerialSettings(port, baud, wakeSignal, newSendLimitMillis);
+    }
+
+    /** The port, as it was given. */
+    public String port() {
+        return port;
+    }
+
+    /** The rate; a Roomba of the 500 and 600 series has 115200, or 19200 when told so. */
+    public int baud() {
+        return baud;
+    }
+
+    /** Which output wakes the robot. */
+    public WakeSignal wakeSignal() {
+        return wakeSignal;
+    }
+
+    /** How much longer than the bytes need on the line a send may take before the link counts as lost. */
+    public int sendLimitMillis() {
+        return sendLimitMillis;
     }
 
     /** Where the port is; a bare name is one of {@code /dev}. */

@@ -173,9 +173,9 @@ final class RobotReader implements Connection.Owner {
     }
 
     /** What the robot did when another process saw it last. */
-    synchronized void assume(ActivityEstimate.Activity last) {
+    synchronized void assume(ActivityEstimate.EstimatedActivity last) {
         estimate.assume(last);
-        if (last == ActivityEstimate.Activity.SPOT) {
+        if (last == ActivityEstimate.EstimatedActivity.SPOT) {
             spotWatch.started();
         }
     }

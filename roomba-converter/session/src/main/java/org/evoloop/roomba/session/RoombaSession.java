@@ -100,7 +100,7 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
      * What the robot did when another process saw it last, before {@link #open}: its motors tell whether it still does, and
      * listeners hear if not.
      */
-    public void assume(ActivityEstimate.Activity last) {
+    public void assume(ActivityEstimate.EstimatedActivity last) {
         reader.assume(last);
     }
 

@@ -55,7 +55,7 @@ public final class ActivityEstimate {
     }
 
     /** What it did when it was seen last, by another process; its motors show within 3 s if it still does. */
-    public void assume(Activity last) {
+    public void assume(EstimatedActivity last) {
         forget();
         activity = last;
         startFramesLeft = last.isWork() ? START_FRAMES : 0;
