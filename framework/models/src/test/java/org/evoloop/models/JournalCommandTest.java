@@ -143,6 +143,18 @@ class JournalCommandTest {
                             "error: .*/0000000001.journal, byte 32, record 1: its checksum is wrong. The journal is damaged;"
                                     + " restore a copy .*\n");
         }
+        Path half = folder.resolve("half.db");
+        assertThat(Tool.run("journal", "export", copy.toString(), "--format", "sqlite", "--output", half.toString())
+                        .status())
+                .isEqualTo(1);
+        assertThat(half).as("of a damaged journal nothing is left").doesNotExist();
+        for (String format : new String[] {"json", "sqlite"}) {
+            Path nowhere = folder.resolve("no/such/folder");
+            Tool unwritten =
+                    Tool.run("journal", "export", directory(), "--format", format, "--output", nowhere.toString());
+            assertThat(unwritten.status()).isEqualTo(2);
+            assertThat(unwritten.err()).startsWith("error: " + nowhere + " cannot be written: ");
+        }
         Path none = Files.createDirectory(folder.resolve("none"));
         Tool wrong = Tool.run("journal", "verify", none.toString());
         assertThat(wrong.status()).isEqualTo(2);
