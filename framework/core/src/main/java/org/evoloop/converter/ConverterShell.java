@@ -88,7 +88,6 @@ final class ConverterShell implements LoopListener<Occurrence> {
 
     /** Ends the current visit and lets go of the device; the loop is closed. */
     void release() {
-        holdsDevice = false;
         driver.release();
         // The function may take the join limit to end, and then its endings run.
         Duration limit = config.joinLimit().multipliedBy(2);
@@ -100,6 +99,7 @@ final class ConverterShell implements LoopListener<Occurrence> {
         for (EventExecute execute : carrier.executes()) {
             hook(execute, "released", config.joinLimit(), execute::released);
         }
+        holdsDevice = false;
     }
 
     private interface Hook {

@@ -14,8 +14,9 @@ import org.jspecify.annotations.Nullable;
 /**
  * Superclass of the components that send events to the device.
  *
- * <p>Threading: all methods are called on the component's own thread, one at a time; only {@link #settled} is called once
- * more on the thread that starts the converter, before the loop opens, and {@link #released} on the one that stops it.
+ * <p>Threading: all methods are called on the component's own thread, one at a time; only {@link #settled}, once
+ * more before the loop opens, and {@link #released} are called on another one, which the converter waits for: 30 s by default
+ * for {@code settled} and 2 s for {@code released}, then it is interrupted.
  *
  * @since 0.1
  */
@@ -108,8 +109,7 @@ public abstract class EventExecute extends Execute<ChangePlan> {
     protected void settled(Configuration now) throws Exception {}
 
     /**
-     * The converter has stopped and its new function has ended: the device is on its own from now on. Called on the
-     * thread that stops or closes the converter.
+     * The converter has stopped and its new function has ended: the device is on its own from now on.
      *
      * @throws Exception any failure: it is reported
      */
