@@ -17,7 +17,8 @@ final class Unattended {
 
     /** @throws IllegalArgumentException if the name is not one */
     ServiceOptions options() {
-        ServiceOptions named = name == null ? ServiceOptions.none() : ServiceOptions.none().withName(name);
+        ServiceOptions named =
+                name == null ? ServiceOptions.none() : ServiceOptions.none().withName(name);
         return start ? named.withStart() : named;
     }
 }

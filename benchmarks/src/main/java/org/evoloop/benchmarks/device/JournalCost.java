@@ -94,9 +94,7 @@ public final class JournalCost {
         try (Clock clock = new SystemClock(SPEED);
                 RoombaConverter roomba = RoombaConverter.connect(
                         baud -> new TimedLink(
-                                SerialLink.open(
-                                        new SerialSettings(robot.path().toString()).withBaud(baud)),
-                                nanos),
+                                SerialLink.open(new SerialSettings(robot.path().toString()).withBaud(baud)), nanos),
                         LoopConfig.defaults("roomba", clock),
                         SessionOptions.defaults().withSilenceLimit(Duration.ofSeconds(8)),
                         new RoombaConverter.Options(

@@ -26,9 +26,7 @@ class InstancesTest {
 
     private Service open(String name) throws IOException {
         return Service.open(
-                ServiceOptions.none().withName(name),
-                new ManualClock(),
-                Map.of("XDG_RUNTIME_DIR", runtime.toString()));
+                ServiceOptions.none().withName(name), new ManualClock(), Map.of("XDG_RUNTIME_DIR", runtime.toString()));
     }
 
     @ParameterizedTest
