@@ -10,6 +10,8 @@ import org.evoloop.statemachine.Names;
  * The events that a converter of two models can hear of; all others are unknown to it.
  *
  * <p>Threading: immutable.
+ *
+ * @since 0.1
  */
 public final class EventNames {
     private final Map<String, Event> known = new HashMap<>();

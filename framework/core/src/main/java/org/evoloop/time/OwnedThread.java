@@ -7,6 +7,8 @@ import java.util.Set;
  * A daemon thread that knows for whom it works: who waits for it to end must not be waited for on it.
  *
  * <p>Threading: immutable but for what {@link Thread} is.
+ *
+ * @since 0.1
  */
 public final class OwnedThread extends Thread {
     private final Set<Object> owners;

@@ -13,6 +13,8 @@ import java.util.function.Consumer;
  * journal may be in use, and is read as far as it has been written.
  *
  * <p>Threading: thread-safe.
+ *
+ * @since 0.1
  */
 public final class JournalFiles {
     /** A file that is being written may be seen half; the second look sees what was missing. */

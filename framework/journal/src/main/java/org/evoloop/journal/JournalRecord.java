@@ -20,6 +20,7 @@ import org.evoloop.evolution.Configuration;
  * @param where the states of both models once it was told
  * @param doubt why that may be wrong; empty if it is certain
  * @param endings the events that came to their end, and how
+ * @since 0.1
  */
 public record JournalRecord(
         String segment,

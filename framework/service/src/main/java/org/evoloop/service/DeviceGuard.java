@@ -24,6 +24,8 @@ import org.slf4j.LoggerFactory;
  * <p>A guard process that ends or hangs is replaced by another one.
  *
  * <p>Threading: thread-safe. Has a thread of its own, in real time.
+ *
+ * @since 0.1
  */
 public final class DeviceGuard implements AutoCloseable {
     /** So long nothing is heard of this process before the device is made safe. */

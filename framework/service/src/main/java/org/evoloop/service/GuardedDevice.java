@@ -5,6 +5,8 @@ package org.evoloop.service;
  * {@link DeviceGuard} makes it safe when this process has ended or stands still.
  *
  * <p>Threading: called on a thread of the guard's, one call at a time.
+ *
+ * @since 0.1
  */
 public interface GuardedDevice {
     /**
