@@ -1,8 +1,12 @@
 package org.evoloop.converter;
 
 import java.time.Duration;
+import java.time.Instant;
+import java.util.Comparator;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.BooleanSupplier;
+import java.util.stream.Stream;
 import org.evoloop.core.Rules;
 import org.evoloop.core.Tally;
 import org.evoloop.evolution.DecisionTable;
@@ -10,6 +14,7 @@ import org.evoloop.evolution.Occurrence;
 import org.evoloop.loop.Failure;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.loop.LoopListener;
+import org.evoloop.loop.LoopState;
 import org.evoloop.loop.MapeLoop;
 import org.jspecify.annotations.Nullable;
 
@@ -145,6 +150,30 @@ final class ConverterShell implements LoopListener<Occurrence> {
     @Override
     public void failed(Failure<Occurrence> failure) {
         ends(failure, false);
+    }
+
+    /**
+     * A snapshot of the status.
+     *
+     * @param link the connection to the device, if one was registered
+     * @param closedAt when the loop was closed last
+     */
+    ConverterStatus status(@Nullable DeviceLink link, Instant closedAt) {
+        Optional<Instant> closed = loop.state() == LoopState.RUNNING ? Optional.empty() : Optional.of(closedAt);
+        Optional<Instant> down = link == null ? Optional.empty() : link.downSince();
+        return new ConverterStatus(
+                config.name(),
+                loop.state(),
+                driver.configuration(),
+                driver.doubt(),
+                Stream.concat(closed.stream(), down.stream()).min(Comparator.naturalOrder()),
+                loop.queueStatus(),
+                counts(),
+                driver.conversionTime(),
+                loop.components(),
+                visits.runningFunction(),
+                books.failures().faults(),
+                link == null ? null : new ConverterStatus.LinkStatus(link.isUp(), link.describe()));
     }
 
     @Override

@@ -4,12 +4,9 @@ import static java.util.Objects.requireNonNull;
 
 import java.time.Instant;
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.List;
-import java.util.Optional;
 import java.util.Set;
 import java.util.function.Supplier;
-import java.util.stream.Stream;
 import org.evoloop.evolution.DecisionTable;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.loop.Component;
@@ -463,27 +460,7 @@ public final class SystemEventConverter implements AutoCloseable {
 
     /** A snapshot of the status. @throws IllegalStateException if the converter is not built yet */
     public ConverterStatus status() {
-        ConverterShell built = built();
-        DeviceLink device = link;
-        return new ConverterStatus(
-                config.name(),
-                built.loop.state(),
-                built.driver.configuration(),
-                built.driver.doubt(),
-                lastKnownSince(built.loop.state(), device),
-                built.loop.queueStatus(),
-                built.counts(),
-                built.driver.conversionTime(),
-                built.loop.components(),
-                built.visits.runningFunction(),
-                failures.faults(),
-                device == null ? null : new ConverterStatus.LinkStatus(device.isUp(), device.describe()));
-    }
-
-    private Optional<Instant> lastKnownSince(LoopState loop, @Nullable DeviceLink device) {
-        Optional<Instant> closed = loop == LoopState.RUNNING ? Optional.empty() : Optional.of(closedAt);
-        Optional<Instant> down = device == null ? Optional.empty() : device.downSince();
-        return Stream.concat(closed.stream(), down.stream()).min(Comparator.naturalOrder());
+        return built().status(link, closedAt);
     }
 
     /** The last events and what became of them, oldest first. */
