@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.io.InputStreamReader;
 import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -146,6 +147,11 @@ final class Lives {
         }
         process.waitFor(60, TimeUnit.SECONDS);
         reader.join();
+        assertThat(process.exitValue()).as("the last life: %s", log()).isZero();
+    }
+
+    private String log() throws IOException {
+        return Files.readString(journal.resolveSibling(journal.getFileName() + ".log"));
     }
 
     /** What was promised. */
