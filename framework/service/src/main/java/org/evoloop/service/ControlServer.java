@@ -17,9 +17,8 @@ import java.util.List;
 import java.util.Queue;
 import java.util.Set;
 import java.util.concurrent.ConcurrentLinkedQueue;
-import java.util.concurrent.SynchronousQueue;
-import java.util.concurrent.ThreadPoolExecutor;
-import java.util.concurrent.TimeUnit;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
 import org.evoloop.time.Clock;
 import org.evoloop.time.Threads;
 import org.slf4j.Logger;
@@ -49,7 +48,9 @@ final class ControlServer implements AutoCloseable {
     private final SelectionKey doorKey;
     private final Thread thread = new Thread(this::serve, "evoloop-control");
     private final Queue<Runnable> tasks = new ConcurrentLinkedQueue<>();
-    private final ThreadPoolExecutor workers;
+
+    /** As many as there are clients with a command in progress, and those that have just answered. */
+    private final ExecutorService workers;
 
     /** The one that has been idle for longest is first. */
     private final Set<Connection> connections = new LinkedHashSet<>();
@@ -66,7 +67,7 @@ final class ControlServer implements AutoCloseable {
         this.path = path;
         this.commands = commands;
         this.clock = clock;
-        this.workers = new ThreadPoolExecutor(0, CLIENTS, 10, TimeUnit.SECONDS, new SynchronousQueue<>(), task -> {
+        this.workers = Executors.newCachedThreadPool(task -> {
             Thread worker = new Thread(task, "evoloop-control-command");
             worker.setDaemon(true);
             return worker;
@@ -108,7 +109,7 @@ final class ControlServer implements AutoCloseable {
                 for (Runnable task = tasks.poll(); task != null; task = tasks.poll()) {
                     task.run();
                 }
-            } catch (IOException | UncheckedIOException failure) {
+            } catch (IOException | RuntimeException failure) {
                 LOG.warn("the control socket {}: {}", path, failure.getMessage());
             }
         }
@@ -169,10 +170,11 @@ final class ControlServer implements AutoCloseable {
             LOG.warn("the control socket {} cannot be removed: {}", path, failure.getMessage());
         }
         later(() -> closing = true);
-        workers.shutdownNow();
         if (!Threads.join(thread, END_LIMIT)) {
             LOG.warn("thread {} did not end within {} ms", thread.getName(), END_LIMIT.toMillis());
         }
+        // Until its thread has ended, a client may still have a command performed.
+        workers.shutdownNow();
         try {
             door.close();
             selector.close();
