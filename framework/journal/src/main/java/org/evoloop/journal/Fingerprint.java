@@ -43,8 +43,9 @@ final class Fingerprint {
         }
     }
 
+    /** All but its name, which may be that of the file it was read from: that may move. */
     private static void describe(StateMachine machine, StringBuilder text) {
-        text.append(machine.name()).append('\n').append(machine.initial()).append('\n');
+        text.append(machine.initial()).append('\n');
         text.append(machine.spontaneous().stream().sorted().toList()).append('\n');
         for (State state : machine.states().stream().sorted().toList()) {
             text.append(state)

@@ -11,6 +11,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
 import org.evoloop.core.Input;
+import org.evoloop.core.Rules;
 import org.evoloop.core.Snapshot;
 import org.evoloop.time.ManualClock;
 import org.junit.jupiter.api.BeforeEach;
@@ -121,12 +122,19 @@ class DamageTest {
 
     @Test
     void aJournalOfOtherModelsIsRefused() {
-        assertThatThrownBy(() -> Kept.recovered(Robot.rules(Robot.models("another"), 8), journal, clock))
+        assertThatThrownBy(() -> Kept.recovered(Robot.rules(Robot.models("another", "Spot"), 8), journal, clock))
                 .isInstanceOf(JournalException.class)
                 .hasMessageStartingWith(segmentIn(journal) + ", byte 32, record 0: the journal is of other models:"
                         + " 'original' and 'new', fingerprint ")
                 .hasMessageContaining("not 'another' and 'new'")
                 .hasMessageEndingWith("start with the models that it was written with, or use another directory");
+    }
+
+    @Test
+    void modelsMayMove() {
+        Rules moved = Robot.rules(Robot.models("/elsewhere/original.scxml", "Clean"), 8);
+
+        assertThat(Kept.recovered(moved, journal, clock)).isEqualTo(Kept.recovered(Robot.RULES, journal, clock));
     }
 
     @Test

@@ -16,12 +16,16 @@ import org.evoloop.statemachine.Transition;
 
 /** The paper's cleaning robot, with a beep when it begins to clean and a new state that takes two events to leave. */
 final class Robot {
-    static final ModelPair MODELS = models("original");
+    static final ModelPair MODELS = models("original", "Clean");
     static final Rules RULES = rules(MODELS, 8);
 
     private Robot() {}
 
-    static ModelPair models(String name) {
+    /**
+     * @param name of the original model
+     * @param first what turns it on
+     */
+    static ModelPair models(String name, String first) {
         StateMachineBuilder evolved = StateMachine.named("new")
                 .initial("Off")
                 .transition("Off", "Clean", "On")
@@ -36,7 +40,7 @@ final class Robot {
         return new ModelPair(
                 StateMachine.named(name)
                         .initial("Off")
-                        .transition("Off", "Clean", "On")
+                        .transition("Off", first, "On")
                         .transition("On", "Clean", "Clean")
                         .transition("On", "Spot", "Spot")
                         .transition("Clean", "Clean", "On")
