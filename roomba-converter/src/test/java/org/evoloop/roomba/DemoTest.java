@@ -21,7 +21,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 @EnabledOnOs(OS.LINUX)
 @Timeout(180)
 class DemoTest {
-    private static final String ONE_PROCESS = "--speed=10";
+    private static final String ONE_PROCESS = "--speed=5";
     private static final String TWO_PROCESSES = "--two-processes";
 
     @TempDir
