@@ -3,8 +3,6 @@ package org.evoloop.roomba;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
-import java.io.Writer;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -39,7 +37,6 @@ class GuardedRobotTest {
     private static final String FAR_AWAY = "100000,0";
 
     private final Random random = new Random(20_261_123);
-    private final List<Process> processes = new ArrayList<>();
     private OtherRobot robot;
     private long longestMillis;
     private double farthestMm;
@@ -53,29 +50,18 @@ class GuardedRobotTest {
     }
 
     @AfterEach
-    void leaveNoProcess() throws InterruptedException {
-        for (Process process : processes) {
-            process.destroyForcibly().waitFor();
-        }
+    void leaveNoProcess() {
         robot.close();
     }
 
     private Process start(String... options) throws IOException {
-        List<String> arguments = new ArrayList<>(List.of("--port", robot.port(), "--start", "--start-point", FAR_AWAY));
+        List<String> arguments = new ArrayList<>(List.of("--start-point", FAR_AWAY));
         arguments.addAll(List.of(options));
-        Process process = Program.startWithLog(folder.resolve("log"), arguments.toArray(String[]::new));
-        processes.add(process);
-        return process;
+        return robot.convert(folder.resolve("log"), arguments.toArray(String[]::new));
     }
 
     private String log() throws IOException {
         return Files.readString(folder.resolve("log"));
-    }
-
-    private static void type(Process converter, String lines) throws IOException {
-        Writer input = converter.outputWriter(StandardCharsets.UTF_8);
-        input.write(lines);
-        input.flush();
     }
 
     private static void signal(String name, Process process) throws Exception {
@@ -114,7 +100,7 @@ class GuardedRobotTest {
     private void kill(int times) throws Exception {
         for (int life = 0; life < times; life++) {
             Process converter = start();
-            type(converter, "press clean\npress spot\n");
+            OtherRobot.type(converter, "press clean\npress spot\n");
             untilItDrives();
             Truth before = robot.truth();
             converter.destroyForcibly();
@@ -131,9 +117,9 @@ class GuardedRobotTest {
 
     private void freeze(int times) throws Exception {
         Process converter = start();
-        type(converter, "press clean\n");
+        OtherRobot.type(converter, "press clean\n");
         for (int freeze = 0; freeze < times; freeze++) {
-            type(converter, "press spot\n");
+            OtherRobot.type(converter, "press spot\n");
             untilItDrives();
             Truth before = robot.truth();
             signal("STOP", converter);
@@ -147,7 +133,7 @@ class GuardedRobotTest {
             robot.execute("place 0 0 0");
         }
         tell(times + " freezes");
-        type(converter, "status\nexit\n");
+        OtherRobot.type(converter, "status\nexit\n");
         assertThat(converter.waitFor()).isZero();
         assertThat(log()).contains("this program stood still for", "states      original On, new On");
     }
@@ -172,7 +158,7 @@ class GuardedRobotTest {
     @Test
     void aRobotThatCleansByItselfGoesOn() throws Exception {
         Process converter = start();
-        type(converter, "press clean\npress clean\n");
+        OtherRobot.type(converter, "press clean\npress clean\n");
         Truth before = robot.await("it cleans", now -> now.activity().equals("clean") && now.drives());
         signal("STOP", converter);
         robot.await("some time", now -> now.millis() - before.millis() > 1_500);
@@ -185,7 +171,7 @@ class GuardedRobotTest {
     @Test
     void withoutAGuardTheRobotDrivesOn() throws Exception {
         Process converter = start("--no-guard");
-        type(converter, "press clean\npress spot\nstatus\n");
+        OtherRobot.type(converter, "press clean\npress spot\nstatus\n");
         untilItDrives();
         Truth before = robot.truth();
         converter.destroyForcibly();

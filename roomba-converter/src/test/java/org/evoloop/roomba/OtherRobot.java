@@ -1,13 +1,18 @@
 package org.evoloop.roomba;
 
 import java.io.IOException;
+import java.io.Writer;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
 import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.function.Predicate;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.awaitility.Awaitility;
 
-/** A simulated robot in a process of its own, and what is true of it, whatever a converter believes. */
+/** A simulated robot in a process of its own, what is true of it, whatever a converter believes, and its converters. */
 final class OtherRobot implements AutoCloseable {
     /** The truth at one moment of the robot's time. */
     record Truth(long millis, String activity, String mode, double x, double y, double left, double right) {
@@ -25,6 +30,7 @@ final class OtherRobot implements AutoCloseable {
     }
 
     private final SimulatedWorld world;
+    private final List<Process> converters = new ArrayList<>();
 
     OtherRobot() throws IOException {
         world = SimulatedWorld.inAnotherProcess(1, false);
@@ -32,6 +38,21 @@ final class OtherRobot implements AutoCloseable {
 
     String port() {
         return world.port().toString();
+    }
+
+    /** Starts a converter in a process of its own, and opens its loop; what it prints goes to the end of {@code log}. */
+    Process convert(Path log, String... options) throws IOException {
+        List<String> arguments = new ArrayList<>(List.of("--port", port(), "--start"));
+        arguments.addAll(List.of(options));
+        Process converter = Program.startWithLog(log, arguments.toArray(String[]::new));
+        converters.add(converter);
+        return converter;
+    }
+
+    static void type(Process converter, String lines) throws IOException {
+        Writer input = converter.outputWriter(StandardCharsets.UTF_8);
+        input.write(lines);
+        input.flush();
     }
 
     String execute(String command) {
@@ -71,8 +92,11 @@ final class OtherRobot implements AutoCloseable {
                 .until(this::truth, wanted);
     }
 
+    /** Leaves no process. */
     @Override
     public void close() {
+        converters.forEach(Process::destroyForcibly);
+        converters.forEach(converter -> converter.onExit().join());
         world.close();
     }
 }

@@ -3,13 +3,9 @@ package org.evoloop.roomba;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
-import java.io.Writer;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
-import java.util.ArrayList;
-import java.util.List;
 import org.awaitility.Awaitility;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -26,7 +22,7 @@ import org.junit.jupiter.api.io.TempDir;
 @Timeout(value = 240, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 @EnabledOnOs(OS.LINUX)
 class RestartTest {
-    private final List<Process> processes = new ArrayList<>();
+    private int lives;
     private OtherRobot robot;
 
     @TempDir
@@ -38,33 +34,17 @@ class RestartTest {
     }
 
     @AfterEach
-    void leaveNoProcess() throws InterruptedException {
-        for (Process process : processes) {
-            process.destroyForcibly().waitFor();
-        }
+    void leaveNoProcess() {
         robot.close();
     }
 
     private Path log() {
-        return folder.resolve("log" + processes.size());
+        return folder.resolve("log" + lives);
     }
 
     private Process start() throws IOException {
-        Process process = Program.startWithLog(
-                folder.resolve("log" + (processes.size() + 1)),
-                "--port",
-                robot.port(),
-                "--start",
-                "--journal",
-                folder.resolve("journal").toString());
-        processes.add(process);
-        return process;
-    }
-
-    private static void type(Process converter, String lines) throws IOException {
-        Writer input = converter.outputWriter(StandardCharsets.UTF_8);
-        input.write(lines);
-        input.flush();
+        lives++;
+        return robot.convert(log(), "--journal", folder.resolve("journal").toString());
     }
 
     private void awaitActivity(String activity) {
@@ -77,7 +57,7 @@ class RestartTest {
                 .atMost(Duration.ofSeconds(60))
                 .pollInterval(Duration.ofMillis(200))
                 .until(() -> {
-                    type(converter, "status\n");
+                    OtherRobot.type(converter, "status\n");
                     return Files.readString(log()).contains("states      " + states);
                 });
     }
@@ -90,7 +70,7 @@ class RestartTest {
     @Test
     void aRobotThatWasPausedByItsButtonIsOn() throws Exception {
         Process first = start();
-        type(first, "press clean\npress clean\n");
+        OtherRobot.type(first, "press clean\npress clean\n");
         awaitActivity("clean");
         awaitStates(first, "original Clean, new Clean");
         killed(first);
@@ -103,7 +83,7 @@ class RestartTest {
     @Test
     void aRobotThatStillCleansIsLeftAlone() throws Exception {
         Process first = start();
-        type(first, "press clean\npress clean\n");
+        OtherRobot.type(first, "press clean\npress clean\n");
         awaitActivity("clean");
         awaitStates(first, "original Clean, new Clean");
         killed(first);
@@ -134,7 +114,7 @@ class RestartTest {
     @Test
     void aRobotThatWasOnIsTakenUnderControlAgain() throws Exception {
         Process first = start();
-        type(first, "press clean\n");
+        OtherRobot.type(first, "press clean\n");
         robot.await("control", now -> now.mode().equals("safe"));
         awaitStates(first, "original On, new On");
         killed(first);

@@ -11,9 +11,9 @@ import org.jspecify.annotations.Nullable;
 /**
  * A monitor whose events come from other threads: a console, a driver's callback, a web server.
  *
- * <p>Threading: {@link #push} and {@link #press} may be called from any thread and do not wait for events to be converted. Once the loop has been
- * built they pass events to it directly, since the monitor's own thread would have to be woken first; what one thread
- * pushes stays in order.
+ * <p>Threading: {@link #push} and {@link #press} may be called from any thread and do not wait for events to be converted.
+ * Once the loop has been built they pass events to it directly, since the monitor's own thread would have to be woken
+ * first; what one thread pushes stays in order.
  *
  * @since 0.1
  */

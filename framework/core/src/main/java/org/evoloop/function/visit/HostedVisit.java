@@ -30,8 +30,25 @@ public final class HostedVisit implements Visit {
     private volatile boolean ended;
 
     /** Something that will happen; until its time has come it can be called off. */
-    private static final class Appointment {
+    private final class Appointment implements Runnable {
+        private final Runnable task;
         Clock.@Nullable Timer timer;
+
+        Appointment(Runnable task) {
+            this.task = task;
+        }
+
+        @Override
+        public void run() {
+            synchronized (lock) {
+                if (timers != null) {
+                    timers.remove(this);
+                }
+            }
+            if (isActive()) {
+                task.run();
+            }
+        }
     }
 
     private volatile String progress = "";
@@ -182,22 +199,16 @@ public final class HostedVisit implements Visit {
             if (!isActive()) {
                 return;
             }
-            Set<Appointment> all = timers == null ? new HashSet<>() : timers;
+            // Most visits have one timer: room for more would be garbage in every event.
+            Set<Appointment> all = timers == null ? new HashSet<>(2) : timers;
             timers = all;
             if (all.size() + (tasks == null ? 0 : tasks.waiting()) >= MOST_TIMERS) {
                 throw new IllegalStateException(
                         this + " waits for " + MOST_TIMERS + " times already; set the next when one has come");
             }
-            Appointment appointment = new Appointment();
+            Appointment appointment = new Appointment(task);
             all.add(appointment);
-            appointment.timer = host.clock().schedule(delay, () -> {
-                synchronized (lock) {
-                    all.remove(appointment);
-                }
-                if (isActive()) {
-                    task.run();
-                }
-            });
+            appointment.timer = host.clock().schedule(delay, appointment);
         }
     }
 
