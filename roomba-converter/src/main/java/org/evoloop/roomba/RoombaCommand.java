@@ -101,11 +101,7 @@ final class RoombaCommand implements Callable<Integer> {
     }
 
     private int converse(
-            Service service,
-            String robotPort,
-            RoombaConverter.Options read,
-            double pace,
-            @Nullable SimulatedWorld world)
+            Service service, String robotPort, RoombaOptions read, double pace, @Nullable SimulatedWorld world)
             throws IOException, InterruptedException {
         try (Clock clock = new SystemClock(pace);
                 RobotGuard guard = world == null && !noGuard ? new RobotGuard(robotPort) : null;
@@ -117,12 +113,15 @@ final class RoombaCommand implements Callable<Integer> {
             if (guard != null) {
                 roomba.converter().addLink(guard.watch(roomba.session()));
             }
+            List<String> buttons = read.models().buttons().stream()
+                    .map(button -> button.toLowerCase(Locale.ROOT))
+                    .toList();
             Console console = new Console(roomba.converter(), System.in, System.out, System.err);
             console.addCommand(ConsoleCommand.of(
                             "press BUTTON",
-                            "presses a button of the external controller: clean or spot",
-                            (arguments, out) -> roomba.controller().press(event(arguments.get(0))))
-                    .completing(before -> before.isEmpty() ? List.of("clean", "spot") : List.of()));
+                            "presses a button of the external controller: " + String.join(", ", buttons),
+                            (arguments, out) -> roomba.controller().press(event(read.models(), arguments.get(0))))
+                    .completing(before -> before.isEmpty() ? buttons : List.of()));
             if (world != null) {
                 console.addCommand(ConsoleCommand.of(
                                 "robot COMMAND [ARGUMENT] [ARGUMENT] [ARGUMENT]",
@@ -159,13 +158,12 @@ final class RoombaCommand implements Callable<Integer> {
                 Duration.ofMillis(Math.round(usual.stepLimit().toMillis() * Math.max(1, pace))));
     }
 
-    private static String event(String button) {
-        return switch (button.toLowerCase(Locale.ROOT)) {
-            case "clean" -> RobotEvents.CLEAN;
-            case "spot" -> RobotEvents.SPOT;
-            default ->
-                throw new IllegalArgumentException(
-                        "the controller has no button " + button + "; it has clean and spot");
-        };
+    private static String event(RobotModels models, String button) {
+        List<String> known = models.buttons();
+        return known.stream()
+                .filter(name -> name.equalsIgnoreCase(button))
+                .findFirst()
+                .orElseThrow(() -> new IllegalArgumentException("the controller has no button " + button + "; it has "
+                        + String.join(", ", known).toLowerCase(Locale.ROOT).replaceFirst(", (?=[^,]*$)", " and ")));
     }
 }

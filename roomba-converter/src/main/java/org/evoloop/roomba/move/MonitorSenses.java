@@ -9,6 +9,7 @@ import org.evoloop.roomba.move.phase.Ending;
 import org.evoloop.roomba.oi.Button;
 import org.evoloop.roomba.session.SessionListener;
 import org.evoloop.roomba.session.Telemetry;
+import org.evoloop.roomba.session.inference.ActivityEstimate.EstimatedActivity;
 import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 
@@ -26,7 +27,7 @@ final class MonitorSenses extends Monitor<Percept> implements SessionListener {
     private final Clock clock;
     private final boolean threads;
     private String reason = "";
-    private Optional<SeenActivity> work = Optional.empty();
+    private Optional<EstimatedActivity> work = Optional.empty();
 
     /** @param threads false if each frame itself must take the loop's step */
     MonitorSenses(MapeLoop<Percept, ?, ?> loop, StartPointSensor sensor, Clock clock, boolean threads) {
@@ -59,8 +60,8 @@ final class MonitorSenses extends Monitor<Percept> implements SessionListener {
     }
 
     @Override
-    public void seen(SeenActivity activity) {
-        work = activity == SeenActivity.ON ? Optional.empty() : Optional.of(activity);
+    public void seen(EstimatedActivity activity) {
+        work = activity == EstimatedActivity.ON ? Optional.empty() : Optional.of(activity);
     }
 
     private void takeStep() {

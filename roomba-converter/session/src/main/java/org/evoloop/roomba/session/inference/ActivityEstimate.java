@@ -30,6 +30,8 @@ public final class ActivityEstimate {
         ON,
         /** Cleans. */
         CLEAN,
+        /** Cleans until the battery is empty; from outside that looks like {@link #CLEAN}. */
+        MAX,
         /** Cleans a spot. */
         SPOT,
         /** Looking for its dock. */
@@ -37,7 +39,7 @@ public final class ActivityEstimate {
 
         /** Whether the robot moves of its own accord. */
         public boolean isWork() {
-            return this == CLEAN || this == SPOT || this == DOCK;
+            return this != STANDBY && this != ON;
         }
     }
 
@@ -88,12 +90,22 @@ public final class ActivityEstimate {
     public void commanded(Command command) {
         if (command instanceof Command.Safe || command instanceof Command.Full) {
             activity = EstimatedActivity.ON;
-        } else if (command instanceof Command.Clean || command instanceof Command.Spot) {
-            EstimatedActivity wanted =
-                    command instanceof Command.Clean ? EstimatedActivity.CLEAN : EstimatedActivity.SPOT;
-            activity = activity.isWork() ? EstimatedActivity.ON : wanted;
+        } else if (command instanceof Command.Power) {
+            activity = EstimatedActivity.STANDBY;
+            startFramesLeft = 0;
+        } else if (command.opcode().startsWork()) {
+            activity = activity.isWork() ? EstimatedActivity.ON : begunBy(command);
             startFramesLeft = START_FRAMES;
         }
+    }
+
+    private static EstimatedActivity begunBy(Command command) {
+        return switch (command.opcode()) {
+            case SPOT -> EstimatedActivity.SPOT;
+            case MAX -> EstimatedActivity.MAX;
+            case SEEK_DOCK -> EstimatedActivity.DOCK;
+            default -> EstimatedActivity.CLEAN;
+        };
     }
 
     /** It is under control: whatever it did has ended. */
