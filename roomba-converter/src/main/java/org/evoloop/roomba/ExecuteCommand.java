@@ -136,7 +136,7 @@ final class ExecuteCommand extends EventExecute implements SessionListener {
     protected void settled(Configuration now) {
         resumption.settled();
         keepMode(now.original().name());
-        if (!TOLD_BY_CIRCUMSTANCES.contains(now.original().name())) {
+        if (!TOLD_BY_CIRCUMSTANCES.contains(now.original().name()) && !session.isUndocking()) {
             // A robot that is lifted or on its dock may not be where the record has gone.
             session.tellAgain();
         }

@@ -24,6 +24,7 @@ import org.slf4j.LoggerFactory;
 final class MonitorEvent extends PushMonitor implements SessionListener {
     private static final Logger LOG = LoggerFactory.getLogger(MonitorEvent.class);
 
+    private final RoombaSession session;
     private final StateMachine original;
     private final Predicate<String> restartsMove;
     private final Set<String> known = new LinkedHashSet<>();
@@ -35,6 +36,7 @@ final class MonitorEvent extends PushMonitor implements SessionListener {
      * @param restartsMove whether this event would have a Move that runs begin anew
      */
     MonitorEvent(RoombaSession session, StateMachine original, Predicate<String> restartsMove) {
+        this.session = session;
         this.original = original;
         this.restartsMove = restartsMove;
         original.triggers().forEach(event -> known.add(event.name()));
@@ -67,19 +69,31 @@ final class MonitorEvent extends PushMonitor implements SessionListener {
     public void spotEnded(SpotWatch.Ending how) {
         LOG.debug("spot cleaning has ended: {}", how);
         tell(RobotEvents.END_SPOT);
+        session.tellSoon();
     }
 
     @Override
     public void seen(EstimatedActivity now) {
-        if (now == EstimatedActivity.ON && circumstances.equals(Circumstances.USUAL)) {
-            switch (activity) {
-                case CLEAN, MAX -> tell(RobotEvents.END_CLEAN);
-                case DOCK -> tell(RobotEvents.END_DOCK);
-                default -> {}
-            }
-        }
+        String event = change(activity, now);
         activity = now;
-        find(circumstances);
+        if (known.contains(event)) {
+            tell(event);
+            session.tellSoon();
+        } else {
+            find(circumstances);
+        }
+    }
+
+    /** The event of what the robot does by itself in place of what it did; empty if there is none. */
+    private String change(EstimatedActivity before, EstimatedActivity now) {
+        boolean cleaned = before == EstimatedActivity.CLEAN || before == EstimatedActivity.MAX;
+        if (cleaned && now == EstimatedActivity.DOCK) {
+            return RobotEvents.SEEK_DOCK;
+        }
+        if (now != EstimatedActivity.ON || !circumstances.equals(Circumstances.USUAL)) {
+            return "";
+        }
+        return cleaned ? RobotEvents.END_CLEAN : before == EstimatedActivity.DOCK ? RobotEvents.END_DOCK : "";
     }
 
     @Override
@@ -89,8 +103,14 @@ final class MonitorEvent extends PushMonitor implements SessionListener {
         activity = doing;
         circumstances = now;
         if (!same) {
-            changes(before, now).forEach(this::tell);
-            find(now);
+            List<String> events = changes(before, now);
+            events.forEach(this::tell);
+            if (known.containsAll(events)) {
+                // What they begin must not be overtaken by the finding that they are true.
+                session.tellSoon();
+            } else {
+                find(now);
+            }
         }
     }
 

@@ -27,6 +27,10 @@ final class RobotEvents {
     static final String END_SPOT = "endSpot";
     static final String END_CLEAN = "endClean";
     static final String END_DOCK = "endDock";
+
+    /** It cleans no more and looks for its dock: its battery is low. */
+    static final String SEEK_DOCK = "seekDock";
+
     static final String DOCKED = "docked";
     static final String UNDOCKED = "undocked";
     static final String CHARGED = "charged";
@@ -47,8 +51,8 @@ final class RobotEvents {
 
     /** What the robot does by itself. */
     static final List<String> FACTS = List.of(
-            CLEAN, SPOT, DOCK, END_SPOT, END_CLEAN, END_DOCK, DOCKED, UNDOCKED, CHARGED, CHARGING, ASLEEP, AWAKE, ERROR,
-            RECOVERED);
+            CLEAN, SPOT, DOCK, END_SPOT, END_CLEAN, END_DOCK, SEEK_DOCK, DOCKED, UNDOCKED, CHARGED, CHARGING, ASLEEP,
+            AWAKE, ERROR, RECOVERED);
 
     /** What neither a controller nor the robot raises, but this program's functions and timetable. */
     private static final Set<String> RAISED = Set.of(Move.ARRIVED, TIMEOUT, QUIET_OVER, LOW_BATTERY, SCHEDULE);

@@ -82,7 +82,7 @@ public final class Move extends ControlLoopFunction<Percept, Situation, Maneuver
     protected void assemble(MapeLoop<Percept, Situation, Maneuver> loop, Visit visit) {
         StartPointSensor sensor = startPoint.apply(visit.clock());
         visit.onEnd(sensor::close);
-        MonitorSenses monitor = new MonitorSenses(loop, sensor, visit.clock(), visit.threads());
+        MonitorSenses monitor = new MonitorSenses(loop, sensor, session::isUndocking, visit);
         loop.addMonitor(monitor);
         ObeyWatch obeyWatch = new ObeyWatch(options.frameLimit().toNanos());
         loop.addAnalyze(new AnalyzeSituation(options, obeyWatch, visit));

@@ -56,6 +56,7 @@ final class RobotReader implements Connection.Owner {
     private final CircumstanceWatch circumstances = new CircumstanceWatch();
     private Circumstances told = Circumstances.USUAL;
     private boolean tellAgain;
+    private int framesUntilTold;
     private volatile @Nullable Telemetry latest;
 
     /** @param cable opens a new link to the robot at a baud rate; called again whenever the link was lost */
@@ -139,8 +140,11 @@ final class RobotReader implements Connection.Owner {
             estimate.seenAtRest();
             listeners.forEach(listener -> listener.spotEnded(ending));
         }
-        if (estimate.update(values, now.isUnderControl(), !control.isWanted())) {
+        if (estimate.update(values, now.isUnderControl(), !control.isWanted()) && ending == null) {
             tellActivity();
+        }
+        if (framesUntilTold > 0 && --framesUntilTold == 0) {
+            tellSeen(estimate.activity());
         }
     }
 
@@ -167,6 +171,11 @@ final class RobotReader implements Connection.Owner {
     /** The robot stands, wherever it is on its way off its dock. */
     synchronized void endUndocking() {
         undocking.end();
+    }
+
+    /** What the robot does is told soon, unless it is commanded before. */
+    synchronized void tellSoon() {
+        framesUntilTold = CommandEffect.SHOW_FRAMES;
     }
 
     /** How it stands with the robot is told with the next frame, though it has been told before. */
@@ -250,6 +259,7 @@ final class RobotReader implements Connection.Owner {
 
     /** A command has been sent. */
     synchronized void commanded(Command command) {
+        framesUntilTold = 0;
         control.commanded(command);
         estimate.commanded(command);
         if (command instanceof Command.Spot && estimate.activity() == EstimatedActivity.SPOT) {

@@ -229,7 +229,7 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
         boolean comes;
         synchronized (reader) {
             control.want();
-            comes = isUnderControl() || control.isRegaining() || connection.isAsleep();
+            comes = isUnderControl() || control.isRegaining() || connection.isAsleep() || reader.isUndocking();
         }
         connection.letSleep(false);
         if (!comes) {
@@ -308,6 +308,11 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
         }
     }
 
+    /** Whether the robot is on its way off its dock: nobody else is to drive it. */
+    public boolean isUndocking() {
+        return reader.isUndocking();
+    }
+
     /** Stops the wheels if the robot is under control or about to be, and gives it back to itself for good. */
     public void letGo() {
         boolean mayHaveControl;
@@ -319,6 +324,14 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
             send(new ActuatorCommand.DriveDirect(0, 0));
             send(new Command.Start());
         }
+    }
+
+    /**
+     * What the robot does is told to listeners within a quarter of a second, unless it is commanded before; for who has just
+     * told an event of it, and wants to know that nothing else is true.
+     */
+    public void tellSoon() {
+        reader.tellSoon();
     }
 
     /** How it stands with the robot is told to listeners once more, with the next frame; see {@link SessionListener#changed}. */

@@ -22,6 +22,9 @@ public final class ActivityEstimate {
     /** A robot that was told to work must show it within 3 s. */
     public static final int START_FRAMES = 200;
 
+    /** A robot that cleans and then drives with its brushes at rest for so long is on its way home: 3 s. */
+    static final int HOMEWARD_FRAMES = 200;
+
     /** What the robot is taken to do. */
     public enum EstimatedActivity {
         /** Nothing; its light is off. */
@@ -47,6 +50,7 @@ public final class ActivityEstimate {
     private EstimatedActivity activity = EstimatedActivity.STANDBY;
     private boolean atWork;
     private int startFramesLeft;
+    private int deafFramesLeft;
 
     /** Before any command and any frame. */
     public ActivityEstimate() {}
@@ -94,6 +98,8 @@ public final class ActivityEstimate {
             activity = EstimatedActivity.STANDBY;
             startFramesLeft = 0;
         } else if (command.opcode().startsWork()) {
+            // Until a pause shows, the motors tell of what was before it.
+            deafFramesLeft = activity.isWork() ? CommandEffect.SHOW_FRAMES : 0;
             activity = activity.isWork() ? EstimatedActivity.ON : begunBy(command);
             startFramesLeft = START_FRAMES;
         }
@@ -135,6 +141,10 @@ public final class ActivityEstimate {
      */
     public boolean update(SensorValues values, boolean underControl, boolean workIsNews) {
         motion.update(values);
+        if (deafFramesLeft > 0) {
+            deafFramesLeft--;
+            motion.forget();
+        }
         if (underControl) {
             // A command that ends control takes some frames to show: what is expected of it is not forgotten.
             atWork = false;
@@ -148,6 +158,11 @@ public final class ActivityEstimate {
         if (expectedInVain || (atWork && isAtRest())) {
             atWork = false;
             seenAtRest();
+            return true;
+        }
+        if ((activity == EstimatedActivity.CLEAN || activity == EstimatedActivity.MAX)
+                && motion.brushlessFrames() >= HOMEWARD_FRAMES) {
+            activity = EstimatedActivity.DOCK;
             return true;
         }
         boolean begun = motion.poweredFrames() == WORK_FRAMES && workIsNews;

@@ -17,7 +17,7 @@ import org.jspecify.annotations.Nullable;
  */
 public final class CommandEffect {
     /** A command that has arrived shows within so many frames: 0.24 s. */
-    static final int SHOW_FRAMES = 16;
+    public static final int SHOW_FRAMES = 16;
 
     private @Nullable Command awaited;
     private int frames = SHOW_FRAMES;
