@@ -126,7 +126,7 @@ final class RobotReader implements Connection.Owner {
         if (circumstances.update(values, estimate.activity().isWork()) || tellAgain) {
             tellCircumstances(tellAgain ? Circumstances.USUAL : told);
         }
-        undocking.update(now);
+        tellAgain |= undocking.update(now);
         switch (control.update(now)) {
             case ON -> tellSeen(EstimatedActivity.ON);
             case AS_ESTIMATED -> tellActivity();

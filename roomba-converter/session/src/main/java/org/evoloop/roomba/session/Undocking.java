@@ -27,6 +27,9 @@ final class Undocking {
     /** A robot needs 20 ms to digest a change of its mode. */
     private static final int DIGEST_FRAMES = 2;
 
+    /** So often it is told to drive: every 0.75 s. */
+    private static final int AGAIN_FRAMES = 50;
+
     /** So long the contacts may last: 3 s. */
     private static final int STUCK_FRAMES = 200;
 
@@ -72,10 +75,10 @@ final class Undocking {
         estimate.commanded(mode);
     }
 
-    /** Takes the next frame. */
-    void update(Telemetry now) {
+    /** Takes the next frame; returns whether it was the last one of the way, however that has ended. */
+    boolean update(Telemetry now) {
         if (phase == Phase.IDLE) {
-            return;
+            return false;
         }
         frames++;
         boolean far = now.pose().distanceTo(from.xMm(), from.yMm()) >= FAR_MM;
@@ -86,9 +89,13 @@ final class Undocking {
             sink.accept(new Command.Start());
         } else if (phase == Phase.CLEARING && (far || frames >= LONGEST_FRAMES)) {
             end();
-        } else if (frames == DIGEST_FRAMES) {
+        } else if (phase == Phase.LEAVING && frames % AGAIN_FRAMES == 0) {
+            // What came first may have been taken for the data of a command of which a part was lost.
+            sink.accept(new Command.Full());
+        } else if (frames % AGAIN_FRAMES == DIGEST_FRAMES) {
             sink.accept(BACK);
         }
+        return phase == Phase.IDLE;
     }
 
     /** Stops the robot where it is, if it is on its way. */
