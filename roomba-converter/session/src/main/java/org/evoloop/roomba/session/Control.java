@@ -29,6 +29,9 @@ final class Control {
      */
     static final int CONFIRM_FRAMES = ActivityEstimate.START_FRAMES;
 
+    /** What completes a pending command is on the line for 45 ms, and a robot needs 20 ms to digest a change of its mode. */
+    private static final int DIGEST_FRAMES = 6;
+
     /** Three Safe commands, with whatever was pending completed between. */
     private static final int TRIES_ON_DOCK = 5;
 
@@ -47,6 +50,8 @@ final class Control {
     private volatile boolean wanted;
     private volatile boolean regaining;
     private @Nullable Command unconfirmed;
+    private @Nullable Command again;
+    private int againFrames;
     private boolean outOfSight;
     private int settlingFrames;
     private boolean mayHaveMissed = true;
@@ -87,6 +92,7 @@ final class Control {
     /** The last command is not sent again, whatever became of it. */
     void forgetCommand() {
         unconfirmed = null;
+        again = null;
     }
 
     /** Whether control is wanted now. */
@@ -107,6 +113,7 @@ final class Control {
             mayHaveMissed = false;
         }
         unconfirmed = null;
+        again = null;
         if (command.opcode().startsWork() || command instanceof Command.Power) {
             unconfirmed = underControl ? command : null;
             // Counted anew: the frames that are on their way still show control.
@@ -122,6 +129,7 @@ final class Control {
 
     /** Takes the next frame; returns what has become known of the robot. */
     Known update(Telemetry now) {
+        sendAgain();
         comeBackIntoSight();
         boolean on = seeControl(now.isUnderControl());
         boolean owed = isTellingOwed();
@@ -177,6 +185,18 @@ final class Control {
                     connection.description());
         } else if (framesWith >= CONFIRM_FRAMES && estimate.isAtRest()) {
             framesWith = 0;
+            // It may have been taken for the data of a command of which a part was lost, and one more would complete
+            // that.
+            connection.completeWhateverIsPending();
+            again = command;
+            againFrames = DIGEST_FRAMES;
+        }
+    }
+
+    private void sendAgain() {
+        Command command = again;
+        if (command != null && --againFrames == 0) {
+            again = null;
             connection.trySend(command);
         }
     }

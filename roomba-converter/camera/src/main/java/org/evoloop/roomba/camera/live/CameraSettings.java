@@ -14,6 +14,11 @@ import org.evoloop.roomba.camera.vision.FrameSize;
  * @since 0.1
  */
 public final class CameraSettings {
+    /** The least that a recording may be limited to: two megabytes. */
+    public static final long LEAST_RECORD_BYTES = 2_000_000;
+
+    private static final long USUAL_RECORD_BYTES = 50_000_000;
+
     private final CameraSource source;
     private final MarkerSpec marker;
     private final CameraModel model;
@@ -21,6 +26,7 @@ public final class CameraSettings {
     private final int framesInARow;
     private final Duration staleAfter;
     private final Optional<Path> record;
+    private final long recordLimitBytes;
 
     private CameraSettings(
             CameraSource source,
@@ -29,7 +35,8 @@ public final class CameraSettings {
             FrameSize size,
             int framesInARow,
             Duration staleAfter,
-            Optional<Path> record) {
+            Optional<Path> record,
+            long recordLimitBytes) {
         this.source = source;
         this.marker = marker;
         this.model = model;
@@ -37,9 +44,14 @@ public final class CameraSettings {
         this.framesInARow = framesInARow;
         this.staleAfter = staleAfter;
         this.record = record;
+        if (recordLimitBytes < LEAST_RECORD_BYTES) {
+            throw new IllegalArgumentException("the limit of a recording is " + recordLimitBytes
+                    + " bytes; allowed is at least " + LEAST_RECORD_BYTES);
+        }
+        this.recordLimitBytes = recordLimitBytes;
     }
 
-    /** The usual marker, 60 degrees, 640x480, two frames in a row, stalled after 300 ms, no recording. */
+    /** The usual marker, 60 degrees, 640x480, two frames in a row, stalled after 300 ms, no recording, or one of 50 MB. */
     public static CameraSettings of(CameraSource source) {
         return new CameraSettings(
                 source,
@@ -48,37 +60,39 @@ public final class CameraSettings {
                 FrameSize.DEFAULT,
                 2,
                 Duration.ofMillis(300),
-                Optional.empty());
+                Optional.empty(),
+                USUAL_RECORD_BYTES);
     }
 
     /** The same that looks for another marker. */
     public CameraSettings withMarker(MarkerSpec other) {
-        return new CameraSettings(source, other, model, size, framesInARow, staleAfter, record);
+        return new CameraSettings(source, other, model, size, framesInARow, staleAfter, record, recordLimitBytes);
     }
 
     /** The same of another camera. */
     public CameraSettings withModel(CameraModel other) {
-        return new CameraSettings(source, marker, other, size, framesInARow, staleAfter, record);
+        return new CameraSettings(source, marker, other, size, framesInARow, staleAfter, record, recordLimitBytes);
     }
 
     /** The same that asks for frames of another size. */
     public CameraSettings withSize(FrameSize other) {
-        return new CameraSettings(source, marker, model, other, framesInARow, staleAfter, record);
+        return new CameraSettings(source, marker, model, other, framesInARow, staleAfter, record, recordLimitBytes);
     }
 
     /** The same that believes what so many frames show. */
     public CameraSettings withFramesInARow(int other) {
-        return new CameraSettings(source, marker, model, size, other, staleAfter, record);
+        return new CameraSettings(source, marker, model, size, other, staleAfter, record, recordLimitBytes);
     }
 
     /** The same that waits so long for a frame. */
     public CameraSettings withStaleAfter(Duration other) {
-        return new CameraSettings(source, marker, model, size, framesInARow, other, record);
+        return new CameraSettings(source, marker, model, size, framesInARow, other, record, recordLimitBytes);
     }
 
     /** The same that writes what the camera sees to a file, as AVI. */
     public CameraSettings withRecord(Path other) {
-        return new CameraSettings(source, marker, model, size, framesInARow, staleAfter, Optional.of(other));
+        return new CameraSettings(
+                source, marker, model, size, framesInARow, staleAfter, Optional.of(other), recordLimitBytes);
     }
 
     /** Where the frames come from. */
@@ -109,6 +123,16 @@ public final class CameraSettings {
     /** How long a camera may be silent: without a new frame for so long, a camera has stalled. */
     public Duration staleAfter() {
         return staleAfter;
+    }
+
+    /** The same whose recording takes so many bytes at most, from {@value #LEAST_RECORD_BYTES}. */
+    public CameraSettings withRecordLimit(long bytes) {
+        return new CameraSettings(source, marker, model, size, framesInARow, staleAfter, record, bytes);
+    }
+
+    /** How many bytes a recording takes at most. */
+    public long recordLimitBytes() {
+        return recordLimitBytes;
     }
 
     /** Where to write what the camera sees, as AVI. */

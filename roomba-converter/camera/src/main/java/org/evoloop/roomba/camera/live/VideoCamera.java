@@ -69,7 +69,8 @@ public final class VideoCamera implements MarkerCamera {
         grabber = new Grabber(
                 settings.source(), () -> vision.open(settings.source(), settings.size()), clock, health, frames);
         finder = vision.finder(settings.marker(), settings.model());
-        recorder = settings.record().map(file -> vision.recorder(file, RECORDED_FRAMES_PER_SECOND));
+        recorder = settings.record()
+                .map(file -> vision.recorder(file, RECORDED_FRAMES_PER_SECOND, settings.recordLimitBytes()));
         belief = new Belief(settings.framesInARow());
         reading = daemon("evoloop-camera", grabber);
         looking = daemon("evoloop-eye", this::look);

@@ -48,8 +48,8 @@ public final class OpenCvVision implements Vision {
     }
 
     @Override
-    public FrameRecorder recorder(Path file, int framesPerSecond) {
-        return new AviRecorder(file, framesPerSecond);
+    public FrameRecorder recorder(Path file, int framesPerSecond, long mostBytes) {
+        return new AviRecorder(file, framesPerSecond, mostBytes);
     }
 
     @Override

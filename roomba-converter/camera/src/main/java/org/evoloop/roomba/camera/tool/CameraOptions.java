@@ -15,6 +15,7 @@ import picocli.CommandLine.Option;
 
 /** The options of the command line that say how the camera sees and what it looks for; all but which camera it is. */
 public final class CameraOptions {
+    private static final long BYTES_PER_MB = 1_000_000;
     private static final Pattern SIZE = Pattern.compile("(\\d{2,5})x(\\d{2,5})");
 
     @Option(
@@ -39,6 +40,12 @@ public final class CameraOptions {
     @Option(names = "--record", paramLabel = "FILE.avi", description = "Records what the camera sees and finds.")
     private @Nullable Path record;
 
+    @Option(
+            names = "--record-limit",
+            paramLabel = "MB",
+            description = "How large the recording may become, from 2 (default: 50); it ends there.")
+    private @Nullable Integer recordLimit;
+
     @Mixin
     private final MarkerOptions marker = new MarkerOptions();
 
@@ -53,7 +60,18 @@ public final class CameraOptions {
                 .withModel(model())
                 .withSize(size());
         Path file = record;
-        return file == null ? settings : settings.withRecord(file);
+        Integer limit = recordLimit;
+        if (file == null) {
+            if (limit != null) {
+                throw new CameraException("--record-limit goes with --record; give both or neither");
+            }
+            return settings;
+        }
+        if (limit != null && limit * BYTES_PER_MB < CameraSettings.LEAST_RECORD_BYTES) {
+            throw new CameraException("--record-limit is " + limit + ", allowed is at least 2 MB");
+        }
+        CameraSettings recorded = settings.withRecord(file);
+        return limit == null ? recorded : recorded.withRecordLimit(limit * BYTES_PER_MB);
     }
 
     private CameraModel model() {

@@ -13,7 +13,7 @@ import java.util.Optional;
 public interface FrameRecorder extends AutoCloseable {
 
     /**
-     * Appends a frame, so often that the recording keeps time.
+     * Appends a frame, so often that the recording keeps time; nothing once the file is as large as it may be.
      *
      * @param takenNanos when it came; must not go back
      * @param captions lines of text to write into it, in ASCII

@@ -38,9 +38,10 @@ public interface Vision {
      * Starts a recording as AVI with Motion JPEG.
      *
      * @param framesPerSecond of the recording, which keeps time whatever the camera's rate is
+     * @param mostBytes the recording ends before the file is larger
      * @throws CameraException if the file cannot be written
      */
-    FrameRecorder recorder(Path file, int framesPerSecond);
+    FrameRecorder recorder(Path file, int framesPerSecond, long mostBytes);
 
     /**
      * The cells of a marker, border included, from above and from the left; true is white.

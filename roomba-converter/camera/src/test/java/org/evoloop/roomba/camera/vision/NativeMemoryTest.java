@@ -67,7 +67,7 @@ class NativeMemoryTest {
         CameraSource source = CameraSource.parse(folder.resolve("%d.jpg").toString());
         for (int done = 0; done < frames; done += PICTURES) {
             try (FrameReader reader = vision.open(source, FrameSize.DEFAULT);
-                    FrameRecorder recorder = vision.recorder(folder.resolve("seen.avi"), 15)) {
+                    FrameRecorder recorder = vision.recorder(folder.resolve("seen.avi"), 15, 50_000_000)) {
                 for (int i = 0; i < PICTURES; i++) {
                     assertThat(reader.read(frame)).isEqualTo(Outcome.FRAME);
                     Optional<Detection> seen = finder.detect(frame);
