@@ -10,6 +10,8 @@ import java.util.function.IntFunction;
 import org.evoloop.console.Console;
 import org.evoloop.console.ConsoleCommand;
 import org.evoloop.loop.LoopConfig;
+import org.evoloop.page.Page;
+import org.evoloop.page.PageOptions;
 import org.evoloop.roomba.link.Link;
 import org.evoloop.roomba.link.SerialLink;
 import org.evoloop.roomba.link.SerialSettings;
@@ -66,13 +68,15 @@ final class RoombaCommand implements Callable<Integer> {
     @Override
     public Integer call() throws IOException, InterruptedException {
         double pace = checkedSpeed();
+        PageOptions shown = unattended.page();
         try (Service service = Service.open(unattended.options())) {
             String robotPort = port;
             if (robotPort != null) {
-                return converse(service, robotPort, options.read(pace, Optional.empty()), pace, null);
+                return converse(service, shown, robotPort, options.read(pace, Optional.empty()), pace, null);
             }
             try (SimulatedWorld world = SimulatedWorld.inThisProcess(pace, options.wantsSimulatedCamera())) {
-                return converse(service, world.port().toString(), options.read(pace, world.camera()), pace, world);
+                return converse(
+                        service, shown, world.port().toString(), options.read(pace, world.camera()), pace, world);
             }
         }
     }
@@ -102,6 +106,7 @@ final class RoombaCommand implements Callable<Integer> {
 
     private int converse(
             Service service,
+            PageOptions shown,
             String robotPort,
             RoombaConverter.Options read,
             double pace,
@@ -130,6 +135,7 @@ final class RoombaCommand implements Callable<Integer> {
                                 (arguments, out) -> out.println(world.execute(String.join(" ", arguments))))
                         .completing(before -> before.isEmpty() ? WorldCommands.NAMES : WorldCommands.BUTTON_NAMES));
             }
+            Page.open(shown, console, System.err);
             return service.run(console);
         }
     }
