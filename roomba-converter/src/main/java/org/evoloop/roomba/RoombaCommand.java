@@ -1,6 +1,7 @@
 package org.evoloop.roomba;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.List;
 import java.util.Locale;
@@ -12,6 +13,7 @@ import org.evoloop.console.ConsoleCommand;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.page.Page;
 import org.evoloop.page.PageOptions;
+import org.evoloop.page.Picture;
 import org.evoloop.roomba.link.Link;
 import org.evoloop.roomba.link.SerialLink;
 import org.evoloop.roomba.link.SerialSettings;
@@ -135,9 +137,21 @@ final class RoombaCommand implements Callable<Integer> {
                                 (arguments, out) -> out.println(world.execute(String.join(" ", arguments))))
                         .completing(before -> before.isEmpty() ? WorldCommands.NAMES : WorldCommands.BUTTON_NAMES));
             }
-            Page.open(shown, console, System.err);
+            Page.open(shown, console, System.err, world == null ? List.of() : pictures(world));
             return service.run(console);
         }
+    }
+
+    /** What can be seen of a simulated robot, from above and with its own eye. */
+    private static List<Picture> pictures(SimulatedWorld world) {
+        Picture room = new Picture(
+                "Room",
+                "The room from above: walls, dock and marker, the way that the robot has driven, and where it is",
+                "image/svg+xml",
+                () -> world.drawn().getBytes(StandardCharsets.UTF_8));
+        Picture sight =
+                new Picture("Camera", "What the robot's camera saw last, while Move looked", "image/jpeg", world::seen);
+        return world.camera().isPresent() ? List.of(room, sight) : List.of(room);
     }
 
     private SessionOptions robotOptions(double pace) {

@@ -4,12 +4,15 @@ import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
+import org.evoloop.console.JsonObject;
 import org.evoloop.console.StatusJson;
 import org.evoloop.converter.ConverterListener;
+import org.evoloop.converter.ConverterStatus;
 import org.evoloop.converter.HistoryEntry;
 import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Occurrence;
+import org.evoloop.function.Reading;
 import org.evoloop.loop.Failure;
 import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
@@ -34,17 +37,20 @@ final class Broadcast {
      * News.
      *
      * @param number of the update, for the next question
+     * @param status see {@link StatusJson}
+     * @param readings what is read from the device and told by the function, with units
      * @param last the number of the last event that came to its end
      * @param events those of them that the viewer has not been told, oldest first, at most {@value #RECENT}
      */
-    record Update(long number, String status, long last, List<HistoryEntry> events) {
+    record Update(long number, String status, String readings, long last, List<HistoryEntry> events) {
         /** For the page. */
         String json() {
             List<String> told = new ArrayList<>();
             for (HistoryEntry event : events) {
                 told.add(EntryJson.of(event).toString());
             }
-            return "{\"status\":" + status + ",\"last\":" + last + ",\"events\":[" + String.join(",", told) + "]}";
+            return "{\"status\":" + status + ",\"readings\":" + readings + ",\"last\":" + last + ",\"events\":["
+                    + String.join(",", told) + "]}";
         }
     }
 
@@ -55,6 +61,7 @@ final class Broadcast {
     private long number;
     private long last;
     private String status = "";
+    private String readings = "";
     private long statusOf = -1;
     private long statusNanos;
 
@@ -147,7 +154,9 @@ final class Broadcast {
         long now = clock.nanoTime();
         if (statusOf != number || now - statusNanos >= LOOK_NANOS / 2) {
             // Once for all viewers.
-            status = StatusJson.of(converter.status());
+            ConverterStatus is = converter.status();
+            status = StatusJson.of(is);
+            readings = readings(is);
             statusOf = number;
             statusNanos = now;
         }
@@ -157,6 +166,18 @@ final class Broadcast {
                 missed.add(entry);
             }
         }
-        return new Update(number, status, last, missed);
+        return new Update(number, status, readings, last, missed);
+    }
+
+    private static String readings(ConverterStatus status) {
+        ConverterStatus.LinkStatus link = status.link();
+        return new JsonObject()
+                .putTexts("device", link == null ? List.of() : texts(link.readings()))
+                .putTexts("function", texts(status.function().readings()))
+                .toString();
+    }
+
+    private static List<String> texts(List<Reading> readings) {
+        return readings.stream().map(Reading::toString).toList();
     }
 }

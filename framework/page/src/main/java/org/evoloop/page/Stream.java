@@ -16,7 +16,7 @@ import org.evoloop.time.Clock;
 final class Stream {
     private static final Duration LONGEST = Duration.ofMinutes(5);
     private static final Duration TO_TAKE_ONE = Duration.ofSeconds(10);
-    private static final Duration TO_BE_HEARD = Duration.ofSeconds(10);
+    private static final Duration TO_BE_HEARD = Duration.ofSeconds(3);
 
     private final Broadcast broadcast;
     private final Deadlines deadlines;

@@ -5,6 +5,7 @@ const COLUMN = 480;
 
 const events = []; // by number, oldest first
 let status = null;
+let readings = { device: [], function: [] };
 let shown = -1; // the event that is looked at; -1 for the newest
 let allLoaded = false;
 let loading = null;
@@ -155,8 +156,6 @@ function show() {
   if ($('now').textContent !== text) $('now').textContent = text;
 }
 
-const words = name => name.replace(/([a-z])([A-Z])/g, '$1 $2').toLowerCase();
-const reading = ([name, value]) => [words(name), typeof value === 'boolean' ? (value ? 'yes' : 'no') : String(value)];
 const plural = (count, what) => `${count} ${what}${count === 1 ? '' : 's'}`;
 
 function showStatus() {
@@ -176,10 +175,9 @@ function showStatus() {
     ['Lost', `${queue.dropped} dropped, ${queue.refused} refused`, queue.dropped ? 'bad' : ''],
     ['Events', `${counts.handled} handled, ${counts.ignored} ignored, ${counts.stale} stale, ${counts.failed} failed`],
     ['Conversion', conversionTime.events ? `last ${duration(conversionTime.lastNanos)}, median ${duration(conversionTime.medianNanos)}, 99th percentile ${duration(conversionTime.percentile99Nanos)}` : 'none yet'],
-    ['Function', running.state ? running.state + (running.progress ? `: ${running.progress}` : '') : 'none'],
-    ...Object.entries(running.readings ?? {}).map(reading),
+    ['Function', running.state ? [running.state, running.progress, ...readings.function].filter(Boolean).join(', ') : 'none'],
     ['Link', link ? `${link.up ? 'up' : 'DOWN'}${link.text ? `, ${link.text}` : ''}` : '', link && !link.up ? 'bad' : 'good'],
-    ...Object.entries(link?.readings ?? {}).map(reading),
+    ['Device', readings.device.join(', ')],
     ...faults.map(fault => ['Fault', `${fault.part}: ${plural(fault.failures, 'failure')}, the last: ${fault.lastFailure}`, 'bad']),
   ]);
   $('components').replaceChildren(...status.components.map(component => {
@@ -206,7 +204,7 @@ function listen() {
   };
   stream.onmessage = message => {
     const update = JSON.parse(message.data);
-    status = update.status;
+    ({ status, readings } = update);
     const known = events.length ? events[events.length - 1].number : 0;
     add(update.events);
     if (update.last > known + update.events.length) load();

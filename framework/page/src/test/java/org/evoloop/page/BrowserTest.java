@@ -83,9 +83,9 @@ class BrowserTest {
 
         shown.panel.press("Clean");
         browser.await("document.getElementById('headline').innerText.startsWith('3')");
-        assertThat(text("status")).contains("93", "docked", "no");
+        assertThat(text("status")).contains("battery 93 %", "not docked");
         shown.battery.set(7);
-        browser.await("document.getElementById('status').innerText.includes('\\n7')");
+        browser.await("document.getElementById('status').innerText.includes('battery 7 %')");
     }
 
     @Test

@@ -55,8 +55,11 @@ public final class MachineDrawing {
                 width, height, width, height));
         graph.arrows.forEach(this::draw);
         Box initial = graph.box(machine.initial());
-        double left = initial.x - initial.width / 2;
-        svg.append(format("<circle class=\"initial\" cx=\"%.0f\" cy=\"%.0f\" r=\"5\"/>", left + 2, initial.y - 25));
+        double top = initial.y - initial.height / 2;
+        svg.append(format("<circle class=\"initial\" cx=\"%.1f\" cy=\"%.1f\" r=\"5\"/>", initial.x, top - 20));
+        svg.append(format(
+                "<path class=\"initial\" d=\"M%.1f %.1fV%.1fM%.1f %.1fl5 -7M%.1f %.1fl-5 -7\"/>",
+                initial.x, top - 20, top, initial.x, top, initial.x, top));
         graph.states.forEach((state, box) -> draw(state, box, added.test(state)));
         return svg.append("</svg>").toString();
     }

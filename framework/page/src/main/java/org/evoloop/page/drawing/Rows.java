@@ -8,6 +8,10 @@ import org.evoloop.page.drawing.Graph.Box;
 final class Rows {
     private static final double GAP = 16;
     private static final double ROW_GAP = 18;
+
+    /** Room for where the machine starts. */
+    private static final double ABOVE = 28;
+
     private static final int SWEEPS = 12;
 
     private final List<List<Box>> rows;
@@ -86,7 +90,7 @@ final class Rows {
     }
 
     private void stack() {
-        double top = ROW_GAP;
+        double top = ABOVE;
         for (List<Box> row : rows) {
             double height = row.stream().mapToDouble(box -> box.height).max().orElse(0);
             for (Box box : row) {
