@@ -44,6 +44,7 @@ public final class Page implements AutoCloseable {
     private final Controls controls;
     private final Semaphore readingHistory = new Semaphore(1);
     private final @Nullable PageServer server;
+    private @Nullable String about;
 
     private Page(PageOptions options, Console console, List<Picture> pictures) throws IOException {
         this.console = console;
@@ -87,7 +88,7 @@ public final class Page implements AutoCloseable {
         file(to, "/icon.svg", "icon.svg", "image/svg+xml");
         Broadcast broadcast = new Broadcast(converter, clock);
         to.onStream("/events", exchange -> new Stream(broadcast, to.deadlines(), clock).serve(exchange));
-        to.on("GET", "/about", exchange -> Answer.json(exchange, about().toString()));
+        to.on("GET", "/about", exchange -> Answer.json(exchange, about()));
         to.on("GET", "/history", this::history);
         to.on("GET", "/picture", this::picture);
         to.on("GET", "/controls", exchange -> controls(to, exchange));
@@ -104,7 +105,14 @@ public final class Page implements AutoCloseable {
         });
     }
 
-    private JsonObject about() {
+    private synchronized String about() {
+        if (about == null) {
+            about = describe().toString();
+        }
+        return about;
+    }
+
+    private JsonObject describe() {
         ModelPair models = converter.knowledge().models();
         return new JsonObject()
                 .put("name", converter.status().name())

@@ -26,7 +26,9 @@ function draw(id, svg) {
     return;
   }
   const drawn = document.importNode(new DOMParser().parseFromString(svg, 'image/svg+xml').documentElement, true);
-  drawn.classList.toggle('wide', Number(drawn.getAttribute('width')) > COLUMN);
+  // What is wide is scrolled rather than made too small to be read.
+  const width = Number(drawn.getAttribute('width'));
+  if (width > COLUMN) drawn.style.minWidth = `${width * 0.75}px`;
   place.replaceChildren(drawn);
 }
 

@@ -1,5 +1,7 @@
 package org.evoloop.page.drawing;
 
+import java.util.ArrayList;
+import java.util.Collections;
 import java.util.Comparator;
 import java.util.List;
 import org.evoloop.page.drawing.Graph.Box;
@@ -23,15 +25,30 @@ final class Rows {
     static void arrange(Graph graph) {
         Rows rows = new Rows(graph.rows);
         rows.spread();
+        List<List<Box>> best = copy(graph.rows);
         for (int sweep = 0; sweep < SWEEPS; sweep++) {
             rows.order(sweep % 2 == 0);
             rows.spread();
+            if (Crossings.count(graph.rows) < Crossings.count(best)) {
+                best = copy(graph.rows);
+            }
         }
+        for (int row = 0; row < best.size(); row++) {
+            Collections.copy(graph.rows.get(row), best.get(row));
+        }
+        Crossings.lessen(graph.rows);
+        rows.spread();
         for (int sweep = 0; sweep < SWEEPS; sweep++) {
             rows.pull();
         }
         rows.shiftToOrigin();
         rows.stack();
+    }
+
+    private static List<List<Box>> copy(List<List<Box>> rows) {
+        List<List<Box>> copies = new ArrayList<>();
+        rows.forEach(row -> copies.add(List.copyOf(row)));
+        return copies;
     }
 
     /** Side by side, around 0. */
