@@ -17,6 +17,7 @@ import org.evoloop.roomba.camera.CameraSource;
 import org.evoloop.roomba.camera.tool.CameraOptions;
 import org.evoloop.roomba.move.MoveOptions;
 import org.evoloop.roomba.move.StartPointSensor;
+import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.ModelException;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.time.Clock;
@@ -94,7 +95,8 @@ final class ConverterOptions {
             names = "--function",
             paramLabel = "STATE=FUNCTION",
             description =
-                    "What runs in a new state: Move, SpotWait or none; can be repeated. Unless told, Move runs in "
+                    "What runs in a new state: Move, SpotWait, SpotClean, Charge, QuietHours or none; can be repeated. "
+                            + "Unless told, the one that the state's do activity names; else Move runs in "
                             + "the one that arriveSpot leaves, SpotWait in the one that timeout leaves.")
     private List<String> functions = List.of();
 
@@ -105,6 +107,20 @@ final class ConverterOptions {
                     "Keeps what the converter is told in this directory, and goes on where the process before this "
                             + "one has ended (default: nothing is kept).")
     private @Nullable Path journal;
+
+    @Option(
+            names = "--clean-at",
+            paramLabel = "[DAYS ]TIME",
+            description =
+                    "When the converter raises schedule, such as 09:00 or 'MON,FRI 09:00'; can be repeated. The robot's "
+                            + "own schedule is switched off then.")
+    private List<String> cleanAt = List.of();
+
+    @Option(
+            names = "--quiet-hours",
+            paramLabel = "FROM-UNTIL",
+            description = "When the function QuietHours has what the timetable begins wait, such as 22:00-07:00.")
+    private @Nullable String quietHours;
 
     /** Whether the camera is the simulated robot's own. */
     boolean wantsSimulatedCamera() {
@@ -120,7 +136,7 @@ final class ConverterOptions {
      * @throws CameraException if there is a camera and no OpenCV, or its options make no sense
      * @throws IllegalArgumentException if options are out of range or contradict each other
      */
-    RoombaConverter.Options read(double pace, Optional<URI> simulatedCamera) {
+    RoombaOptions read(double pace, Optional<URI> simulatedCamera) {
         Double spotWait = spotWaitSeconds;
         requireWithin("--spot-wait", spotWait == null ? USUAL_SPOT_WAIT_SECONDS : spotWait, 0.1, 3600);
         requireWithin("--search-limit", searchLimitSeconds, 1, 3600);
@@ -130,12 +146,35 @@ final class ConverterOptions {
                     "--spot-wait says how long SpotWait lasts, but no state of the new model is left by timeout; "
                             + "leave the option out, a time trigger such as tm(2s) is in the model");
         }
-        return new RoombaConverter.Options(
-                read,
-                startPoint(pace, simulatedCamera),
-                MoveOptions.defaults().withLimit(seconds(searchLimitSeconds)).atPace(pace),
-                seconds(spotWait == null ? USUAL_SPOT_WAIT_SECONDS : spotWait),
-                journal == null ? null : Journal.in(journal));
+        return RoombaOptions.of(read, startPoint(pace, simulatedCamera))
+                .withMove(MoveOptions.defaults()
+                        .withLimit(seconds(searchLimitSeconds))
+                        .atPace(pace))
+                .withSpotWait(seconds(spotWait == null ? USUAL_SPOT_WAIT_SECONDS : spotWait))
+                .withQuietHours(quietHours(read))
+                .withTimetable(timetable(read))
+                .withJournal(journal == null ? null : Journal.in(journal));
+    }
+
+    private QuietHours quietHours(RobotModels read) {
+        String given = quietHours;
+        if (given == null) {
+            return QuietHours.none();
+        }
+        if (!read.functions().containsValue(RobotFunction.QUIET_HOURS)) {
+            throw new IllegalArgumentException(
+                    "--quiet-hours says when QuietHours waits, but it runs in no state of the new "
+                            + "model; leave the option out, or draw a state that is left by " + RobotEvents.QUIET_OVER);
+        }
+        return QuietHours.parse(given);
+    }
+
+    private List<Timetable> timetable(RobotModels read) {
+        if (!cleanAt.isEmpty() && !read.pair().evolved().triggers().contains(new Event(RobotEvents.SCHEDULE))) {
+            throw new IllegalArgumentException("--clean-at raises " + RobotEvents.SCHEDULE
+                    + ", which the new model does not know; leave the option out, or draw a transition for it");
+        }
+        return cleanAt.stream().map(Timetable::parse).toList();
     }
 
     private static void requireWithin(String option, double value, double least, double most) {

@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.net.URI;
 import java.nio.file.Path;
-import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.Callable;
 import org.evoloop.evolution.ModelPair;
@@ -131,14 +130,13 @@ final class DemoCommand implements Callable<Integer> {
         }
     }
 
-    private RoombaConverter.Options options(RobotModels models, SimulatedWorld world, double pace) {
-        return new RoombaConverter.Options(
-                models,
-                world.camera()
-                        .map(url -> Eyes.through(settings(url), pace))
-                        .orElse(clock -> StartPointSensor.byWheels(Scenario.START_X_MM, Scenario.START_Y_MM)),
-                MoveOptions.defaults().atPace(pace),
-                Duration.ofSeconds(5));
+    private RoombaOptions options(RobotModels models, SimulatedWorld world, double pace) {
+        return RoombaOptions.of(
+                        models,
+                        world.camera()
+                                .map(url -> Eyes.through(settings(url), pace))
+                                .orElse(clock -> StartPointSensor.byWheels(Scenario.START_X_MM, Scenario.START_Y_MM)))
+                .withMove(MoveOptions.defaults().atPace(pace));
     }
 
     private CameraSettings settings(URI url) {

@@ -1,20 +1,30 @@
 package org.evoloop.roomba;
 
 import java.time.Duration;
+import java.util.LinkedHashSet;
 import java.util.Optional;
 import java.util.Set;
 import org.evoloop.converter.EventExecute;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Step;
+import org.evoloop.roomba.link.LinkException;
 import org.evoloop.roomba.oi.Command;
 import org.evoloop.roomba.session.RoombaSession;
 import org.evoloop.roomba.session.SessionListener;
+import org.evoloop.roomba.session.connection.RobotException;
+import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.State;
+import org.evoloop.statemachine.StateMachine;
 import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /**
  * Sends events to the robot as commands, and keeps it in the mode that each state needs: while it stands by or cleans it
- * is left to itself (Passive), while it is on and idle its buttons must not act on their own (Safe).
+ * is left to itself (Passive), while it is on and idle its buttons must not act on their own (Safe). On its dock it is left to
+ * itself, too: there Safe mode would end at once, and charging with it. If its model has a state {@code Asleep}, it is let
+ * to fall asleep where it is not used, and woken for the next event.
  *
  * <p>Where the mode shows that a command has had its effect, that is told when it is seen, on the thread that tells what the
  * robot does by itself; elsewhere the command counts as obeyed when it has been sent.
@@ -23,14 +33,29 @@ final class ExecuteCommand extends EventExecute implements SessionListener {
     /** The robot tells nobody when it has digested a command; so long after one it is taken to be ready again. */
     static final Duration HOLD_OFF = Duration.ofMillis(200);
 
+    /** So long the robot is kept under control though nobody uses it. */
+    static final Duration UNUSED_LIMIT = Duration.ofMinutes(5);
+
+    private static final Set<String> TOLD_BY_CIRCUMSTANCES = Set.of(
+            RobotEvents.STATE_ASLEEP, RobotEvents.STATE_ERROR, RobotEvents.STATE_CHARGING, RobotEvents.STATE_CHARGED);
+
+    private static final Logger LOG = LoggerFactory.getLogger(ExecuteCommand.class);
+
     private final RoombaSession session;
     private final Clock clock;
     private final Resumption resumption;
+    private final StateMachine original;
+    private final boolean sleeps;
+    private final Object resting = new Object();
+    private Clock.@Nullable Timer unused;
     private volatile @Nullable Command sent;
     private boolean commanded;
     private long commandedNanos;
 
-    ExecuteCommand(RoombaSession session, Clock clock, Resumption resumption) {
+    /** @param original the robot's model */
+    ExecuteCommand(RoombaSession session, StateMachine original, Clock clock, Resumption resumption) {
+        this.original = original;
+        this.sleeps = original.hasState(new State(RobotEvents.STATE_ASLEEP));
         this.session = session;
         this.clock = clock;
         this.resumption = resumption;
@@ -39,7 +64,9 @@ final class ExecuteCommand extends EventExecute implements SessionListener {
 
     @Override
     protected Set<String> sendableEvents() {
-        return Set.of(RobotEvents.CLEAN, RobotEvents.SPOT);
+        Set<String> known = new LinkedHashSet<>(RobotEvents.COMMANDS);
+        known.retainAll(original.triggers().stream().map(Event::name).toList());
+        return known;
     }
 
     @Override
@@ -52,7 +79,18 @@ final class ExecuteCommand extends EventExecute implements SessionListener {
 
     @Override
     protected void send(Step step) throws InterruptedException {
-        Command command = command(step);
+        stayAwake();
+        if (step.source().name().equals(RobotEvents.STATE_ASLEEP)) {
+            session.wake();
+        } else if (step.event().name().equals(RobotEvents.UNDOCK)) {
+            session.leaveAlone();
+            session.leaveDock();
+        } else {
+            send(command(step));
+        }
+    }
+
+    private void send(Command command) throws InterruptedException {
         sent = command;
         session.send(command);
         // Not before: while control is wanted, no frame tells that the robot does nothing.
@@ -72,17 +110,24 @@ final class ExecuteCommand extends EventExecute implements SessionListener {
 
     @Override
     protected Optional<String> locate() throws InterruptedException {
-        Optional<String> state = session.awaitActivity().flatMap(RobotEvents::stateName);
+        if (session.isAsleep() && sleeps) {
+            return Optional.of(RobotEvents.STATE_ASLEEP);
+        }
+        Optional<String> state = session.awaitActivity().flatMap(activity -> RobotEvents.stateName(original, activity));
         state.ifPresent(this::keepMode);
         return state;
     }
 
     private static Command command(Step step) {
-        boolean standsBy = step.source().name().equals(RobotEvents.STATE_OFF);
+        String source = step.source().name();
+        boolean onlyOn = source.equals(RobotEvents.STATE_OFF) || source.equals(RobotEvents.STATE_ERROR);
         return switch (step.event().name()) {
             // The command Clean would start to clean straight from stand-by; taking control only switches the robot on.
-            case RobotEvents.CLEAN -> standsBy ? new Command.Safe() : new Command.Clean();
+            case RobotEvents.CLEAN -> onlyOn ? new Command.Safe() : new Command.Clean();
             case RobotEvents.SPOT -> new Command.Spot();
+            case RobotEvents.DOCK -> new Command.SeekDock();
+            case RobotEvents.MAX -> new Command.Max();
+            case RobotEvents.POWER -> new Command.Power();
             default -> throw new IllegalArgumentException("the robot has no command for " + step.event());
         };
     }
@@ -91,6 +136,13 @@ final class ExecuteCommand extends EventExecute implements SessionListener {
     protected void settled(Configuration now) {
         resumption.settled();
         keepMode(now.original().name());
+        if (!TOLD_BY_CIRCUMSTANCES.contains(now.original().name()) && !session.isUndocking()) {
+            // A robot that is lifted or on its dock may not be where the record has gone.
+            session.tellAgain();
+        }
+        if (now.evolved().equals(now.original()) && now.original().name().equals(RobotEvents.STATE_ON)) {
+            restLater();
+        }
     }
 
     private void keepMode(String state) {
@@ -98,11 +150,45 @@ final class ExecuteCommand extends EventExecute implements SessionListener {
             session.takeControl();
         } else {
             session.leaveAlone();
+            session.letSleep(sleeps);
+        }
+    }
+
+    /** A robot that is on and that nobody uses need not empty its battery: control is let go, and it may fall asleep. */
+    private void restLater() {
+        synchronized (resting) {
+            stayAwake();
+            if (sleeps) {
+                unused = clock.schedule(UNUSED_LIMIT, this::rest);
+            }
+        }
+    }
+
+    private void rest() {
+        synchronized (resting) {
+            if (unused != null) {
+                unused = null;
+                try {
+                    session.rest();
+                } catch (LinkException | RobotException gone) {
+                    LOG.debug("{}", gone.getMessage());
+                }
+            }
+        }
+    }
+
+    private void stayAwake() {
+        synchronized (resting) {
+            if (unused != null) {
+                unused.cancel();
+                unused = null;
+            }
         }
     }
 
     @Override
     protected void released() {
+        stayAwake();
         resumption.released();
         session.letGo();
     }

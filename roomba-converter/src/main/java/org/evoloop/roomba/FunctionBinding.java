@@ -6,14 +6,15 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
 import org.evoloop.evolution.ModelPair;
+import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.ModelException;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.Transition;
 
 /**
- * Finds out which function runs in which new state: what {@code --function STATE=NAME} says, and else each function in the
- * one new state that is left by the event it finishes with. What is wrong is told all at once, in terms of the command
+ * Finds out which function runs in which new state: what {@code --function STATE=NAME} says, else the one that the state's
+ * do activity names, and else each function in the one new state that is left by the event it finishes with. What is wrong is told all at once, in terms of the command
  * line.
  */
 final class FunctionBinding {
@@ -36,6 +37,7 @@ final class FunctionBinding {
     static Map<State, RobotFunction> bind(ModelPair pair, List<String> wanted) {
         FunctionBinding binding = new FunctionBinding(pair);
         wanted.forEach(binding::bind);
+        binding.bindActivities();
         binding.bindTheOne(RobotFunction.MOVE);
         binding.bindTheOne(RobotFunction.SPOT_WAIT);
         binding.requireFunctions();
@@ -71,10 +73,22 @@ final class FunctionBinding {
         }
     }
 
+    private void bindActivities() {
+        for (State state : newStates()) {
+            for (String activity : evolved.activities(state)) {
+                RobotFunction.of(activity)
+                        .filter(function -> fits(function, state))
+                        .ifPresent(function -> bound.putIfAbsent(state, function));
+            }
+        }
+    }
+
     private boolean fits(RobotFunction function, State state) {
         return switch (function) {
-            case MOVE -> function.finishesIn(evolved, state);
+            case MOVE, QUIET_HOURS -> function.finishesIn(evolved, state);
             case SPOT_WAIT -> function.finishesIn(evolved, state) || isTimed(state);
+            case SPOT_CLEAN -> evolved.hasTrigger(state, new Event(RobotEvents.END_SPOT));
+            case CHARGE -> evolved.hasTrigger(state, new Event(RobotEvents.CHARGED));
             case NONE -> true;
         };
     }

@@ -4,6 +4,7 @@ import java.util.function.Function;
 import org.evoloop.converter.StateKnowledge;
 import org.evoloop.function.NewFunction;
 import org.evoloop.roomba.move.Move;
+import org.evoloop.roomba.session.RoombaSession;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.Transition;
 
@@ -13,14 +14,24 @@ final class KnowledgeState extends StateKnowledge {
     private final Function<Move.Back, Move> move;
     private final Resumption resumption;
     private final NewFunction spotWait;
+    private final NewFunction quietHours;
+    private final Readiness readiness;
 
     /** @param move makes a Move that knows what to raise when it ends without an arrival */
-    KnowledgeState(RobotModels models, Function<Move.Back, Move> move, Resumption resumption, NewFunction spotWait) {
+    KnowledgeState(
+            RobotModels models,
+            RoombaSession session,
+            Function<Move.Back, Move> move,
+            Resumption resumption,
+            NewFunction spotWait,
+            NewFunction quietHours) {
         super(models.pair());
         this.models = models;
         this.move = move;
         this.resumption = resumption;
         this.spotWait = spotWait;
+        this.quietHours = quietHours;
+        this.readiness = new Readiness(session, this::device);
     }
 
     @Override
@@ -29,9 +40,16 @@ final class KnowledgeState extends StateKnowledge {
             switch (function) {
                 case MOVE -> registerMove(state);
                 case SPOT_WAIT -> function(state.name(), spotWait);
+                case SPOT_CLEAN -> function(state.name(), new SpotClean(this::device));
+                case CHARGE -> function(state.name(), new Charge(this::device));
+                case QUIET_HOURS -> function(state.name(), quietHours);
                 case NONE -> function(state.name(), NewFunction.none());
             }
         });
+    }
+
+    private State device() {
+        return configuration().original();
     }
 
     /** Each way in has its way back. */
@@ -47,12 +65,11 @@ final class KnowledgeState extends StateKnowledge {
     }
 
     private NewFunction moveFrom(State before) {
-        Move made = move.apply(
-                activity -> WaysBack.event(activity.map(RobotEvents::state).orElse(before)));
+        Move made = move.apply(activity -> models.wayBack(activity, before));
         return visit -> {
             if (resumption.isResumed()) {
                 made.giveUp(visit, "the converter was stopped on the way");
-            } else {
+            } else if (readiness.provide(visit)) {
                 made.run(visit);
             }
         };

@@ -1,42 +1,66 @@
 package org.evoloop.roomba;
 
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
 import java.util.Set;
 import java.util.function.Predicate;
 import org.evoloop.converter.PushMonitor;
 import org.evoloop.roomba.oi.Button;
 import org.evoloop.roomba.session.RoombaSession;
 import org.evoloop.roomba.session.SessionListener;
+import org.evoloop.roomba.session.inference.ActivityEstimate.EstimatedActivity;
+import org.evoloop.roomba.session.inference.Circumstances;
 import org.evoloop.roomba.session.inference.SpotWatch;
+import org.evoloop.statemachine.StateMachine;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Monitors the robot: its CLEAN and SPOT buttons, and the end of a spot cleaning. The OI mode tells whether the robot acts
- * on a button by itself or merely reports it.
+ * Monitors the robot: its buttons, and what it does by itself as far as its model has events for that: the end of its work,
+ * its dock, sleep and trouble. The OI mode tells whether the robot acts on a button by itself or merely reports it. Where
+ * what is seen differs from what those events say, the robot counts as found.
  */
 final class MonitorEvent extends PushMonitor implements SessionListener {
     private static final Logger LOG = LoggerFactory.getLogger(MonitorEvent.class);
 
+    private final RoombaSession session;
+    private final StateMachine original;
     private final Predicate<String> restartsMove;
+    private final Set<String> known = new LinkedHashSet<>();
+    private Circumstances circumstances = Circumstances.USUAL;
+    private EstimatedActivity activity = EstimatedActivity.STANDBY;
 
-    /** @param restartsMove whether this event would have a Move that runs begin anew */
-    MonitorEvent(RoombaSession session, Predicate<String> restartsMove) {
+    /**
+     * @param original the robot's model
+     * @param restartsMove whether this event would have a Move that runs begin anew
+     */
+    MonitorEvent(RoombaSession session, StateMachine original, Predicate<String> restartsMove) {
+        this.session = session;
+        this.original = original;
         this.restartsMove = restartsMove;
+        original.triggers().forEach(event -> known.add(event.name()));
+        known.retainAll(RobotEvents.FACTS);
         session.addListener(this);
     }
 
     @Override
     public void pressed(Button button, boolean robotActs) {
-        if (button == Button.CLEAN) {
-            press(RobotEvents.CLEAN, robotActs);
-        } else if (button == Button.SPOT) {
-            press(RobotEvents.SPOT, robotActs);
+        if (robotActs) {
+            // Whatever it did ends by the press, which is told as such.
+            activity = EstimatedActivity.ON;
+        }
+        switch (button) {
+            case CLEAN -> press(RobotEvents.CLEAN, robotActs);
+            case SPOT -> press(RobotEvents.SPOT, robotActs);
+            case DOCK -> press(RobotEvents.DOCK, robotActs);
+            case MINUTE, HOUR, DAY, SCHEDULE, CLOCK -> {}
         }
     }
 
     private void press(String event, boolean robotActs) {
         // A press ends Move, whatever the models say of it.
-        if (robotActs || !restartsMove.test(event)) {
+        if (known.contains(event) && (robotActs || !restartsMove.test(event))) {
             push(fromPanel(event, robotActs));
         }
     }
@@ -44,16 +68,81 @@ final class MonitorEvent extends PushMonitor implements SessionListener {
     @Override
     public void spotEnded(SpotWatch.Ending how) {
         LOG.debug("spot cleaning has ended: {}", how);
-        push(fromDevice(RobotEvents.END_SPOT));
+        tell(RobotEvents.END_SPOT);
+        session.tellSoon();
     }
 
     @Override
-    public void seen(SeenActivity activity) {
-        push(foundIn(RobotEvents.state(activity).name()));
+    public void seen(EstimatedActivity now) {
+        String event = change(activity, now);
+        activity = now;
+        if (known.contains(event)) {
+            tell(event);
+            session.tellSoon();
+        } else {
+            find(circumstances);
+        }
+    }
+
+    /** The event of what the robot does by itself in place of what it did; empty if there is none. */
+    private String change(EstimatedActivity before, EstimatedActivity now) {
+        boolean cleaned = before == EstimatedActivity.CLEAN || before == EstimatedActivity.MAX;
+        if (cleaned && now == EstimatedActivity.DOCK) {
+            return RobotEvents.SEEK_DOCK;
+        }
+        if (now != EstimatedActivity.ON || !circumstances.equals(Circumstances.USUAL)) {
+            return "";
+        }
+        return cleaned ? RobotEvents.END_CLEAN : before == EstimatedActivity.DOCK ? RobotEvents.END_DOCK : "";
+    }
+
+    @Override
+    public void changed(Circumstances before, Circumstances now, EstimatedActivity doing) {
+        boolean same =
+                RobotEvents.stateName(original, activity, before).equals(RobotEvents.stateName(original, doing, now));
+        activity = doing;
+        circumstances = now;
+        if (!same) {
+            List<String> events = changes(before, now);
+            events.forEach(this::tell);
+            if (known.containsAll(events)) {
+                // What they begin must not be overtaken by the finding that they are true.
+                session.tellSoon();
+            } else {
+                find(now);
+            }
+        }
+    }
+
+    private void find(Circumstances now) {
+        RobotEvents.stateName(original, activity, now).ifPresent(state -> push(foundIn(state)));
+    }
+
+    private void tell(String event) {
+        if (known.contains(event)) {
+            push(fromDevice(event));
+        }
+    }
+
+    private static List<String> changes(Circumstances before, Circumstances now) {
+        List<String> changes = new ArrayList<>();
+        change(changes, before.asleep(), now.asleep(), RobotEvents.ASLEEP, RobotEvents.AWAKE);
+        change(changes, before.inTrouble(), now.inTrouble(), RobotEvents.ERROR, RobotEvents.RECOVERED);
+        change(changes, before.docked(), now.docked(), RobotEvents.DOCKED, RobotEvents.UNDOCKED);
+        if (before.docked() && now.docked()) {
+            change(changes, before.filling(), now.filling(), RobotEvents.CHARGING, RobotEvents.CHARGED);
+        }
+        return changes;
+    }
+
+    private static void change(List<String> changes, boolean before, boolean now, String begun, String ended) {
+        if (before != now) {
+            changes.add(now ? begun : ended);
+        }
     }
 
     @Override
     protected Set<String> spontaneousEvents() {
-        return Set.of(RobotEvents.CLEAN, RobotEvents.SPOT, RobotEvents.END_SPOT);
+        return Set.copyOf(known);
     }
 }

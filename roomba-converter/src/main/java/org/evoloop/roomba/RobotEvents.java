@@ -1,16 +1,61 @@
 package org.evoloop.roomba;
 
+import java.util.List;
 import java.util.Optional;
-import org.evoloop.roomba.session.SessionListener.SeenActivity;
-import org.evoloop.roomba.session.inference.ActivityEstimate;
+import java.util.Set;
+import org.evoloop.roomba.move.Move;
+import org.evoloop.roomba.session.inference.ActivityEstimate.EstimatedActivity;
+import org.evoloop.roomba.session.inference.Circumstances;
+import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
+import org.evoloop.statemachine.StateMachine;
 
-/** The names that the models of the cleaning robot and this program have in common (paper, section VI.A). */
+/**
+ * The names that the models of the robot and this program have in common (paper, section VI.A). A model need not have all of
+ * them: what it has no state for counts as the state that is next to it.
+ */
 final class RobotEvents {
     static final String CLEAN = "Clean";
     static final String SPOT = "Spot";
+    static final String DOCK = "Dock";
+    static final String MAX = "Max";
+    static final String POWER = "Power";
+
+    /** No button's: the robot drives backwards off its dock. */
+    static final String UNDOCK = "Undock";
+
     static final String END_SPOT = "endSpot";
+    static final String END_CLEAN = "endClean";
+    static final String END_DOCK = "endDock";
+
+    /** It cleans no more and looks for its dock: its battery is low. */
+    static final String SEEK_DOCK = "seekDock";
+
+    static final String DOCKED = "docked";
+    static final String UNDOCKED = "undocked";
+    static final String CHARGED = "charged";
+    static final String CHARGING = "charging";
+    static final String ASLEEP = "asleep";
+    static final String AWAKE = "awake";
+    static final String ERROR = "error";
+    static final String RECOVERED = "recovered";
     static final String TIMEOUT = "timeout";
+    static final String QUIET_OVER = "quietOver";
+    static final String LOW_BATTERY = "lowBattery";
+
+    /** A controller's: the time has come at which the robot's owner wants it to clean. */
+    static final String SCHEDULE = "schedule";
+
+    /** What starts something by the robot's buttons and commands. */
+    static final List<String> COMMANDS = List.of(CLEAN, SPOT, DOCK, MAX, POWER, UNDOCK);
+
+    /** What the robot does by itself. */
+    static final List<String> FACTS = List.of(
+            CLEAN, SPOT, DOCK, END_SPOT, END_CLEAN, END_DOCK, SEEK_DOCK, DOCKED, UNDOCKED, CHARGED, CHARGING, ASLEEP,
+            AWAKE, ERROR, RECOVERED);
+
+    /** What neither a controller nor the robot raises, but this program's functions and timetable. */
+    private static final Set<String> RAISED = Set.of(Move.ARRIVED, TIMEOUT, QUIET_OVER, LOW_BATTERY, SCHEDULE);
 
     /** The robot stands by: its light is off, and CLEAN switches it on. */
     static final String STATE_OFF = "Off";
@@ -20,37 +65,67 @@ final class RobotEvents {
 
     static final String STATE_CLEAN = "Clean";
     static final String STATE_SPOT = "Spot";
+    static final String STATE_DOCK = "Dock";
+    static final String STATE_ASLEEP = "Asleep";
+    static final String STATE_ERROR = "Error";
+    static final String STATE_CHARGING = "Charging";
+    static final String STATE_CHARGED = "Charged";
 
     private RobotEvents() {}
 
+    /** Whether this is what somebody presses or asks for. */
+    static boolean isPress(Event event) {
+        boolean byDevice = FACTS.contains(event.name()) && !COMMANDS.contains(event.name());
+        return !byDevice
+                && !RAISED.contains(event.name())
+                && event.timeTrigger().isEmpty();
+    }
+
     /** The state of the robot's model in which it does this; empty if that knows none. */
-    static Optional<String> stateName(ActivityEstimate.EstimatedActivity activity) {
+    static Optional<String> stateName(StateMachine original, EstimatedActivity activity, Circumstances circumstances) {
+        return candidates(activity, circumstances).stream()
+                .filter(name -> original.hasState(new State(name)))
+                .findFirst();
+    }
+
+    /** The same of a robot that is awake on the floor, and well. */
+    static Optional<String> stateName(StateMachine original, EstimatedActivity activity) {
+        return stateName(original, activity, Circumstances.USUAL);
+    }
+
+    private static List<String> candidates(EstimatedActivity activity, Circumstances circumstances) {
+        String idle = activity == EstimatedActivity.STANDBY ? STATE_OFF : STATE_ON;
+        if (circumstances.asleep()) {
+            return List.of(STATE_ASLEEP, idle);
+        }
+        if (circumstances.inTrouble() && activity != EstimatedActivity.STANDBY) {
+            return activity.isWork() ? List.of(STATE_ERROR, working(activity)) : List.of(STATE_ERROR, idle);
+        }
+        if (circumstances.docked() && (!activity.isWork() || activity == EstimatedActivity.DOCK)) {
+            return List.of(circumstances.filling() ? STATE_CHARGING : STATE_CHARGED, STATE_CHARGING, idle);
+        }
+        return activity == EstimatedActivity.MAX
+                ? List.of(MAX, STATE_CLEAN)
+                : List.of(activity.isWork() ? working(activity) : idle);
+    }
+
+    private static String working(EstimatedActivity activity) {
         return switch (activity) {
-            case STANDBY -> Optional.of(STATE_OFF);
-            case ON -> Optional.of(STATE_ON);
-            case CLEAN -> Optional.of(STATE_CLEAN);
-            case SPOT -> Optional.of(STATE_SPOT);
-            case DOCK -> Optional.empty();
+            case SPOT -> STATE_SPOT;
+            case DOCK -> STATE_DOCK;
+            default -> STATE_CLEAN;
         };
     }
 
     /** What it does in this state of its model. */
-    static ActivityEstimate.EstimatedActivity activity(State state) {
-        for (ActivityEstimate.EstimatedActivity activity : ActivityEstimate.EstimatedActivity.values()) {
-            if (stateName(activity).filter(state.name()::equals).isPresent()) {
-                return activity;
-            }
-        }
-        throw new IllegalArgumentException("the robot has no state " + state);
-    }
-
-    /** The state of the robot's model in which it does this. */
-    static State state(SeenActivity activity) {
-        return new State(
-                switch (activity) {
-                    case ON -> STATE_ON;
-                    case CLEAN -> STATE_CLEAN;
-                    case SPOT -> STATE_SPOT;
-                });
+    static EstimatedActivity activity(State state) {
+        return switch (state.name()) {
+            case STATE_OFF -> EstimatedActivity.STANDBY;
+            case STATE_CLEAN -> EstimatedActivity.CLEAN;
+            case MAX -> EstimatedActivity.MAX;
+            case STATE_SPOT -> EstimatedActivity.SPOT;
+            case STATE_DOCK -> EstimatedActivity.DOCK;
+            default -> EstimatedActivity.ON;
+        };
     }
 }

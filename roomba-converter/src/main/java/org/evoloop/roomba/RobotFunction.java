@@ -15,10 +15,19 @@ enum RobotFunction {
     /** Waits for a second press, and raises {@code timeout}; a time trigger of the model does the same by itself. */
     SPOT_WAIT("SpotWait", RobotEvents.TIMEOUT),
 
+    /** Has the robot clean the spot where it is; the robot tells the end. */
+    SPOT_CLEAN("SpotClean", ""),
+
+    /** Has the robot dock; the robot tells when it is charged. */
+    CHARGE("Charge", ""),
+
+    /** Waits for the end of the quiet hours, and raises {@code quietOver}. */
+    QUIET_HOURS("QuietHours", RobotEvents.QUIET_OVER),
+
     /** Nothing runs; the state waits for an event. */
     NONE("none", "");
 
-    static final String NAMES = "Move, SpotWait and none";
+    static final String NAMES = "Move, SpotWait, SpotClean, Charge, QuietHours and none";
 
     private final String id;
     private final String lastEvent;

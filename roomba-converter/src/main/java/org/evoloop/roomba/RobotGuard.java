@@ -3,10 +3,12 @@ package org.evoloop.roomba;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.time.Instant;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.IntFunction;
 import org.evoloop.converter.DeviceLink;
+import org.evoloop.function.Reading;
 import org.evoloop.roomba.link.Link;
 import org.evoloop.roomba.link.SerialSettings;
 import org.evoloop.roomba.oi.ActuatorCommand;
@@ -60,6 +62,11 @@ final class RobotGuard implements GuardedDevice, AutoCloseable {
             @Override
             public boolean isUp() {
                 return watched.isUp();
+            }
+
+            @Override
+            public List<Reading> readings() {
+                return watched.readings();
             }
 
             @Override

@@ -1,10 +1,14 @@
 package org.evoloop.roomba;
 
+import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import org.evoloop.evolution.ModelPair;
+import org.evoloop.roomba.session.inference.ActivityEstimate.EstimatedActivity;
+import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.ModelException;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.Transition;
@@ -70,6 +74,21 @@ public final class RobotModels {
                         && RobotFunction.SPOT_WAIT.finishesIn(pair.evolved(), entry.getKey()));
     }
 
+    /** What an external controller may raise, in the order of the robot's own buttons and then of the new model. */
+    List<String> buttons() {
+        Set<String> known = new LinkedHashSet<>();
+        pair.evolved().triggers().stream()
+                .filter(RobotEvents::isPress)
+                .map(Event::name)
+                .filter(name -> !name.startsWith(WaysBack.PREFIX))
+                .forEach(known::add);
+        List<String> buttons = new ArrayList<>(RobotEvents.COMMANDS);
+        buttons.retainAll(known);
+        known.removeAll(buttons);
+        buttons.addAll(known);
+        return buttons;
+    }
+
     /** The transitions that lead into a state of Move. */
     List<Transition> entries(State move) {
         return waysBack.entries(move);
@@ -78,6 +97,23 @@ public final class RobotModels {
     /** Where a Move goes back to that this transition led to, unless it arrives. */
     State before(Transition entry) {
         return waysBack.before(entry);
+    }
+
+    /**
+     * The event that leads back out of a Move that has not arrived.
+     *
+     * @param work what the robot does by itself; empty if it stands
+     * @param before where it stood before Move
+     */
+    String wayBack(Optional<EstimatedActivity> work, State before) {
+        State target = work.flatMap(activity -> RobotEvents.stateName(pair.original(), activity))
+                .map(State::new)
+                .orElse(before);
+        String event = WaysBack.event(target);
+        // From where the robot was woken or undocked it does not go back.
+        return pair.evolved().triggers().contains(new Event(event))
+                ? event
+                : WaysBack.event(new State(RobotEvents.STATE_ON));
     }
 
     /** Whether an event leads from a state of Move to one of Move again. */

@@ -110,7 +110,7 @@ final class RoombaCommand implements Callable<Integer> {
             Service service,
             PageOptions shown,
             String robotPort,
-            RoombaConverter.Options read,
+            RoombaOptions read,
             double pace,
             @Nullable SimulatedWorld world)
             throws IOException, InterruptedException {
@@ -124,12 +124,15 @@ final class RoombaCommand implements Callable<Integer> {
             if (guard != null) {
                 roomba.converter().addLink(guard.watch(roomba.session()));
             }
+            List<String> buttons = read.models().buttons().stream()
+                    .map(button -> button.toLowerCase(Locale.ROOT))
+                    .toList();
             Console console = new Console(roomba.converter(), System.in, System.out, System.err);
             console.addCommand(ConsoleCommand.of(
                             "press BUTTON",
-                            "presses a button of the external controller: clean or spot",
-                            (arguments, out) -> roomba.controller().press(event(arguments.get(0))))
-                    .completing(before -> before.isEmpty() ? List.of("clean", "spot") : List.of()));
+                            "presses a button of the external controller: " + String.join(", ", buttons),
+                            (arguments, out) -> roomba.controller().press(event(read.models(), arguments.get(0))))
+                    .completing(before -> before.isEmpty() ? buttons : List.of()));
             if (world != null) {
                 console.addCommand(ConsoleCommand.of(
                                 "robot COMMAND [ARGUMENT] [ARGUMENT] [ARGUMENT]",
@@ -179,13 +182,12 @@ final class RoombaCommand implements Callable<Integer> {
                 Duration.ofMillis(Math.round(usual.stepLimit().toMillis() * Math.max(1, pace))));
     }
 
-    private static String event(String button) {
-        return switch (button.toLowerCase(Locale.ROOT)) {
-            case "clean" -> RobotEvents.CLEAN;
-            case "spot" -> RobotEvents.SPOT;
-            default ->
-                throw new IllegalArgumentException(
-                        "the controller has no button " + button + "; it has clean and spot");
-        };
+    private static String event(RobotModels models, String button) {
+        List<String> known = models.buttons();
+        return known.stream()
+                .filter(name -> name.equalsIgnoreCase(button))
+                .findFirst()
+                .orElseThrow(() -> new IllegalArgumentException("the controller has no button " + button + "; it has "
+                        + String.join(", ", known).toLowerCase(Locale.ROOT).replaceFirst(", (?=[^,]*$)", " and ")));
     }
 }

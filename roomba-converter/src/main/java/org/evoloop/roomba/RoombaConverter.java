@@ -1,7 +1,6 @@
 package org.evoloop.roomba;
 
-import java.time.Duration;
-import java.util.function.Function;
+import java.util.Map;
 import java.util.function.IntFunction;
 import org.evoloop.converter.EventMonitor;
 import org.evoloop.converter.PushMonitor;
@@ -10,12 +9,11 @@ import org.evoloop.journal.Journal;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.roomba.link.Link;
 import org.evoloop.roomba.move.Move;
-import org.evoloop.roomba.move.MoveOptions;
-import org.evoloop.roomba.move.StartPointSensor;
+import org.evoloop.roomba.oi.Command;
 import org.evoloop.roomba.session.RoombaSession;
 import org.evoloop.roomba.session.SessionOptions;
+import org.evoloop.statemachine.StateMachine;
 import org.evoloop.time.Clock;
-import org.jspecify.annotations.Nullable;
 
 /**
  * The cleaning robot's event converter, put together.
@@ -32,52 +30,35 @@ public record RoombaConverter(
         implements AutoCloseable {
 
     /**
-     * What can be chosen.
-     *
-     * @param models the robot's, with the functions of their new states
-     * @param startPoint opens what senses where Move has to go
-     * @param move how patient Move is
-     * @param spotWait how long SpotWait waits for a second press
-     * @param journal where the converter keeps what it is told; null if it keeps nothing
-     */
-    public record Options(
-            RobotModels models,
-            Function<Clock, StartPointSensor> startPoint,
-            MoveOptions move,
-            Duration spotWait,
-            @Nullable Journal journal) {
-
-        /** Without a journal. */
-        public Options(
-                RobotModels models, Function<Clock, StartPointSensor> startPoint, MoveOptions move, Duration spotWait) {
-            this(models, startPoint, move, spotWait, null);
-        }
-    }
-
-    /**
      * Builds a converter; the session may be opened before or after.
      *
      * @throws org.evoloop.statemachine.ModelException if the models are no evolution that this robot can take part in
      * @throws org.evoloop.journal.JournalException if the journal cannot be gone on with
      */
-    public static RoombaConverter build(LoopConfig config, RoombaSession session, Options options) {
+    public static RoombaConverter build(LoopConfig config, RoombaSession session, RoombaOptions options) {
         Clock clock = config.clock();
+        StateMachine original = options.models().pair().original();
         PushMonitor controller = new PushMonitor("Controller");
         SystemEventConverter converter = new SystemEventConverter(config);
         Resumption resumption = new Resumption();
         KnowledgeState knowledge = new KnowledgeState(
                 options.models(),
+                session,
                 back -> new Move(session, options.startPoint(), options.move(), back),
                 resumption,
-                new SpotWait(options.spotWait()));
-        MonitorEvent robot =
-                new MonitorEvent(session, event -> options.models().restartsMove(knowledge.getCurrentState(), event));
+                new SpotWait(options.spotWait()),
+                options.quietHours());
+        MonitorEvent robot = new MonitorEvent(
+                session, original, event -> options.models().restartsMove(knowledge.getCurrentState(), event));
         converter.addMonitor(robot);
         converter.addMonitor(controller);
-        converter.addExecute(new ExecuteCommand(session, clock, resumption));
+        if (!options.timetable().isEmpty()) {
+            converter.addMonitor(Timetable.monitor(options.timetable()));
+        }
+        converter.addExecute(new ExecuteCommand(session, original, clock, resumption));
         converter.addKnowledge(knowledge);
         converter.addLink(session);
-        converter.addSpare("ExecuteCommand2", () -> new ExecuteCommand(session, clock, resumption));
+        converter.addSpare("ExecuteCommand2", () -> new ExecuteCommand(session, original, clock, resumption));
         Journal journal = options.journal();
         if (journal != null) {
             converter.journal(journal);
@@ -93,7 +74,7 @@ public record RoombaConverter(
 
     /** Builds a converter for the robot at the cable's other end, and waits for the robot to answer. */
     public static RoombaConverter connect(
-            IntFunction<Link> cable, LoopConfig config, SessionOptions sessionOptions, Options options)
+            IntFunction<Link> cable, LoopConfig config, SessionOptions sessionOptions, RoombaOptions options)
             throws InterruptedException {
         RoombaSession session = new RoombaSession(cable, config.clock(), sessionOptions);
         // The models come first: if they are wrong, no robot is touched.
@@ -101,6 +82,10 @@ public record RoombaConverter(
         try {
             session.open();
             session.awaitRobot();
+            if (!options.timetable().isEmpty()) {
+                // The converter's timetable takes the place of the robot's own.
+                session.send(new Command.Schedule(Map.of()));
+            }
             return built;
         } catch (RuntimeException | InterruptedException failure) {
             built.close();

@@ -6,7 +6,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import org.evoloop.evolution.ModelPair;
-import org.evoloop.roomba.session.SessionListener.SeenActivity;
+import org.evoloop.roomba.session.inference.ActivityEstimate.EstimatedActivity;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
@@ -19,7 +19,7 @@ import org.evoloop.statemachine.Transition;
  * transitions of the new model like any other, on events of their own.
  */
 final class WaysBack {
-    private static final Set<String> PRESSES = Set.of(RobotEvents.CLEAN, RobotEvents.SPOT);
+    static final String PREFIX = "backTo";
 
     private final StateMachine original;
     private final StateMachine evolved;
@@ -33,7 +33,7 @@ final class WaysBack {
 
     /** The event that leads back to a state: {@code backToOn}. */
     static String event(State state) {
-        return "backTo" + state.name();
+        return PREFIX + state.name();
     }
 
     /** The new model with these ways. */
@@ -48,8 +48,10 @@ final class WaysBack {
             for (Transition entry : entries(move)) {
                 targets.add(before(entry));
             }
-            for (SeenActivity activity : SeenActivity.values()) {
-                targets.add(RobotEvents.state(activity));
+            for (EstimatedActivity activity : EstimatedActivity.values()) {
+                if (activity != EstimatedActivity.STANDBY) {
+                    RobotEvents.stateName(original, activity).map(State::new).ifPresent(targets::add);
+                }
             }
             targets.removeIf(target -> moves.contains(target) || !canBeReached(target, move));
             for (State target : targets) {
@@ -76,7 +78,7 @@ final class WaysBack {
         while (!next.isEmpty()) {
             Transition candidate = next.remove();
             State source = candidate.source();
-            if (PRESSES.contains(candidate.event().name()) && !moves.contains(source)) {
+            if (RobotEvents.isPress(candidate.event()) && !moves.contains(source)) {
                 return source;
             }
             if (seen.add(source)) {
@@ -119,7 +121,9 @@ final class WaysBack {
         while (!next.isEmpty()) {
             for (Transition transition : original.transitionsFrom(next.remove())) {
                 Event event = transition.event();
-                if (PRESSES.contains(event.name()) && event.guards().isEmpty() && seen.add(transition.target())) {
+                if (RobotEvents.COMMANDS.contains(event.name())
+                        && event.guards().isEmpty()
+                        && seen.add(transition.target())) {
                     next.add(transition.target());
                 }
             }

@@ -10,7 +10,6 @@ import java.util.Optional;
 import org.evoloop.PaperPair;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.loop.LoopConfig;
-import org.evoloop.roomba.move.MoveOptions;
 import org.evoloop.roomba.move.StartPointSensor;
 import org.evoloop.roomba.oi.Button;
 import org.evoloop.roomba.oi.OiMode;
@@ -55,11 +54,8 @@ class EffectOrderTest {
                 hold.on(RoombaCommand.cable(port.toString())),
                 LoopConfig.defaults("roomba", clock).withStepLimit(STEP_LIMIT),
                 SessionOptions.defaults().withSilenceLimit(Duration.ofSeconds(20)),
-                new RoombaConverter.Options(
-                        RobotModels.of(new ModelPair(device, device)),
-                        time -> StartPointSensor.byWheels(1000, 500),
-                        MoveOptions.defaults(),
-                        Duration.ofSeconds(5)));
+                RoombaOptions.of(
+                        RobotModels.of(new ModelPair(device, device)), time -> StartPointSensor.byWheels(1000, 500)));
         roomba.converter().start();
     }
 
@@ -165,7 +161,8 @@ class EffectOrderTest {
 
     @Test
     void whereTheRobotIsIsToldFromItsFramesOrNotAtAll() throws Exception {
-        ExecuteCommand asked = new ExecuteCommand(roomba.session(), clock, new Resumption());
+        ExecuteCommand asked =
+                new ExecuteCommand(roomba.session(), PaperPair.cleaningRobot().original(), clock, new Resumption());
         startCleaning();
         await().atMost(PATIENCE).until(() -> asked.locate().equals(Optional.of(RobotEvents.STATE_CLEAN)));
         roomba.controller().press(RobotEvents.CLEAN);

@@ -99,7 +99,9 @@ class RobotModelsTest {
     @Test
     void anOptionThatCannotBeMeantIsRefused() {
         assertRefused(
-                "--function Hunt: say STATE=FUNCTION; the functions are Move, SpotWait and none", arriving(), "Hunt");
+                "--function Hunt: say STATE=FUNCTION; the functions are Move, SpotWait, SpotClean, Charge, QuietHours and none",
+                arriving(),
+                "Hunt");
         assertRefused("--function Hunt=Dance: say STATE=FUNCTION", arriving(), "Hunt=Dance");
         assertRefused("--function Wander=Move: 'Wander' is no new state; there are Hunt", arriving(), "Wander=Move");
         assertRefused("--function On=none: 'On' is no new state; there are Hunt", arriving(), "On=none");

@@ -9,9 +9,11 @@ import org.evoloop.converter.HistoryEntry;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.loop.LoopConfig;
+import org.evoloop.roomba.link.ForwardingLink;
 import org.evoloop.roomba.link.Link;
 import org.evoloop.roomba.link.LinkException;
 import org.evoloop.roomba.link.MemoryLink;
+import org.evoloop.roomba.link.WakeLine;
 import org.evoloop.roomba.move.MoveOptions;
 import org.evoloop.roomba.move.StartPointSensor;
 import org.evoloop.roomba.oi.Button;
@@ -89,7 +91,7 @@ final class SteppedRoomba implements AutoCloseable {
         roomba = RoombaConverter.build(
                 LoopConfig.defaults("roomba", clock).withoutThreads(),
                 session,
-                new RoombaConverter.Options(RobotModels.of(models), opened -> startPoint, move, Duration.ofSeconds(5)));
+                RoombaOptions.of(RobotModels.of(models), opened -> startPoint).withMove(move));
         session.open();
         advance(Duration.ofMillis(500));
         roomba.converter().start();
@@ -103,7 +105,15 @@ final class SteppedRoomba implements AutoCloseable {
         MemoryLink.Pair fresh = MemoryLink.pair();
         cable = fresh;
         disturb(noise);
-        return fresh.converter();
+        return new ForwardingLink(fresh.converter()) {
+            @Override
+            public WakeLine wakeLine() {
+                return low -> {
+                    robot.wakeLine(low);
+                    return true;
+                };
+            }
+        };
     }
 
     /** Pulls the cable. */

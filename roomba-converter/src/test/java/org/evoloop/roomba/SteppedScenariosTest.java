@@ -56,7 +56,12 @@ class SteppedScenariosTest {
         assertNear(1000, 500, 60);
         assertThat(roomba.roomba.converter().history())
                 .extracting(HistoryEntry::detail)
-                .containsExactly("Clean (by the device)", "new function of Move", "Spot", "endSpot (by the device)");
+                .satisfiesExactly(
+                        switchedOn -> assertThat(switchedOn).isEqualTo("Clean (by the device)"),
+                        started -> assertThat(started).isEqualTo("new function of Move"),
+                        arrived -> assertThat(arrived)
+                                .matches("Spot; left Move at checking the place, distance 0[.0-9]* m, .*"),
+                        ended -> assertThat(ended).isEqualTo("endSpot (by the device)"));
     }
 
     private void startCleaning() {

@@ -20,9 +20,9 @@ import org.evoloop.journal.Journal;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.roomba.RobotModels;
 import org.evoloop.roomba.RoombaConverter;
+import org.evoloop.roomba.RoombaOptions;
 import org.evoloop.roomba.link.SerialLink;
 import org.evoloop.roomba.link.SerialSettings;
-import org.evoloop.roomba.move.MoveOptions;
 import org.evoloop.roomba.move.StartPointSensor;
 import org.evoloop.roomba.session.SessionOptions;
 import org.evoloop.roomba.simulator.SimulatorServer;
@@ -97,12 +97,10 @@ public final class JournalCost {
                                 SerialLink.open(new SerialSettings(robot.path().toString()).withBaud(baud)), nanos),
                         LoopConfig.defaults("roomba", clock),
                         SessionOptions.defaults().withSilenceLimit(Duration.ofSeconds(8)),
-                        new RoombaConverter.Options(
-                                RobotModels.of(new ModelPair(device, device)),
-                                time -> StartPointSensor.byWheels(1000, 500),
-                                MoveOptions.defaults(),
-                                Duration.ofSeconds(5),
-                                keeping.in(Files.createTempDirectory(folder, "journal"))))) {
+                        RoombaOptions.of(
+                                        RobotModels.of(new ModelPair(device, device)),
+                                        time -> StartPointSensor.byWheels(1000, 500))
+                                .withJournal(keeping.in(Files.createTempDirectory(folder, "journal"))))) {
             roomba.converter().start();
             for (int press = 0; press < TURN; press++) {
                 PressToCommand.press(new WorldCommands(robot), roomba, clock);

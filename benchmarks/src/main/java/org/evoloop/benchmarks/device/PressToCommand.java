@@ -11,9 +11,9 @@ import org.evoloop.evolution.ModelPair;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.roomba.RobotModels;
 import org.evoloop.roomba.RoombaConverter;
+import org.evoloop.roomba.RoombaOptions;
 import org.evoloop.roomba.link.SerialLink;
 import org.evoloop.roomba.link.SerialSettings;
-import org.evoloop.roomba.move.MoveOptions;
 import org.evoloop.roomba.move.StartPointSensor;
 import org.evoloop.roomba.session.SessionOptions;
 import org.evoloop.roomba.simulator.SimulatorServer;
@@ -52,11 +52,9 @@ public final class PressToCommand {
                                 SerialLink.open(new SerialSettings(port.toString()).withBaud(baud)), nanos),
                         way.configured(LoopConfig.defaults("roomba", clock)),
                         SessionOptions.defaults().withSilenceLimit(Duration.ofSeconds(8)),
-                        new RoombaConverter.Options(
+                        RoombaOptions.of(
                                 RobotModels.of(new ModelPair(device, device)),
-                                time -> StartPointSensor.byWheels(1000, 500),
-                                MoveOptions.defaults(),
-                                Duration.ofSeconds(5)))) {
+                                time -> StartPointSensor.byWheels(1000, 500)))) {
             roomba.converter().start();
             WorldCommands world = new WorldCommands(robot);
             while (nanos.getTotalCount() < wanted) {

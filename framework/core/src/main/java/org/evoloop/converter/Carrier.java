@@ -116,9 +116,6 @@ final class Carrier {
                     unsettled = cause;
                 }
             } else {
-                if (next instanceof Output.Leave) {
-                    books.history().leaving(visits.leaving());
-                }
                 visit(next);
             }
         }

@@ -49,13 +49,14 @@ final class ConverterShell implements LoopListener<Occurrence> {
         this.knowledge = knowledge;
         this.books = new Books(config.clock(), failures, listeners);
         this.hooks = new Hooks(config, closing);
+        this.visits = new Visits(config, knowledge, books.transcript(), books.failures());
         this.driver = new CoreDriver(
                 new Rules(table, knowledge::timersOf, config.queueCapacity()),
                 config.clock(),
                 knowledge,
                 books,
+                visits::leaving,
                 journal);
-        this.visits = new Visits(config, knowledge, books.transcript(), books.failures());
         this.carrier = new Carrier(driver, visits, knowledge.bindings(), books);
         this.loop = new MapeLoop<>(config, this, carrier::next, driver);
         knowledge.bindings().watch(config, failures);

@@ -3,6 +3,7 @@ package org.evoloop.converter;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.function.Supplier;
 import org.evoloop.core.Core;
 import org.evoloop.core.Input;
 import org.evoloop.core.Inputs;
@@ -42,7 +43,14 @@ final class CoreDriver implements Intake<Occurrence> {
 
     private volatile Rules rules;
 
-    CoreDriver(Rules rules, Clock clock, StateKnowledge knowledge, Books books, @Nullable ConverterJournal journal) {
+    /** @param leaving how far the function is that is about to be left, in words; empty if there is none */
+    CoreDriver(
+            Rules rules,
+            Clock clock,
+            StateKnowledge knowledge,
+            Books books,
+            Supplier<String> leaving,
+            @Nullable ConverterJournal journal) {
         this.rules = rules;
         this.clock = clock;
         this.bindings = knowledge.bindings();
@@ -57,7 +65,7 @@ final class CoreDriver implements Intake<Occurrence> {
                                 books.latency(),
                                 rules.table().models().initial()));
         Configuration at = kept == null ? rules.table().models().initial() : kept.at();
-        this.outputs = new CoreOutputs(at, knowledge.eventNames(), books);
+        this.outputs = new CoreOutputs(at, knowledge.eventNames(), books, leaving);
         this.core = kept == null ? new Core(rules, outputs) : new Core(rules, kept, outputs);
         if (kept != null) {
             books.history().countOn(ended(kept.tally()));

@@ -1,6 +1,7 @@
 package org.evoloop.converter;
 
 import java.util.Locale;
+import java.util.function.Supplier;
 import org.evoloop.core.Outcome;
 import org.evoloop.core.Output;
 import org.evoloop.core.Outputs;
@@ -31,12 +32,15 @@ final class CoreOutputs implements Outputs {
 
     private final EventNames names;
     private final Books books;
+    private final Supplier<String> leaving;
     private volatile Configuration at;
 
     /** What came last, if neither model knows it. */
     private @Nullable Event unknown;
 
-    CoreOutputs(Configuration at, EventNames names, Books books) {
+    /** @param leaving how far the function is that is about to be left, in words; empty if there is none */
+    CoreOutputs(Configuration at, EventNames names, Books books, Supplier<String> leaving) {
+        this.leaving = leaving;
         this.at = at;
         this.names = names;
         this.books = books;
@@ -52,6 +56,13 @@ final class CoreOutputs implements Outputs {
         if (output instanceof Output.Directive directive) {
             agenda.add(directive);
         }
+    }
+
+    @Override
+    public void leave() {
+        // Before it is carried out, since what ends the stay may come to its own end first.
+        books.history().leaving(leaving.get());
+        agenda.add(Output.LEAVE);
     }
 
     @Override

@@ -58,7 +58,8 @@ final class History {
             Outcome outcome,
             @Nullable Decision decision,
             String detail) {
-        String left = leaving;
+        // A stay that ended otherwise, as by a stop, is none of this event's.
+        String left = before.evolved().equals(after.evolved()) ? "" : leaving;
         leaving = "";
         record(clock.wallTime(), clock.nanoTime(), occurrence, before, after, outcome, decision, detail, left);
     }

@@ -14,6 +14,10 @@ final class HoldWatch {
     /** So long the session has to take control back. */
     static final long PATIENCE_NANOS = 5_000_000_000L;
 
+    /** So long it may take until the robot obeys at first: it may have to be woken, or leave its dock. */
+    static final long READY_PATIENCE_NANOS = 20_000_000_000L;
+
+    private boolean held;
     private boolean slipped;
     private long slippedNanos;
 
@@ -24,6 +28,7 @@ final class HoldWatch {
                     "a wheel hangs in the air: the robot was lifted, or has driven over an edge", Optional.empty());
         }
         if (telemetry.isUnderControl()) {
+            held = true;
             slipped = false;
             return Ending.NONE;
         }
@@ -31,6 +36,7 @@ final class HoldWatch {
             slipped = true;
             slippedNanos = nanos;
         }
-        return nanos - slippedNanos > PATIENCE_NANOS ? Ending.because("the robot does not obey any more") : Ending.NONE;
+        long patience = held ? PATIENCE_NANOS : READY_PATIENCE_NANOS;
+        return nanos - slippedNanos > patience ? Ending.because("the robot does not obey any more") : Ending.NONE;
     }
 }

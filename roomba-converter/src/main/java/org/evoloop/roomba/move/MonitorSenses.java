@@ -3,12 +3,15 @@ package org.evoloop.roomba.move;
 import java.util.Optional;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
+import java.util.function.BooleanSupplier;
+import org.evoloop.function.Visit;
 import org.evoloop.loop.MapeLoop;
 import org.evoloop.loop.Monitor;
 import org.evoloop.roomba.move.phase.Ending;
 import org.evoloop.roomba.oi.Button;
 import org.evoloop.roomba.session.SessionListener;
 import org.evoloop.roomba.session.Telemetry;
+import org.evoloop.roomba.session.inference.ActivityEstimate.EstimatedActivity;
 import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 
@@ -23,21 +26,30 @@ final class MonitorSenses extends Monitor<Percept> implements SessionListener {
     private final BlockingQueue<Heard> newest = new LinkedBlockingQueue<>(1);
     private final MapeLoop<Percept, ?, ?> loop;
     private final StartPointSensor sensor;
+    private final BooleanSupplier busy;
     private final Clock clock;
     private final boolean threads;
     private String reason = "";
-    private Optional<SeenActivity> work = Optional.empty();
+    private Optional<EstimatedActivity> work = Optional.empty();
 
-    /** @param threads false if each frame itself must take the loop's step */
-    MonitorSenses(MapeLoop<Percept, ?, ?> loop, StartPointSensor sensor, Clock clock, boolean threads) {
+    /**
+     * Without threads each frame itself takes the loop's step.
+     *
+     * @param busy whether the robot is being driven by somebody else, so that its frames say nothing to Move
+     */
+    MonitorSenses(MapeLoop<Percept, ?, ?> loop, StartPointSensor sensor, BooleanSupplier busy, Visit visit) {
         this.loop = loop;
         this.sensor = sensor;
-        this.clock = clock;
-        this.threads = threads;
+        this.busy = busy;
+        this.clock = visit.clock();
+        this.threads = visit.threads();
     }
 
     @Override
     public void received(Telemetry telemetry) {
+        if (busy.getAsBoolean()) {
+            return;
+        }
         Heard heard = new Heard(telemetry, reason.isEmpty() ? Ending.NONE : Ending.byPerson(reason, work));
         while (!newest.offer(heard)) {
             newest.poll();
@@ -59,8 +71,8 @@ final class MonitorSenses extends Monitor<Percept> implements SessionListener {
     }
 
     @Override
-    public void seen(SeenActivity activity) {
-        work = activity == SeenActivity.ON ? Optional.empty() : Optional.of(activity);
+    public void seen(EstimatedActivity activity) {
+        work = activity == EstimatedActivity.ON ? Optional.empty() : Optional.of(activity);
     }
 
     private void takeStep() {

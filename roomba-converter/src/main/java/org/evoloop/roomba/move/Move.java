@@ -1,9 +1,13 @@
 package org.evoloop.roomba.move;
 
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
 import java.util.stream.Stream;
 import org.evoloop.function.ControlLoopFunction;
+import org.evoloop.function.Reading;
 import org.evoloop.function.Visit;
 import org.evoloop.loop.Analyze;
 import org.evoloop.loop.Execute;
@@ -17,9 +21,9 @@ import org.evoloop.roomba.move.phase.Phase;
 import org.evoloop.roomba.move.phase.Situation;
 import org.evoloop.roomba.oi.ActuatorCommand.DriveDirect;
 import org.evoloop.roomba.session.RoombaSession;
-import org.evoloop.roomba.session.SessionListener.SeenActivity;
 import org.evoloop.roomba.session.Telemetry;
 import org.evoloop.roomba.session.connection.RobotException;
+import org.evoloop.roomba.session.inference.ActivityEstimate.EstimatedActivity;
 import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -53,7 +57,7 @@ public final class Move extends ControlLoopFunction<Percept, Situation, Maneuver
          *
          * @param work what the robot does by itself, since somebody has used its own buttons; empty if it stands
          */
-        String event(Optional<SeenActivity> work);
+        String event(Optional<EstimatedActivity> work);
     }
 
     private final RoombaSession session;
@@ -78,11 +82,11 @@ public final class Move extends ControlLoopFunction<Percept, Situation, Maneuver
     protected void assemble(MapeLoop<Percept, Situation, Maneuver> loop, Visit visit) {
         StartPointSensor sensor = startPoint.apply(visit.clock());
         visit.onEnd(sensor::close);
-        MonitorSenses monitor = new MonitorSenses(loop, sensor, visit.clock(), visit.threads());
+        MonitorSenses monitor = new MonitorSenses(loop, sensor, session::isUndocking, visit);
         loop.addMonitor(monitor);
         ObeyWatch obeyWatch = new ObeyWatch(options.frameLimit().toNanos());
         loop.addAnalyze(new AnalyzeSituation(options, obeyWatch, visit));
-        loop.addPlan(new PlanManeuver(new Memory(sensor.target(), options.frameLimit(), options.settle())));
+        loop.addPlan(new PlanManeuver(new Memory(sensor.target(), options.frameLimit(), options.settle()), visit));
         loop.addExecute(new ExecuteManeuver(visit, obeyWatch));
         visit.onEnd(this::stopWheels);
         visit.onEnd(() -> session.removeListener(monitor));
@@ -161,12 +165,16 @@ public final class Move extends ControlLoopFunction<Percept, Situation, Maneuver
         }
     }
 
-    private static final class PlanManeuver extends Plan<Situation, Maneuver> {
+    private final class PlanManeuver extends Plan<Situation, Maneuver> {
         private final Memory memory;
+        private final Visit visit;
+        private final long beganNanos;
         private @Nullable Phase phase;
 
-        PlanManeuver(Memory memory) {
+        PlanManeuver(Memory memory, Visit visit) {
             this.memory = memory;
+            this.visit = visit;
+            this.beganNanos = visit.clock().nanoTime();
         }
 
         @Override
@@ -181,7 +189,25 @@ public final class Move extends ControlLoopFunction<Percept, Situation, Maneuver
                         now.pose(),
                         now.sight().goal());
             }
+            tell(step.phase(), now);
             return step.maneuver();
+        }
+
+        /** Tells the distance to the starting point in m, whether that is in sight, and the time left to find it in s. */
+        private void tell(Phase about, Situation now) {
+            List<Reading> readings = new ArrayList<>();
+            now.sight().goal().ifPresent(goal -> {
+                double leftMm = now.pose().distanceTo(goal.xMm(), goal.yMm())
+                        - memory.target().distanceMm();
+                readings.add(Reading.of("distance", Math.max(0, leftMm) / 1000, "m"));
+            });
+            boolean inSight = now.sight()
+                    .goalSince(now.nanos() - options.frameLimit().toNanos())
+                    .isPresent();
+            readings.add(Reading.of("inSight", inSight));
+            Duration left = options.limit().minusNanos(now.nanos() - beganNanos);
+            readings.add(Reading.of("timeLeft", Math.max(0, left.toSeconds()), "s"));
+            visit.progress(now.obeys() ? about.describe() : "waiting for the robot to obey", readings);
         }
     }
 

@@ -122,6 +122,11 @@ public enum Opcode {
         return MODE_CHANGING.contains(this);
     }
 
+    /** Whether the command does what one of the robot's cleaning buttons does: it starts work, or pauses that under way. */
+    public boolean startsWork() {
+        return this == CLEAN || this == SPOT || this == MAX || this == SEEK_DOCK;
+    }
+
     /** Data bytes that every such command has; if it has items too, the last of these bytes says how many. */
     int headBytes() {
         return headBytes;

@@ -107,7 +107,7 @@ final class Control {
             mayHaveMissed = false;
         }
         unconfirmed = null;
-        if (command instanceof Command.Spot || command instanceof Command.Clean) {
+        if (command.opcode().startsWork() || command instanceof Command.Power) {
             unconfirmed = underControl ? command : null;
             // Counted anew: the frames that are on their way still show control.
             framesWith = 0;

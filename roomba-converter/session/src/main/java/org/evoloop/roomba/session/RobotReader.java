@@ -10,11 +10,13 @@ import org.evoloop.roomba.oi.Command;
 import org.evoloop.roomba.oi.Packet;
 import org.evoloop.roomba.oi.SensorValues;
 import org.evoloop.roomba.oi.StreamFramer;
-import org.evoloop.roomba.session.SessionListener.SeenActivity;
 import org.evoloop.roomba.session.connection.Connection;
 import org.evoloop.roomba.session.connection.FirstBytes;
 import org.evoloop.roomba.session.inference.ActivityEstimate;
+import org.evoloop.roomba.session.inference.ActivityEstimate.EstimatedActivity;
 import org.evoloop.roomba.session.inference.ButtonPresses;
+import org.evoloop.roomba.session.inference.CircumstanceWatch;
+import org.evoloop.roomba.session.inference.Circumstances;
 import org.evoloop.roomba.session.inference.CommandEffect;
 import org.evoloop.roomba.session.inference.FrameFilter;
 import org.evoloop.roomba.session.inference.ModeOffset;
@@ -50,6 +52,11 @@ final class RobotReader implements Connection.Owner {
     private final ActivityEstimate estimate = new ActivityEstimate();
     private final CommandEffect effect = new CommandEffect();
     private final Control control;
+    private final Undocking undocking;
+    private final CircumstanceWatch circumstances = new CircumstanceWatch();
+    private Circumstances told = Circumstances.USUAL;
+    private boolean tellAgain;
+    private int framesUntilTold;
     private volatile @Nullable Telemetry latest;
 
     /** @param cable opens a new link to the robot at a baud rate; called again whenever the link was lost */
@@ -60,6 +67,7 @@ final class RobotReader implements Connection.Owner {
                 new Connection.Options(RoombaSession.STREAM, options.silenceLimit(), options.mayWait());
         this.connection = new Connection(cable, clock, wanted, this);
         this.control = new Control(connection, estimate);
+        this.undocking = new Undocking(connection::trySend, estimate);
     }
 
     Connection connection() {
@@ -89,6 +97,7 @@ final class RobotReader implements Connection.Owner {
     public void read(Link link) {
         byte[] buffer = new byte[BUFFER_BYTES];
         for (int length = link.receive(buffer); length > 0; length = link.receive(buffer)) {
+            connection.stirred();
             firstBytes.take(buffer, length);
             take(buffer, length);
         }
@@ -114,8 +123,12 @@ final class RobotReader implements Connection.Owner {
         if (obeyed != null) {
             listeners.forEach(listener -> listener.obeyed(obeyed));
         }
+        if (circumstances.update(values, estimate.activity().isWork()) || tellAgain) {
+            tellCircumstances(tellAgain ? Circumstances.USUAL : told);
+        }
+        undocking.update(now);
         switch (control.update(now)) {
-            case ON -> tellSeen(SeenActivity.ON);
+            case ON -> tellSeen(EstimatedActivity.ON);
             case AS_ESTIMATED -> tellActivity();
             case NOTHING -> {}
         }
@@ -127,16 +140,54 @@ final class RobotReader implements Connection.Owner {
             estimate.seenAtRest();
             listeners.forEach(listener -> listener.spotEnded(ending));
         }
-        if (estimate.update(values, now.isUnderControl(), !control.isWanted())) {
+        if (estimate.update(values, now.isUnderControl(), !control.isWanted()) && ending == null) {
             tellActivity();
         }
+        if (framesUntilTold > 0 && --framesUntilTold == 0) {
+            tellSeen(estimate.activity());
+        }
+    }
+
+    private void tellCircumstances(Circumstances before) {
+        tellAgain = false;
+        Circumstances now = circumstances.now();
+        told = now;
+        listeners.forEach(listener -> listener.changed(before, now, estimate.activity()));
+    }
+
+    /** Drives the robot off its dock. */
+    synchronized void beginUndocking() {
+        Telemetry now = latest;
+        if (now != null) {
+            undocking.begin(now);
+        }
+    }
+
+    /** Whether the robot is on its way off its dock. */
+    synchronized boolean isUndocking() {
+        return undocking.isUnderWay();
+    }
+
+    /** The robot stands, wherever it is on its way off its dock. */
+    synchronized void endUndocking() {
+        undocking.end();
+    }
+
+    /** What the robot does is told soon, unless it is commanded before. */
+    synchronized void tellSoon() {
+        framesUntilTold = CommandEffect.SHOW_FRAMES;
+    }
+
+    /** How it stands with the robot is told with the next frame, though it has been told before. */
+    synchronized void tellAgain() {
+        tellAgain = true;
     }
 
     private void pressed(Button button, boolean robotActs) {
         listeners.forEach(listener -> listener.pressed(button, robotActs));
         if (robotActs) {
             estimate.pressed(button);
-            if (estimate.activity() == ActivityEstimate.EstimatedActivity.SPOT) {
+            if (estimate.activity() == EstimatedActivity.SPOT) {
                 spotWatch.started();
             } else {
                 spotWatch.forget();
@@ -145,17 +196,15 @@ final class RobotReader implements Connection.Owner {
         }
     }
 
-    /** Tells what the robot does, as far as it is one of the things that its model knows. */
+    /** Tells what the robot does. */
     private void tellActivity() {
-        switch (estimate.activity()) {
-            case ON -> tellSeen(SeenActivity.ON);
-            case CLEAN -> tellSeen(SeenActivity.CLEAN);
-            case SPOT -> tellSeen(SeenActivity.SPOT);
-            default -> LOG.debug("the robot is in {}", estimate.activity());
+        // In stand-by it shows nothing that it would not show when it is on.
+        if (estimate.activity() != EstimatedActivity.STANDBY) {
+            tellSeen(estimate.activity());
         }
     }
 
-    private void tellSeen(SeenActivity activity) {
+    private void tellSeen(EstimatedActivity activity) {
         listeners.forEach(listener -> listener.seen(activity));
     }
 
@@ -173,9 +222,9 @@ final class RobotReader implements Connection.Owner {
     }
 
     /** What the robot did when another process saw it last. */
-    synchronized void assume(ActivityEstimate.EstimatedActivity last) {
+    synchronized void assume(EstimatedActivity last) {
         estimate.assume(last);
-        if (last == ActivityEstimate.EstimatedActivity.SPOT) {
+        if (last == EstimatedActivity.SPOT) {
             spotWatch.started();
         }
     }
@@ -203,16 +252,17 @@ final class RobotReader implements Connection.Owner {
         }
         if (now.isUnderControl()) {
             control.forgetCommand();
-            return ActivityEstimate.EstimatedActivity.ON;
+            return EstimatedActivity.ON;
         }
         return effect.isMissing() || !estimate.isSure() ? null : estimate.activity();
     }
 
     /** A command has been sent. */
     synchronized void commanded(Command command) {
+        framesUntilTold = 0;
         control.commanded(command);
         estimate.commanded(command);
-        if (command instanceof Command.Spot && estimate.activity() == ActivityEstimate.EstimatedActivity.SPOT) {
+        if (command instanceof Command.Spot && estimate.activity() == EstimatedActivity.SPOT) {
             spotWatch.started();
         }
     }
@@ -228,6 +278,24 @@ final class RobotReader implements Connection.Owner {
         control.loseSight();
         spotWatch.forget();
         estimate.forget();
+        undocking.end();
+    }
+
+    @Override
+    public synchronized boolean isDrowsy() {
+        return circumstances.isDrowsy();
+    }
+
+    @Override
+    public synchronized void fellAsleep() {
+        if (circumstances.fellAsleep()) {
+            tellCircumstances(told);
+        }
+    }
+
+    @Override
+    public synchronized void keptAwake() {
+        circumstances.keptAwake();
     }
 
     @Override

@@ -8,6 +8,7 @@ import java.util.concurrent.ExecutionException;
 import java.util.function.BooleanSupplier;
 import java.util.function.IntFunction;
 import org.evoloop.converter.DeviceLink;
+import org.evoloop.function.Reading;
 import org.evoloop.roomba.link.Link;
 import org.evoloop.roomba.link.LinkException;
 import org.evoloop.roomba.oi.ActuatorCommand;
@@ -36,7 +37,7 @@ import org.slf4j.LoggerFactory;
  */
 public final class RoombaSession implements DeviceLink, AutoCloseable {
     /**
-     * All that is looked at and nothing else, 38 bytes a frame: the shorter, the more frames pass a noisy line. Fits 57600
+     * All that is looked at and nothing else, 48 bytes a frame: the shorter, the more frames pass a noisy line. Fits 57600
      * baud and above.
      */
     public static final List<PacketId> STREAM = List.of(
@@ -46,8 +47,12 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
             Packet.CLIFF_FRONT_RIGHT,
             Packet.CLIFF_RIGHT,
             Packet.VIRTUAL_WALL,
+            Packet.OVERCURRENTS,
             Packet.BUTTONS,
+            Packet.CHARGING_STATE,
             Packet.CURRENT,
+            Packet.BATTERY_CHARGE,
+            Packet.BATTERY_CAPACITY,
             Packet.CHARGING_SOURCES,
             Packet.OI_MODE,
             Packet.LEFT_ENCODER,
@@ -62,6 +67,11 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
 
     /** A robot that was told to work must show it within 3 s, and rest when it has rested for 1 s. */
     private static final Duration ACTIVITY_LIMIT = Duration.ofMillis(4_500);
+
+    /** A pulse, the boot text, at most two questions, and control. */
+    private static final Duration WAKE_LIMIT = Duration.ofSeconds(10);
+
+    private static final Duration UNDOCK_LIMIT = Duration.ofSeconds(12);
 
     /** How often is looked whether the robot shows what is waited for: three times a frame. */
     private static final Duration LOOK = Duration.ofMillis(5);
@@ -184,12 +194,16 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
         // A frame may have been on its way when it was asked; without waiting there is none on its way.
         long since = last == null || !options.mayWait() ? 0 : last.frame() + 1;
         awaitUntil(() -> reader.known(since) != null, ACTIVITY_LIMIT);
-        return isUp() ? Optional.ofNullable(reader.known(since)) : Optional.empty();
+        return connection.isUp() ? Optional.ofNullable(reader.known(since)) : Optional.empty();
     }
 
     private void awaitUntil(BooleanSupplier holds, Duration limit) throws InterruptedException {
+        await(() -> !connection.isUp() || holds.getAsBoolean(), limit);
+    }
+
+    private void await(BooleanSupplier holds, Duration limit) throws InterruptedException {
         long deadline = clock.nanoTime() + limit.toNanos();
-        while (options.mayWait() && isUp() && !holds.getAsBoolean() && clock.nanoTime() - deadline < 0) {
+        while (options.mayWait() && !holds.getAsBoolean() && clock.nanoTime() - deadline < 0) {
             clock.sleep(LOOK);
         }
     }
@@ -215,8 +229,9 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
         boolean comes;
         synchronized (reader) {
             control.want();
-            comes = isUnderControl() || control.isRegaining();
+            comes = isUnderControl() || control.isRegaining() || connection.isAsleep() || reader.isUndocking();
         }
+        connection.letSleep(false);
         if (!comes) {
             send(new Command.Safe());
         }
@@ -227,6 +242,75 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
         synchronized (reader) {
             control.leaveAlone();
         }
+    }
+
+    /**
+     * Leaves the robot as it is when nobody uses it: in Passive mode, where its buttons act and it falls asleep after five
+     * minutes.
+     *
+     * @throws LinkException if the command could not be sent
+     */
+    public void rest() {
+        leaveAlone();
+        connection.letSleep(true);
+        if (isUnderControl()) {
+            send(new Command.Start());
+        }
+    }
+
+    /** Whether a robot that nobody uses may fall asleep from now on; at first it is kept awake. */
+    public void letSleep(boolean may) {
+        connection.letSleep(may);
+    }
+
+    /** Whether the robot has been let to fall asleep, and has. */
+    public boolean isAsleep() {
+        return connection.isAsleep();
+    }
+
+    /**
+     * Wakes a robot that sleeps, and puts it under control. Without waiting, that comes later.
+     *
+     * @throws RobotException if it does not wake within ten seconds
+     * @throws InterruptedException if the thread is told to stop while it waits
+     */
+    public void wake() throws InterruptedException {
+        synchronized (reader) {
+            control.want();
+        }
+        connection.wake();
+        await(this::isUnderControl, WAKE_LIMIT);
+        if (options.mayWait() && !isUnderControl()) {
+            throw new RobotException(connection.description()
+                    + ": the robot sleeps, and its wake line does not wake it. Press CLEAN on it");
+        }
+    }
+
+    /**
+     * Drives the robot backwards off its dock, 0.3 m, and keeps it under control there. Without waiting, it drives as frames
+     * come.
+     *
+     * @throws RobotException if it stays on its dock
+     * @throws InterruptedException if the thread is told to stop while it waits; the robot is stopped
+     */
+    public void leaveDock() throws InterruptedException {
+        reader.beginUndocking();
+        try {
+            await(() -> !reader.isUndocking(), UNDOCK_LIMIT);
+        } finally {
+            if (options.mayWait()) {
+                reader.endUndocking();
+            }
+        }
+        Telemetry now = reader.latest();
+        if (options.mayWait() && (now == null || now.values().onHomeBase())) {
+            throw new RobotException(connection.description() + ": the robot does not come off its dock; free its way");
+        }
+    }
+
+    /** Whether the robot is on its way off its dock: nobody else is to drive it. */
+    public boolean isUndocking() {
+        return reader.isUndocking();
     }
 
     /** Stops the wheels if the robot is under control or about to be, and gives it back to itself for good. */
@@ -240,6 +324,26 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
             send(new ActuatorCommand.DriveDirect(0, 0));
             send(new Command.Start());
         }
+    }
+
+    /**
+     * What the robot does is told to listeners within a quarter of a second, unless it is commanded before; for who has just
+     * told an event of it, and wants to know that nothing else is true.
+     */
+    public void tellSoon() {
+        reader.tellSoon();
+    }
+
+    /** How it stands with the robot is told to listeners once more, with the next frame; see {@link SessionListener#changed}. */
+    public void tellAgain() {
+        reader.tellAgain();
+    }
+
+    /** What is known of the robot: see {@link RobotReadings}. */
+    @Override
+    public List<Reading> readings() {
+        Telemetry now = reader.latest();
+        return now == null ? List.of() : RobotReadings.of(now.values(), isAsleep());
     }
 
     /** What the last frame told; null before the first. */
@@ -277,7 +381,7 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
 
     @Override
     public boolean isUp() {
-        return connection.isUp();
+        return connection.isUp() || connection.isAsleep();
     }
 
     @Override

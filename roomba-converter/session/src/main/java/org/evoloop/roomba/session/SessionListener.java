@@ -2,6 +2,8 @@ package org.evoloop.roomba.session;
 
 import org.evoloop.roomba.oi.Button;
 import org.evoloop.roomba.oi.Command;
+import org.evoloop.roomba.session.inference.ActivityEstimate.EstimatedActivity;
+import org.evoloop.roomba.session.inference.Circumstances;
 import org.evoloop.roomba.session.inference.SpotWatch;
 
 /**
@@ -12,16 +14,6 @@ import org.evoloop.roomba.session.inference.SpotWatch;
  * @since 0.1
  */
 public interface SessionListener {
-
-    /** What a robot that nobody controls is seen to do. */
-    enum SeenActivity {
-        /** Nothing; it is on. */
-        ON,
-        /** Cleans. */
-        CLEAN,
-        /** Cleans a spot. */
-        SPOT
-    }
 
     /** A frame has come. Called before anything that the frame tells. */
     default void received(Telemetry telemetry) {}
@@ -43,5 +35,13 @@ public interface SessionListener {
     default void stopped(String why) {}
 
     /** The robot does this now, whatever it was taken to do; it may be known already. */
-    default void seen(SeenActivity activity) {}
+    default void seen(EstimatedActivity activity) {}
+
+    /**
+     * It has changed how it stands with the robot, or that is told again because somebody {@link RoombaSession#tellAgain
+     * asked}: then {@code before} is what is usual.
+     *
+     * @param activity what the robot is taken to do
+     */
+    default void changed(Circumstances before, Circumstances now, EstimatedActivity activity) {}
 }

@@ -16,6 +16,7 @@ import org.evoloop.roomba.oi.SensorValues;
 import org.evoloop.roomba.oi.StreamFrame;
 import org.evoloop.roomba.session.connection.Connection;
 import org.evoloop.roomba.session.connection.RobotException;
+import org.evoloop.roomba.session.inference.ActivityEstimate.EstimatedActivity;
 import org.evoloop.roomba.session.inference.SpotWatch;
 import org.evoloop.time.ManualClock;
 import org.junit.jupiter.api.AfterEach;
@@ -46,7 +47,7 @@ class RoombaSessionTest {
             }
 
             @Override
-            public void seen(SeenActivity activity) {
+            public void seen(EstimatedActivity activity) {
                 told.add("seen " + activity);
             }
         });

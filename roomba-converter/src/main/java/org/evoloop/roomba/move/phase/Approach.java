@@ -14,6 +14,11 @@ record Approach(Memory memory) implements Phase {
     }
 
     @Override
+    public String describe() {
+        return "driving to the starting point";
+    }
+
+    @Override
     public boolean leadsForward() {
         return true;
     }

@@ -18,6 +18,11 @@ record Check(Memory memory, Calm calm) implements Phase {
     }
 
     @Override
+    public String describe() {
+        return "checking the place";
+    }
+
+    @Override
     public boolean leadsForward() {
         return false;
     }

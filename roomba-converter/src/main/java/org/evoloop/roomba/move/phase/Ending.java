@@ -1,7 +1,7 @@
 package org.evoloop.roomba.move.phase;
 
 import java.util.Optional;
-import org.evoloop.roomba.session.SessionListener.SeenActivity;
+import org.evoloop.roomba.session.inference.ActivityEstimate.EstimatedActivity;
 
 /**
  * Why Move must end before it has arrived.
@@ -12,7 +12,7 @@ import org.evoloop.roomba.session.SessionListener.SeenActivity;
  * @param byPerson whether somebody at the robot has ended it
  * @param work what that person has made the robot do by itself; empty if it stands
  */
-public record Ending(String reason, boolean byPerson, Optional<SeenActivity> work) {
+public record Ending(String reason, boolean byPerson, Optional<EstimatedActivity> work) {
     /** Move may go on. */
     public static final Ending NONE = new Ending("", false, Optional.empty());
 
@@ -22,7 +22,7 @@ public record Ending(String reason, boolean byPerson, Optional<SeenActivity> wor
     }
 
     /** Somebody at the robot has ended it. */
-    public static Ending byPerson(String reason, Optional<SeenActivity> work) {
+    public static Ending byPerson(String reason, Optional<EstimatedActivity> work) {
         return new Ending(reason, true, work);
     }
 

@@ -25,6 +25,11 @@ record Leg(Memory memory, double lengthMm, boolean alert, OdometryPose from, Pha
     }
 
     @Override
+    public String describe() {
+        return "driving around";
+    }
+
+    @Override
     public boolean leadsForward() {
         return lengthMm > 0;
     }

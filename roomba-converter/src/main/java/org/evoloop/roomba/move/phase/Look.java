@@ -24,6 +24,11 @@ record Look(Memory memory, double aheadRad, int direction, Calm calm) implements
         }
 
         @Override
+        public String describe() {
+            return "looking around";
+        }
+
+        @Override
         public boolean leadsForward() {
             return false;
         }
@@ -55,6 +60,11 @@ record Look(Memory memory, double aheadRad, int direction, Calm calm) implements
     private double heading(int which) {
         // 0, -1, 1, 2, 3 and so on.
         return aheadRad + STEP_RAD * (which == 0 ? 0 : which == 1 ? -1 : which - 1);
+    }
+
+    @Override
+    public String describe() {
+        return "looking around";
     }
 
     @Override

@@ -26,6 +26,9 @@ public sealed interface Phase permits Look, Look.Around, Turn, Leg, Approach, Ch
     /** The next step, while the robot obeys and nothing is in its way. */
     Step next(Situation now);
 
+    /** What the robot is about, in a few words. */
+    String describe();
+
     /** Whether an obstacle ahead must end it. */
     boolean leadsForward();
 

@@ -22,6 +22,11 @@ record Turn(Memory memory, double headingRad, double exactRad, Phase then) imple
     }
 
     @Override
+    public String describe() {
+        return "turning";
+    }
+
+    @Override
     public boolean leadsForward() {
         return false;
     }

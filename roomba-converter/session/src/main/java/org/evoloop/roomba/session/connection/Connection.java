@@ -77,6 +77,15 @@ public final class Connection {
 
         /** Whether the robot may be kept awake by a pulse now: it is on its own and does nothing. */
         boolean isDozing();
+
+        /** Whether a robot that is silent now has fallen asleep, as it does when nobody uses it. */
+        boolean isDrowsy();
+
+        /** The robot has fallen asleep. Called on the connection's own thread. */
+        void fellAsleep();
+
+        /** The robot was kept awake. Called on the connection's own thread. */
+        void keptAwake();
     }
 
     private final Plug plug;
@@ -92,6 +101,7 @@ public final class Connection {
     private volatile long lastFrameNanos;
     private volatile Instant downSince = Instant.EPOCH;
     private volatile boolean told;
+    private volatile boolean maySleep;
     private boolean alternateTried;
     private int attempt;
     private long askedNanos;
@@ -248,9 +258,14 @@ public final class Connection {
         switch (state.phase()) {
             case UP -> {
                 if (now - lastFrameNanos >= silenceLimit.toNanos()) {
-                    fallSilent();
-                } else if (now - pulsedNanos >= KEEP_AWAKE.toNanos() && owner.isDozing()) {
+                    if (maySleep && owner.isDrowsy()) {
+                        fallAsleep();
+                    } else {
+                        fallSilent();
+                    }
+                } else if (!maySleep && now - pulsedNanos >= KEEP_AWAKE.toNanos() && owner.isDozing()) {
                     pulse(() -> {});
+                    owner.keptAwake();
                 }
             }
             case ASKING -> {
@@ -259,7 +274,48 @@ public final class Connection {
                 }
             }
             case DOWN -> replug();
-            case NEW, CHANGING_RATE, CLOSED -> {}
+            case NEW, ASLEEP, CHANGING_RATE, CLOSED -> {}
+        }
+    }
+
+    private void fallAsleep() {
+        if (state.enterFrom(Phase.UP, Phase.ASLEEP, "asleep; the next event wakes it")) {
+            LOG.info("{}: the robot has fallen asleep", description());
+            owner.outOfSight();
+            owner.fellAsleep();
+        }
+    }
+
+    /** Whether a robot that nobody uses may fall asleep; else it is kept awake. */
+    public void letSleep(boolean may) {
+        maySleep = may;
+    }
+
+    /** Whether the robot has been let to fall asleep, and has. */
+    public boolean isAsleep() {
+        return state.phase() == Phase.ASLEEP;
+    }
+
+    /** Wakes a robot that is asleep; does not wait for it to answer. */
+    public void wake() {
+        thread.run(() -> {
+            if (state.enterFrom(Phase.ASLEEP, Phase.ASKING, "it is being woken")) {
+                askedNanos = clock.nanoTime() + WAKE_PULSE.toNanos();
+                attempt = 1;
+                pulse(this::ask);
+            }
+        });
+    }
+
+    /** Bytes have come: a robot that was asleep has been woken by somebody. */
+    public void stirred() {
+        if (isAsleep()) {
+            thread.run(() -> {
+                if (state.enterFrom(Phase.ASLEEP, Phase.ASKING, "it wakes")) {
+                    attempt = 1;
+                    ask();
+                }
+            });
         }
     }
 
@@ -386,9 +442,9 @@ public final class Connection {
         return state.phase() == Phase.UP;
     }
 
-    /** Since when nothing is heard of the robot, by the time of day; empty while it is. */
+    /** Since when nothing is heard of the robot, by the time of day; empty while it is, or sleeps. */
     public Optional<Instant> downSince() {
-        return isUp() ? Optional.empty() : Optional.of(downSince);
+        return isUp() || isAsleep() ? Optional.empty() : Optional.of(downSince);
     }
 
     /** What is wrong; empty if nothing is. */

@@ -10,6 +10,8 @@ package org.evoloop.roomba.session.connection;
  *            v  | at 115200
  *           CHANGING_RATE
  *
+ *   UP --silence of a robot that may sleep--&gt; ASLEEP --woken--&gt; ASKING
+ *
  *   close() --&gt; CLOSED, from wherever it is, for good
  * </pre>
  *
@@ -21,6 +23,8 @@ final class ConnectionState {
         NEW,
         ASKING,
         UP,
+        /** The link is open, and the robot hears nothing until it is woken. */
+        ASLEEP,
         /** The robot is told, at the alternate rate, to come back to the usual one; frames do not count. */
         CHANGING_RATE,
         DOWN,

@@ -22,6 +22,9 @@ public final class ActivityEstimate {
     /** A robot that was told to work must show it within 3 s. */
     public static final int START_FRAMES = 200;
 
+    /** A robot that cleans and then drives with its brushes at rest for so long is on its way home: 3 s. */
+    static final int HOMEWARD_FRAMES = 200;
+
     /** What the robot is taken to do. */
     public enum EstimatedActivity {
         /** Nothing; its light is off. */
@@ -30,6 +33,8 @@ public final class ActivityEstimate {
         ON,
         /** Cleans. */
         CLEAN,
+        /** Cleans until the battery is empty; from outside that looks like {@link #CLEAN}. */
+        MAX,
         /** Cleans a spot. */
         SPOT,
         /** Looking for its dock. */
@@ -37,7 +42,7 @@ public final class ActivityEstimate {
 
         /** Whether the robot moves of its own accord. */
         public boolean isWork() {
-            return this == CLEAN || this == SPOT || this == DOCK;
+            return this != STANDBY && this != ON;
         }
     }
 
@@ -45,6 +50,7 @@ public final class ActivityEstimate {
     private EstimatedActivity activity = EstimatedActivity.STANDBY;
     private boolean atWork;
     private int startFramesLeft;
+    private int deafFramesLeft;
 
     /** Before any command and any frame. */
     public ActivityEstimate() {}
@@ -88,12 +94,24 @@ public final class ActivityEstimate {
     public void commanded(Command command) {
         if (command instanceof Command.Safe || command instanceof Command.Full) {
             activity = EstimatedActivity.ON;
-        } else if (command instanceof Command.Clean || command instanceof Command.Spot) {
-            EstimatedActivity wanted =
-                    command instanceof Command.Clean ? EstimatedActivity.CLEAN : EstimatedActivity.SPOT;
-            activity = activity.isWork() ? EstimatedActivity.ON : wanted;
+        } else if (command instanceof Command.Power) {
+            activity = EstimatedActivity.STANDBY;
+            startFramesLeft = 0;
+        } else if (command.opcode().startsWork()) {
+            // Until a pause shows, the motors tell of what was before it.
+            deafFramesLeft = activity.isWork() ? CommandEffect.SHOW_FRAMES : 0;
+            activity = activity.isWork() ? EstimatedActivity.ON : begunBy(command);
             startFramesLeft = START_FRAMES;
         }
+    }
+
+    private static EstimatedActivity begunBy(Command command) {
+        return switch (command.opcode()) {
+            case SPOT -> EstimatedActivity.SPOT;
+            case MAX -> EstimatedActivity.MAX;
+            case SEEK_DOCK -> EstimatedActivity.DOCK;
+            default -> EstimatedActivity.CLEAN;
+        };
     }
 
     /** It is under control: whatever it did has ended. */
@@ -123,6 +141,10 @@ public final class ActivityEstimate {
      */
     public boolean update(SensorValues values, boolean underControl, boolean workIsNews) {
         motion.update(values);
+        if (deafFramesLeft > 0) {
+            deafFramesLeft--;
+            motion.forget();
+        }
         if (underControl) {
             // A command that ends control takes some frames to show: what is expected of it is not forgotten.
             atWork = false;
@@ -136,6 +158,11 @@ public final class ActivityEstimate {
         if (expectedInVain || (atWork && isAtRest())) {
             atWork = false;
             seenAtRest();
+            return true;
+        }
+        if ((activity == EstimatedActivity.CLEAN || activity == EstimatedActivity.MAX)
+                && motion.brushlessFrames() >= HOMEWARD_FRAMES) {
+            activity = EstimatedActivity.DOCK;
             return true;
         }
         boolean begun = motion.poweredFrames() == WORK_FRAMES && workIsNews;

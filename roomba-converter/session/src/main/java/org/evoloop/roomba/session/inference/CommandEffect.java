@@ -7,7 +7,7 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Sees in the OI mode that a command has had its effect, where the mode shows it: Safe and Full put a robot under control,
- * and Clean and Spot end that. What a command does to a robot that works by itself shows in its motors, much later.
+ * and what starts work or switches off ends that. What a command does to a robot that works by itself shows in its motors, much later.
  *
  * <p>Time is counted in frames of the stream, one every 15 ms.
  *
@@ -17,7 +17,7 @@ import org.jspecify.annotations.Nullable;
  */
 public final class CommandEffect {
     /** A command that has arrived shows within so many frames: 0.24 s. */
-    static final int SHOW_FRAMES = 16;
+    public static final int SHOW_FRAMES = 16;
 
     private @Nullable Command awaited;
     private int frames = SHOW_FRAMES;
@@ -29,7 +29,7 @@ public final class CommandEffect {
 
     /** A command is about to be sent. */
     public void sending(Command command) {
-        if (takesControl(command) || command instanceof Command.Clean || command instanceof Command.Spot) {
+        if (takesControl(command) || endsControl(command)) {
             awaited = takesControl(command) == underControl ? null : command;
             missing = false;
             frames = 0;
@@ -38,6 +38,10 @@ public final class CommandEffect {
 
     private static boolean takesControl(Command command) {
         return command instanceof Command.Safe || command instanceof Command.Full;
+    }
+
+    private static boolean endsControl(Command command) {
+        return command.opcode().startsWork() || command instanceof Command.Power;
     }
 
     /** Takes the next frame; returns the command whose effect it shows, else null. */

@@ -19,18 +19,22 @@ final class Motion {
     private int restFrames = Integer.MAX_VALUE / 2;
     private int activeFrames;
     private int poweredFrames;
+    private int brushlessFrames;
+    private boolean brushed;
     private @Nullable SensorValues last;
 
     /** Takes the next frame. */
     void update(SensorValues values) {
-        boolean powered = values.currentMilliAmps() < MOVING_CURRENT_MILLI_AMPS
-                || Math.abs(values.mainBrushMilliAmps()) > BRUSH_CURRENT_MILLI_AMPS
+        boolean brushing = Math.abs(values.mainBrushMilliAmps()) > BRUSH_CURRENT_MILLI_AMPS
                 || Math.abs(values.sideBrushMilliAmps()) > BRUSH_CURRENT_MILLI_AMPS;
+        boolean powered = brushing || values.currentMilliAmps() < MOVING_CURRENT_MILLI_AMPS;
         boolean active = powered || hasTurned(values);
         last = values;
         restFrames = active ? 0 : restFrames + 1;
         activeFrames = active ? activeFrames + 1 : 0;
         poweredFrames = powered ? poweredFrames + 1 : 0;
+        brushed |= brushing;
+        brushlessFrames = powered && !brushing ? brushlessFrames + 1 : 0;
     }
 
     private boolean hasTurned(SensorValues values) {
@@ -55,11 +59,18 @@ final class Motion {
         return poweredFrames;
     }
 
+    /** How many frames in a row it has driven with brushes at rest that turned before; 0 if it may have none. */
+    int brushlessFrames() {
+        return brushed ? brushlessFrames : 0;
+    }
+
     /** The robot was out of sight; what was seen before says nothing about now. */
     void forget() {
         last = null;
         activeFrames = 0;
         poweredFrames = 0;
+        brushlessFrames = 0;
+        brushed = false;
         restFrames = 0;
     }
 }

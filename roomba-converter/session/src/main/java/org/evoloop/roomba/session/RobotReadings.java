@@ -1,0 +1,82 @@
+package org.evoloop.roomba.session;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.evoloop.function.Reading;
+import org.evoloop.roomba.oi.ChargingState;
+import org.evoloop.roomba.oi.OiMode;
+import org.evoloop.roomba.oi.Packet;
+import org.evoloop.roomba.oi.SensorValues;
+
+/**
+ * What a frame tells for people and programs. The bin is not among it: no packet of the Open Interface tells whether that is
+ * full, or there.
+ *
+ * <ul>
+ *   <li>{@code battery}, %: charge by capacity (packets 25 and 26); not there while the robot tells no capacity
+ *   <li>{@code docked}: it stands on its home base (34); {@code charging}: a charger fills its battery, or keeps it full (21)
+ *   <li>{@code lifted}: a wheel hangs in the air (7); {@code stuck}: a motor draws too much current (14)
+ *   <li>{@code error}: what keeps it from working, in words, or {@code none}
+ *   <li>{@code asleep}: it hears nothing until it is woken; {@code mode}: its OI mode (35), in lower case
+ * </ul>
+ */
+final class RobotReadings {
+    /** Bits of packet 14. */
+    private static final List<String> MOTORS = List.of("side brush", "", "main brush", "right wheel", "left wheel");
+
+    private RobotReadings() {}
+
+    static List<Reading> of(SensorValues values, boolean asleep) {
+        return Stream.of(
+                        battery(values),
+                        Stream.of(
+                                Reading.of("docked", values.onHomeBase()),
+                                Reading.of("charging", isCharging(values)),
+                                Reading.of("lifted", values.anyWheelDrop()),
+                                Reading.of("stuck", values.anyOvercurrent()),
+                                Reading.of("error", error(values)),
+                                Reading.of("asleep", asleep),
+                                Reading.of(
+                                        "mode",
+                                        values.mode()
+                                                .map(OiMode::name)
+                                                .orElse("unknown")
+                                                .toLowerCase(Locale.ROOT))))
+                .flatMap(readings -> readings)
+                .toList();
+    }
+
+    private static Stream<Reading> battery(SensorValues values) {
+        int capacity = values.batteryCapacityMilliAmpHours();
+        // An old battery tells more charge than capacity, or underflows below nothing.
+        int charge = (short) values.batteryChargeMilliAmpHours();
+        long percent = Math.max(0, Math.min(100, Math.round(100.0 * charge / Math.max(1, capacity))));
+        return capacity == 0 ? Stream.empty() : Stream.of(Reading.of("battery", percent, "%"));
+    }
+
+    private static boolean isCharging(SensorValues values) {
+        return values.chargingState()
+                .filter(state -> state == ChargingState.RECONDITIONING
+                        || state == ChargingState.FULL_CHARGING
+                        || state == ChargingState.TRICKLE_CHARGING)
+                .isPresent();
+    }
+
+    private static String error(SensorValues values) {
+        int overcurrents = values.value(Packet.OVERCURRENTS);
+        String motors = MOTORS.stream()
+                .filter(motor -> !motor.isEmpty() && (overcurrents & 1 << MOTORS.indexOf(motor)) != 0)
+                .collect(Collectors.joining(", "));
+        String charger =
+                values.chargingState().filter(ChargingState.FAULT::equals).isPresent() ? "charging fault" : "";
+        String all = Stream.of(
+                        values.anyWheelDrop() ? "a wheel hangs in the air" : "",
+                        motors.isEmpty() ? "" : "too much current: " + motors,
+                        charger)
+                .filter(words -> !words.isEmpty())
+                .collect(Collectors.joining("; "));
+        return all.isEmpty() ? "none" : all;
+    }
+}

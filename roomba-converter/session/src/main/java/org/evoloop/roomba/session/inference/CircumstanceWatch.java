@@ -1,0 +1,90 @@
+package org.evoloop.roomba.session.inference;
+
+import java.time.Duration;
+import org.evoloop.roomba.oi.ChargingState;
+import org.evoloop.roomba.oi.OiMode;
+import org.evoloop.roomba.oi.SensorValues;
+
+/**
+ * Sees how it stands with the robot: wheel drops and overcurrents (packets 7 and 14) are trouble, the home base among the
+ * charging sources (34) is the dock, and the charging state (21) tells whether that fills the battery. That it sleeps is
+ * inferred: it has rested in Passive mode for as long as the specification gives it, and has fallen silent.
+ *
+ * <p>Time is counted in frames of the stream, one every 15 ms.
+ *
+ * <p>Threading: not thread-safe.
+ */
+public final class CircumstanceWatch {
+    /**
+     * A robot that was idle in Passive mode for five minutes sleeps (specification, "Passive Mode"). So many frames must have
+     * been seen of them: on a noisy line one in four is lost.
+     */
+    static final Duration DROWSY = Duration.ofSeconds(200);
+
+    private static final int DROWSY_FRAMES = (int) (DROWSY.toMillis() / 15);
+
+    private Circumstances now = Circumstances.USUAL;
+    private Circumstances seen = Circumstances.USUAL;
+    private int seenFrames;
+    private int busyFrames;
+    private int idleFrames;
+
+    /** Before any frame. */
+    public CircumstanceWatch() {}
+
+    /** How it stands with the robot, after the frames so far. */
+    public Circumstances now() {
+        return now;
+    }
+
+    /**
+     * Takes the next frame.
+     *
+     * @param atWork whether the robot is taken to work by itself
+     * @return whether it has changed how it stands with the robot
+     */
+    public boolean update(SensorValues values, boolean atWork) {
+        boolean passive = values.mode().filter(mode -> mode == OiMode.PASSIVE).isPresent();
+        busyFrames = passive && !atWork && values.buttons().isEmpty() ? 0 : busyFrames + 1;
+        idleFrames = busyFrames < SpotWatch.SURE_FRAMES ? idleFrames + 1 : 0;
+        Circumstances shown = shown(values);
+        seenFrames = shown.equals(seen) ? seenFrames + 1 : 1;
+        seen = shown;
+        // One frame alone may be spoilt.
+        return seenFrames >= SpotWatch.SURE_FRAMES && become(shown);
+    }
+
+    private static Circumstances shown(SensorValues values) {
+        boolean filling = values.chargingState()
+                .filter(state -> state == ChargingState.FULL_CHARGING || state == ChargingState.RECONDITIONING)
+                .isPresent();
+        return new Circumstances(
+                false,
+                values.anyWheelDrop() || values.anyOvercurrent(),
+                values.onHomeBase(),
+                values.onHomeBase() && filling);
+    }
+
+    /** Somebody has used the robot's wake line, which begins its idle time anew. */
+    public void keptAwake() {
+        idleFrames = 0;
+    }
+
+    /** Whether a robot that falls silent now has fallen asleep. */
+    public boolean isDrowsy() {
+        return idleFrames >= DROWSY_FRAMES;
+    }
+
+    /** It has fallen asleep; returns whether that is news. */
+    public boolean fellAsleep() {
+        idleFrames = 0;
+        seenFrames = 0;
+        return become(Circumstances.ASLEEP);
+    }
+
+    private boolean become(Circumstances next) {
+        boolean news = !next.equals(now);
+        now = next;
+        return news;
+    }
+}

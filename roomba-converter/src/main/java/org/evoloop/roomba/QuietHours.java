@@ -1,0 +1,65 @@
+package org.evoloop.roomba;
+
+import java.time.Duration;
+import java.time.LocalTime;
+import java.time.ZoneId;
+import java.time.ZonedDateTime;
+import java.time.format.DateTimeParseException;
+import org.evoloop.function.NewFunction;
+import org.evoloop.function.Visit;
+
+/**
+ * The hours of the day in which the robot is not to begin by itself, and the new function that waits for their end: it raises
+ * {@code quietOver} then, and at once where they are not.
+ *
+ * <p>Threading: immutable.
+ *
+ * @param from the first moment of quiet
+ * @param until the first moment after; the same as {@code from} if there is no quiet at all
+ */
+record QuietHours(LocalTime from, LocalTime until, ZoneId zone) implements NewFunction {
+
+    /** No quiet. */
+    static QuietHours none() {
+        return new QuietHours(LocalTime.MIDNIGHT, LocalTime.MIDNIGHT, ZoneId.systemDefault());
+    }
+
+    /**
+     * From text such as {@code 22:00-07:00}.
+     *
+     * @throws IllegalArgumentException if it is something else
+     */
+    static QuietHours parse(String text) {
+        String[] parts = text.split("-", -1);
+        try {
+            if (parts.length == 2) {
+                return new QuietHours(
+                        LocalTime.parse(parts[0].strip()), LocalTime.parse(parts[1].strip()), ZoneId.systemDefault());
+            }
+        } catch (DateTimeParseException wrong) {
+            // Told below, as for any other text.
+        }
+        throw new IllegalArgumentException(
+                "--quiet-hours is " + text + "; give two times of day, for example 22:00-07:00");
+    }
+
+    /** How long they last yet; zero outside of them. */
+    Duration left(ZonedDateTime now) {
+        LocalTime time = now.toLocalTime();
+        boolean within = from.isBefore(until)
+                ? !time.isBefore(from) && time.isBefore(until)
+                : !from.equals(until) && (!time.isBefore(from) || time.isBefore(until));
+        if (!within) {
+            return Duration.ZERO;
+        }
+        ZonedDateTime end = now.with(until);
+        return Duration.between(now, end.isAfter(now) ? end : now.plusDays(1).with(until));
+    }
+
+    @Override
+    public void run(Visit visit) {
+        Duration left = left(visit.clock().wallTime().atZone(zone));
+        visit.progress("waiting until " + until);
+        visit.finishAfter(left, RobotEvents.QUIET_OVER);
+    }
+}

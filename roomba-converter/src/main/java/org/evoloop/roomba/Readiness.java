@@ -1,0 +1,47 @@
+package org.evoloop.roomba;
+
+import java.util.function.Supplier;
+import org.evoloop.function.Reading;
+import org.evoloop.function.Visit;
+import org.evoloop.roomba.session.RoombaSession;
+import org.evoloop.statemachine.State;
+
+/**
+ * What comes before a function that drives the robot: it has to be on, on the floor, with charge for the way. What it takes
+ * is done by events of its own model, in order with all others.
+ */
+final class Readiness {
+    /** With less charge, in percent, the robot is charged first. */
+    static final long LOW_PERCENT = 20;
+
+    private final RoombaSession session;
+    private final Supplier<State> device;
+
+    /** @param device where the robot's model is */
+    Readiness(RoombaSession session, Supplier<State> device) {
+        this.session = session;
+        this.device = device;
+    }
+
+    /** Returns whether the robot has, or will have, what it needs; if not, the visit ends with {@code lowBattery}. */
+    boolean provide(Visit visit) throws InterruptedException {
+        if (visit.accepts(RobotEvents.LOW_BATTERY) && isLow()) {
+            visit.finish(RobotEvents.LOW_BATTERY);
+            return false;
+        }
+        switch (device.get().name()) {
+            case RobotEvents.STATE_CHARGING, RobotEvents.STATE_CHARGED -> visit.send(RobotEvents.UNDOCK);
+            case RobotEvents.STATE_ON, RobotEvents.STATE_ERROR -> {}
+            // It is switched on, woken, or paused.
+            default -> visit.send(RobotEvents.CLEAN);
+        }
+        return true;
+    }
+
+    private boolean isLow() {
+        return session.readings().stream()
+                .filter(reading -> reading.name().equals("battery"))
+                .map(Reading::value)
+                .anyMatch(percent -> percent instanceof Long value && value < LOW_PERCENT);
+    }
+}

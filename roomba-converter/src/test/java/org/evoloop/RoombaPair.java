@@ -1,0 +1,16 @@
+package org.evoloop;
+
+import java.nio.file.Path;
+import org.evoloop.evolution.ModelPair;
+import org.evoloop.xmi.XmiFile;
+
+/** The models of a whole Roomba. */
+public final class RoombaPair {
+    private RoombaPair() {}
+
+    /** Its evolution of this name. */
+    public static ModelPair of(String evolution) {
+        XmiFile file = XmiFile.read(Path.of(System.getProperty("evoloop.root"), "models", "roomba.xml"));
+        return new ModelPair(file.pick("original"), file.pick(evolution));
+    }
+}
