@@ -23,6 +23,7 @@ import tools.jackson.databind.json.JsonMapper;
 class ViewersTest {
     /** Of the older version, whose answer comes as it is and not in chunks. */
     private static final String REQUEST = "GET /events HTTP/1.0\r\nHost: localhost\r\n\r\n";
+
     private static final Duration LIMIT = Duration.ofSeconds(30);
     private final List<Viewer> viewers = new ArrayList<>();
     private Shown shown;
