@@ -75,6 +75,7 @@ KNOWN = [
     Known("./evoloop test --stress", why_not="takes some minutes of both processors; a test run of its own"),
     typed("./evoloop lightbulb", input="start\nswitch\nstatus\nexit\n", shows="switch"),
     typed("./evoloop lightbulb --help", shows="--models"),
+    Known("./evoloop lightbulb --page 8080", run="./evoloop lightbulb --page 0", input="start\nswitch\nexit\n", shows="switch"),
     Known("./evoloop lightbulb --start --name lamp < /dev/null &", why_not="goes on until somebody ends it; ServiceProcessTest runs one"),
     typed("./evoloop ctl", shows=""),
     Known("./evoloop ctl lamp status --json", run="./evoloop ctl --help", shows="status --json"),

@@ -12,6 +12,8 @@ import org.evoloop.evolution.ModelPair;
 import org.evoloop.journal.Journal;
 import org.evoloop.journal.JournalException;
 import org.evoloop.loop.LoopConfig;
+import org.evoloop.page.Page;
+import org.evoloop.page.PageOptions;
 import org.evoloop.service.Service;
 import org.evoloop.service.ServiceOptions;
 import org.evoloop.statemachine.ModelException;
@@ -20,7 +22,7 @@ import org.evoloop.time.SystemClock;
 import org.evoloop.xmi.ModelFiles;
 import org.evoloop.xmi.XmiFile;
 
-/** Puts the converter together and runs its console; options: {@code [--models FILE]} and those of a service. */
+/** Puts the converter together and runs its console; options: {@code [--models FILE]} those of a service, and the page's. */
 public final class Main {
     public static void main(String[] arguments) {
         try {
@@ -33,10 +35,11 @@ public final class Main {
 
     private static int run(List<String> arguments) throws IOException {
         ServiceOptions unattended = ServiceOptions.takeFrom(arguments);
+        PageOptions shown = PageOptions.takeFrom(arguments);
         boolean modelsNamed = arguments.size() == 2 && arguments.get(0).equals("--models");
         if (!arguments.isEmpty() && !modelsNamed) {
-            throw new IllegalArgumentException(
-                    "usage: java -jar lightbulb-example.jar [--models FILE] " + ServiceOptions.USAGE);
+            throw new IllegalArgumentException("usage: java -jar lightbulb-example.jar [--models FILE] "
+                    + ServiceOptions.USAGE + " " + PageOptions.USAGE);
         }
         Path file = modelsNamed ? Path.of(arguments.get(1)) : ModelFiles.find("models/light-bulb.xml", Main.class);
         XmiFile machines = XmiFile.read(file);
@@ -60,6 +63,7 @@ public final class Main {
             Console console = new Console(converter, System.in, System.out, System.err);
             console.addCommand(ConsoleCommand.of(
                     "switch", "operates the wall switch", (words, out) -> wallSwitch.press("switch")));
+            Page.open(shown, console, System.err);
             return service.run(console);
         }
     }

@@ -1,6 +1,7 @@
 package org.evoloop.roomba;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.List;
 import java.util.Locale;
@@ -10,6 +11,9 @@ import java.util.function.IntFunction;
 import org.evoloop.console.Console;
 import org.evoloop.console.ConsoleCommand;
 import org.evoloop.loop.LoopConfig;
+import org.evoloop.page.Page;
+import org.evoloop.page.PageOptions;
+import org.evoloop.page.Picture;
 import org.evoloop.roomba.link.Link;
 import org.evoloop.roomba.link.SerialLink;
 import org.evoloop.roomba.link.SerialSettings;
@@ -66,13 +70,15 @@ final class RoombaCommand implements Callable<Integer> {
     @Override
     public Integer call() throws IOException, InterruptedException {
         double pace = checkedSpeed();
+        PageOptions shown = unattended.page();
         try (Service service = Service.open(unattended.options())) {
             String robotPort = port;
             if (robotPort != null) {
-                return converse(service, robotPort, options.read(pace, Optional.empty()), pace, null);
+                return converse(service, shown, robotPort, options.read(pace, Optional.empty()), pace, null);
             }
             try (SimulatedWorld world = SimulatedWorld.inThisProcess(pace, options.wantsSimulatedCamera())) {
-                return converse(service, world.port().toString(), options.read(pace, world.camera()), pace, world);
+                return converse(
+                        service, shown, world.port().toString(), options.read(pace, world.camera()), pace, world);
             }
         }
     }
@@ -101,7 +107,12 @@ final class RoombaCommand implements Callable<Integer> {
     }
 
     private int converse(
-            Service service, String robotPort, RoombaOptions read, double pace, @Nullable SimulatedWorld world)
+            Service service,
+            PageOptions shown,
+            String robotPort,
+            RoombaOptions read,
+            double pace,
+            @Nullable SimulatedWorld world)
             throws IOException, InterruptedException {
         try (Clock clock = new SystemClock(pace);
                 RobotGuard guard = world == null && !noGuard ? new RobotGuard(robotPort) : null;
@@ -129,8 +140,21 @@ final class RoombaCommand implements Callable<Integer> {
                                 (arguments, out) -> out.println(world.execute(String.join(" ", arguments))))
                         .completing(before -> before.isEmpty() ? WorldCommands.NAMES : WorldCommands.BUTTON_NAMES));
             }
+            Page.open(shown, console, System.err, world == null ? List.of() : pictures(world));
             return service.run(console);
         }
+    }
+
+    /** What can be seen of a simulated robot, from above and with its own eye. */
+    private static List<Picture> pictures(SimulatedWorld world) {
+        Picture room = new Picture(
+                "Room",
+                "The room from above: walls, dock and marker, the way that the robot has driven, and where it is",
+                "image/svg+xml",
+                () -> world.drawn().getBytes(StandardCharsets.UTF_8));
+        Picture sight =
+                new Picture("Camera", "What the robot's camera saw last, while Move looked", "image/jpeg", world::seen);
+        return world.camera().isPresent() ? List.of(room, sight) : List.of(room);
     }
 
     private SessionOptions robotOptions(double pace) {

@@ -54,6 +54,16 @@ interface SimulatedWorld extends AutoCloseable {
     /** Draws the room, the robot's way and what it sees now. */
     void draw(Path file) throws IOException;
 
+    /** The same as SVG, while it lives; empty if it lives in another process. */
+    default String drawn() {
+        return "";
+    }
+
+    /** What its camera has sent last, as JPEG, while it lives in this process; empty if nothing. */
+    default byte[] seen() {
+        return new byte[0];
+    }
+
     /**
      * Somewhere for a robot with a camera: a room with a marker, 0.4 m before which is the scenarios' starting point.
      *
@@ -99,10 +109,20 @@ interface SimulatedWorld extends AutoCloseable {
 
             @Override
             public void draw(Path file) throws IOException {
+                Files.writeString(file, drawn());
+            }
+
+            @Override
+            public String drawn() {
                 double view = server.camera()
                         .map(webcam -> webcam.options().eye().fieldOfViewDeg())
                         .orElse(0.0);
-                Files.writeString(file, RoomDrawing.svg(server.robot().state(), trail, view));
+                return RoomDrawing.svg(server.robot().state(), trail, view);
+            }
+
+            @Override
+            public byte[] seen() {
+                return server.camera().map(Webcam::newest).orElse(new byte[0]);
             }
 
             @Override

@@ -1,5 +1,6 @@
 package org.evoloop.roomba;
 
+import org.evoloop.page.PageOptions;
 import org.evoloop.service.ServiceOptions;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Option;
@@ -14,6 +15,19 @@ final class Unattended {
             paramLabel = "NAME",
             description = "Takes commands for NAME: ctl NAME status (default: nothing listens).")
     private @Nullable String name;
+
+    @Option(
+            names = "--page",
+            paramLabel = "[HOST:]PORT",
+            description =
+                    "Shows what the converter does on a page in the browser, to this machine alone unless HOST is "
+                            + "given, such as 0.0.0.0 (default: nothing listens).")
+    private @Nullable String page;
+
+    /** @throws IllegalArgumentException if it is no address */
+    PageOptions page() {
+        return page == null ? PageOptions.none() : PageOptions.at(page);
+    }
 
     /** @throws IllegalArgumentException if the name is not one */
     ServiceOptions options() {

@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.Deque;
 import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Consumer;
 import org.evoloop.converter.SystemEventConverter;
@@ -41,6 +42,7 @@ public final class Console {
     private final PrintStream out;
     private final PrintStream err;
     private final CommandSet commands = new CommandSet();
+    private final List<ConsoleCommand> added = new CopyOnWriteArrayList<>();
     private final ReentrantLock turn = new ReentrantLock(true);
     private final List<Consumer<String>> endListeners = new ArrayList<>();
     private final Ending ending = new Ending();
@@ -91,6 +93,12 @@ public final class Console {
                 command.help(),
                 (arguments, results) -> inTurn(command, arguments, results),
                 command.completion()));
+        added.add(command);
+    }
+
+    /** The commands that the application has added, in their order; they are performed by {@link #perform}. */
+    public List<ConsoleCommand> addedCommands() {
+        return List.copyOf(added);
     }
 
     private void inTurn(ConsoleCommand command, List<String> arguments, PrintStream results) throws Exception {

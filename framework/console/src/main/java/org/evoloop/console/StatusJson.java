@@ -27,11 +27,16 @@ import org.jspecify.annotations.Nullable;
  *   <li>{@code link}: {@code up}, {@code text}, {@code readings}, an object with a member for each thing that is known of the
  *       device, such as {@code "battery":93}; {@code null} if the converter was told of none
  * </ul>
+ *
+ * <p>Threading: any thread may call it.
+ *
+ * @since 0.1
  */
-final class StatusJson {
+public final class StatusJson {
     private StatusJson() {}
 
-    static String of(ConverterStatus status) {
+    /** The line, without a line feed. */
+    public static String of(ConverterStatus status) {
         return new JsonObject()
                 .put("name", status.name())
                 .put("loop", lowerCase(status.loop()))

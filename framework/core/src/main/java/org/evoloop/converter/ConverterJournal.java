@@ -2,6 +2,7 @@ package org.evoloop.converter;
 
 import java.time.Instant;
 import java.util.function.Consumer;
+import java.util.function.LongSupplier;
 import java.util.function.Supplier;
 import org.evoloop.core.Core;
 import org.evoloop.core.Inputs;
@@ -23,8 +24,8 @@ public interface ConverterJournal {
 
     /** Who hears again what a core has said. */
     interface Past extends Outputs {
-        /** From now on {@code time} tells when that was. */
-        void at(Supplier<Instant> time);
+        /** From now on {@code time} tells when that was, and {@code nanos} the same on the clock of the occurrences. */
+        void at(Supplier<Instant> time, LongSupplier nanos);
     }
 
     /**

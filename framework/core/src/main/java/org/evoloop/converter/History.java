@@ -61,7 +61,7 @@ final class History {
         // A stay that ended otherwise, as by a stop, is none of this event's.
         String left = before.evolved().equals(after.evolved()) ? "" : leaving;
         leaving = "";
-        record(clock.wallTime(), occurrence, before, after, outcome, decision, detail, left);
+        record(clock.wallTime(), clock.nanoTime(), occurrence, before, after, outcome, decision, detail, left);
     }
 
     /** The event whose turn it is leaves a function, {@code where} in words. Called by whoever carries that event. */
@@ -72,10 +72,12 @@ final class History {
     /**
      * The same of one that came to its end at {@code time}.
      *
+     * @param nanos the same on the clock by which it was observed
      * @param left where it left a function; empty if it left none, or that is not known
      */
     void record(
             Instant time,
+            long nanos,
             Occurrence occurrence,
             Configuration before,
             Configuration after,
@@ -89,7 +91,8 @@ final class History {
             line = new HistoryLine();
             lines[place] = line;
         }
-        line.set(recorded, time, occurrence, before, after, outcome, decision, detail, left);
+        long took = Math.max(0, nanos - occurrence.observedNanos());
+        line.set(recorded, time, took, occurrence, before, after, outcome, decision, detail, left);
     }
 
     /** The last one that was recorded. */

@@ -1,5 +1,6 @@
 package org.evoloop.converter;
 
+import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
@@ -19,6 +20,7 @@ import org.jspecify.annotations.Nullable;
 final class HistoryLine {
     private long number;
     private @Nullable Instant at;
+    private long tookNanos;
     private @Nullable Occurrence occurrence;
     private @Nullable Configuration before;
     private @Nullable Configuration after;
@@ -30,6 +32,7 @@ final class HistoryLine {
     void set(
             long newNumber,
             Instant newAt,
+            long newTookNanos,
             Occurrence newOccurrence,
             Configuration newBefore,
             Configuration newAfter,
@@ -39,6 +42,7 @@ final class HistoryLine {
             String newLeft) {
         number = newNumber;
         at = newAt;
+        tookNanos = newTookNanos;
         occurrence = newOccurrence;
         before = newBefore;
         after = newAfter;
@@ -59,7 +63,9 @@ final class HistoryLine {
                 Objects.requireNonNull(before),
                 Objects.requireNonNull(after),
                 Objects.requireNonNull(outcome),
-                told.isEmpty() || left.isEmpty() ? told + left : told + "; " + left);
+                told.isEmpty() || left.isEmpty() ? told + left : told + "; " + left,
+                decided,
+                Duration.ofNanos(tookNanos));
     }
 
     private static String detail(Decision decision) {

@@ -15,7 +15,7 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * The listeners of a converter, and the thread that calls them. The thread is started with the first listener.
+ * The listeners of a converter, and the thread that calls them. The thread runs while there is a listener.
  *
  * <p>Threading: thread-safe; notifying never waits. When {@value #MOST_WAITING} calls wait, further ones are lost, which is
  * logged.
@@ -28,7 +28,7 @@ final class Listeners {
     private final FailureLog failures;
     private final List<ConverterListener> all = new CopyOnWriteArrayList<>();
     private final LinkedBlockingQueue<Consumer<ConverterListener>> waiting = new LinkedBlockingQueue<>(MOST_WAITING);
-    private @Nullable Thread thread;
+    private volatile @Nullable Thread thread;
     private volatile boolean losing;
     private volatile boolean closed;
 
@@ -46,17 +46,30 @@ final class Listeners {
         }
     }
 
+    /** The thread ends with the last one. */
+    synchronized void remove(ConverterListener listener) {
+        all.remove(listener);
+        Thread telling = thread;
+        if (all.isEmpty() && telling != null) {
+            thread = null;
+            waiting.clear();
+            if (telling != Thread.currentThread()) {
+                telling.interrupt();
+            }
+        }
+    }
+
     private void tell() {
         try {
-            while (!closed) {
+            while (!closed && thread == Thread.currentThread()) {
                 call(waiting.take());
                 losing = false;
             }
         } catch (InterruptedException stop) {
-            // The converter was closed.
+            // The converter was closed, or nobody listens any more.
         }
         // What happened before is still reported.
-        for (Consumer<ConverterListener> last = waiting.poll(); last != null; last = waiting.poll()) {
+        for (Consumer<ConverterListener> last = closed ? waiting.poll() : null; last != null; last = waiting.poll()) {
             call(last);
         }
     }

@@ -1,6 +1,7 @@
 package org.evoloop.converter;
 
 import java.time.Instant;
+import java.util.function.LongSupplier;
 import java.util.function.Supplier;
 import org.evoloop.core.Outcome;
 import org.evoloop.core.Output;
@@ -15,6 +16,7 @@ final class Retelling implements ConverterJournal.Past {
     private final History history;
     private final LatencyWindow latency;
     private Supplier<Instant> time = () -> Instant.EPOCH;
+    private LongSupplier nanos = () -> 0;
 
     private Configuration at;
 
@@ -25,8 +27,9 @@ final class Retelling implements ConverterJournal.Past {
     }
 
     @Override
-    public void at(Supplier<Instant> then) {
+    public void at(Supplier<Instant> then, LongSupplier thenNanos) {
         time = then;
+        nanos = thenNanos;
     }
 
     @Override
@@ -46,7 +49,8 @@ final class Retelling implements ConverterJournal.Past {
 
     @Override
     public void dropped(Occurrence occurrence, boolean first) {
-        history.record(time.get(), occurrence, at, at, Outcome.DROPPED, null, "the queue was full", "");
+        history.record(
+                time.get(), nanos.getAsLong(), occurrence, at, at, Outcome.DROPPED, null, "the queue was full", "");
     }
 
     @Override
@@ -57,6 +61,6 @@ final class Retelling implements ConverterJournal.Past {
             Outcome outcome,
             @Nullable Decision decision,
             String detail) {
-        history.record(time.get(), occurrence, before, after, outcome, decision, detail, "");
+        history.record(time.get(), nanos.getAsLong(), occurrence, before, after, outcome, decision, detail, "");
     }
 }

@@ -108,6 +108,11 @@ public final class SystemEventConverter implements AutoCloseable {
         listeners.add(listener);
     }
 
+    /** {@code listener} is not notified any more, but for a call that is being made. Does nothing if it is none. */
+    public void removeListener(ConverterListener listener) {
+        listeners.remove(listener);
+    }
+
     /**
      * Keeps what this converter is told, before {@link #build}; that begins where the process before this one has ended.
      * Events that waited still wait, and the one in progress goes on after the steps that were sent, as soon as the converter

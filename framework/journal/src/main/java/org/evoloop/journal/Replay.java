@@ -69,7 +69,7 @@ final class Replay {
         Fingerprint.requireSame(file, head, fingerprint, present.table().models());
         Rules rules = head.rules(present);
         Core core = new Core(rules, snapshot(file, segment), past);
-        past.at(() -> wallTime(head, core));
+        past.at(() -> wallTime(head, core), core::nowNanos);
         Decoder decoder = new Decoder(segment.cursor(), rules);
         while (segment.next()) {
             Input input;

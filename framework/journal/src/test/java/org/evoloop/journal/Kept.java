@@ -7,6 +7,7 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.LongSupplier;
 import java.util.function.Supplier;
 import org.evoloop.converter.ConverterJournal.Past;
 import org.evoloop.core.Core;
@@ -41,7 +42,7 @@ final class Kept implements AutoCloseable {
     /** Hears nothing of the past. */
     static final class Forgetting implements Past {
         @Override
-        public void at(Supplier<Instant> time) {}
+        public void at(Supplier<Instant> time, LongSupplier nanos) {}
 
         @Override
         public void say(Output output) {}

@@ -9,8 +9,9 @@ import java.net.BindException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.charset.StandardCharsets;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
+import java.util.concurrent.SynchronousQueue;
+import java.util.concurrent.ThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.evoloop.roomba.simulator.webcam.Newest.Numbered;
 import org.jspecify.annotations.Nullable;
@@ -19,13 +20,16 @@ import org.jspecify.annotations.Nullable;
  * Serves JPEGs over HTTP on this machine alone: {@value #STREAM} is an endless stream, {@value #FRAME} the next picture,
  * {@code /} a page with the stream. Each client has a thread that sends it the newest picture when it has taken the one
  * before; one that takes none holds up nobody else. A request that is not whole after {@value #REQUEST_SECONDS} s is hung up
- * on, and so is at once whoever comes when {@value #MOST_CONNECTIONS} are connected.
+ * on, and so is at once whoever comes when {@value #MOST_CONNECTIONS} are connected, or while {@value #MOST_CLIENTS} clients and
+ * {@value #MOST_REQUESTS} requests have the threads.
  */
 final class MjpegServer implements AutoCloseable {
     static final String STREAM = "/stream";
     static final String FRAME = "/frame.jpg";
 
     private static final int MOST_CLIENTS = 16;
+    private static final int MOST_REQUESTS = 8;
+    private static final int IDLE_SECONDS = 5;
     private static final int MOST_CONNECTIONS = 64;
     private static final int REQUEST_SECONDS = 10;
     private static final int ONLY_GET = 405;
@@ -43,11 +47,12 @@ final class MjpegServer implements AutoCloseable {
     private final Newest<byte[]> pictures;
     private final HttpServer server;
     private final AtomicInteger clients = new AtomicInteger();
-    private final ExecutorService threads = Executors.newCachedThreadPool(task -> {
-        Thread thread = new Thread(task, "roomba-webcam-client");
-        thread.setDaemon(true);
-        return thread;
-    });
+    private final ThreadPoolExecutor threads = new ThreadPoolExecutor(
+            0, MOST_CLIENTS + MOST_REQUESTS, IDLE_SECONDS, TimeUnit.SECONDS, new SynchronousQueue<>(), task -> {
+                Thread thread = new Thread(task, "roomba-webcam-client");
+                thread.setDaemon(true);
+                return thread;
+            });
 
     /**
      * Begins to serve.

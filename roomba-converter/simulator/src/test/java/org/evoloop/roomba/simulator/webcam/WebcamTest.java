@@ -314,6 +314,9 @@ class WebcamTest {
                     halfOpen.getLast().getOutputStream().write("GET /frame".getBytes(StandardCharsets.US_ASCII));
                 }
             }
+            assertThat(Thread.getAllStackTraces().keySet())
+                    .filteredOn(thread -> thread.getName().equals("roomba-webcam-client"))
+                    .hasSizeLessThanOrEqualTo(24);
             try (Socket oneTooMany = connect(url)) {
                 assertThat(isHungUpOn(oneTooMany)).isTrue();
             }

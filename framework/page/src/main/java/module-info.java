@@ -1,0 +1,9 @@
+/** A running converter in the browser. */
+module org.evoloop.page {
+    requires static org.jspecify;
+    requires jdk.httpserver;
+    requires transitive org.evoloop.console;
+    requires org.slf4j;
+
+    exports org.evoloop.page;
+}

@@ -1,0 +1,51 @@
+package org.evoloop.page;
+
+import com.sun.net.httpserver.Headers;
+import com.sun.net.httpserver.HttpExchange;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+
+/** How a request is answered: with headers that keep other sites, and anything from elsewhere, out of the page. */
+final class Answer {
+    static final int OK = 200;
+    static final int BAD_REQUEST = 400;
+    static final int NOT_ADMITTED = 401;
+    static final int TURNED_AWAY = 403;
+    static final int NOT_FOUND = 404;
+    static final int OTHER_METHOD = 405;
+    static final int TOO_LARGE = 413;
+    static final int BUSY = 503;
+
+    private static final String POLICY = "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self'; "
+            + "connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+
+    private Answer() {}
+
+    /** What every answer says. */
+    static Headers headers(HttpExchange exchange, String mediaType) {
+        Headers headers = exchange.getResponseHeaders();
+        headers.set("Content-Type", mediaType);
+        headers.set("Content-Security-Policy", POLICY);
+        headers.set("X-Content-Type-Options", "nosniff");
+        headers.set("X-Frame-Options", "DENY");
+        headers.set("Referrer-Policy", "no-referrer");
+        headers.set("Cross-Origin-Resource-Policy", "same-origin");
+        headers.set("Cross-Origin-Opener-Policy", "same-origin");
+        headers.set("Cache-Control", "no-store");
+        return headers;
+    }
+
+    static void send(HttpExchange exchange, int status, String mediaType, byte[] body) throws IOException {
+        headers(exchange, mediaType);
+        exchange.sendResponseHeaders(status, body.length == 0 ? -1 : body.length);
+        exchange.getResponseBody().write(body);
+    }
+
+    static void text(HttpExchange exchange, int status, String text) throws IOException {
+        send(exchange, status, "text/plain; charset=utf-8", (text + "\n").getBytes(StandardCharsets.UTF_8));
+    }
+
+    static void json(HttpExchange exchange, String json) throws IOException {
+        send(exchange, OK, "application/json", json.getBytes(StandardCharsets.UTF_8));
+    }
+}

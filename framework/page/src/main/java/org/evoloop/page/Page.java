@@ -1,0 +1,236 @@
+package org.evoloop.page;
+
+import com.sun.net.httpserver.HttpExchange;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.Objects;
+import java.util.concurrent.Semaphore;
+import org.evoloop.console.Console;
+import org.evoloop.console.JsonObject;
+import org.evoloop.converter.HistoryEntry;
+import org.evoloop.converter.SystemEventConverter;
+import org.evoloop.evolution.ModelPair;
+import org.evoloop.page.drawing.MachineDrawing;
+import org.evoloop.time.Clock;
+import org.evoloop.time.SystemClock;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A page in the browser that shows what a converter does, as it happens.
+ *
+ * <pre>{@code
+ * Page.open(options, console, System.err);
+ * return service.run(console);
+ * }</pre>
+ *
+ * <p>Whoever reaches the address may look. To start, stop, exchange or press something, one needs the token, which is printed
+ * once. With {@link PageOptions#none} nothing listens, and nothing of this costs anything.
+ *
+ * <p>Threading: opened by the thread that puts the console together; closed on any, once or more. The converter never waits for a viewer.
+ *
+ * @since 0.1
+ */
+public final class Page implements AutoCloseable {
+    private static final int LONGEST_REQUEST = 4096;
+    private static final int HISTORY_PAGE = 500;
+
+    private final Console console;
+    private final SystemEventConverter converter;
+    private final List<Picture> pictures;
+    private final Clock clock = new SystemClock();
+    private final Controls controls;
+    private final Semaphore readingHistory = new Semaphore(1);
+    private final @Nullable PageServer server;
+    private @Nullable String about;
+
+    private Page(PageOptions options, Console console, List<Picture> pictures) throws IOException {
+        this.console = console;
+        this.converter = console.converters().get(0);
+        this.pictures = List.copyOf(pictures);
+        this.controls = new Controls(console);
+        this.server = options.isOn() ? new PageServer(options, clock) : null;
+    }
+
+    /**
+     * Serves a page of the console's first converter until the console ends, if the options say so.
+     *
+     * @param console with all its commands, yet to be run; the converter is built
+     * @param announcements is told the address and the token
+     * @throws IOException if the address cannot be had; the message says what to do
+     */
+    public static Page open(PageOptions options, Console console, PrintStream announcements) throws IOException {
+        return open(options, console, announcements, List.of());
+    }
+
+    /** The same with pictures beside the models. */
+    public static Page open(PageOptions options, Console console, PrintStream announcements, List<Picture> pictures)
+            throws IOException {
+        Page page = new Page(options, console, pictures);
+        PageServer server = page.server;
+        if (server != null) {
+            page.serve(server);
+            console.onEnd(reason -> page.close());
+            String shown = options.host().matches("0\\.0\\.0\\.0|\\[::]|\\[0:.*") ? "127.0.0.1" : options.host();
+            String address = "http://" + shown + ":" + server.port() + "/";
+            announcements.println("page: " + address + " to look, " + address + "#token="
+                    + server.gate().token() + " to control");
+        }
+        return page;
+    }
+
+    private void serve(PageServer to) {
+        file(to, "/", "index.html", "text/html; charset=utf-8");
+        file(to, "/page.js", "page.js", "text/javascript; charset=utf-8");
+        file(to, "/page.css", "page.css", "text/css; charset=utf-8");
+        file(to, "/icon.svg", "icon.svg", "image/svg+xml");
+        Broadcast broadcast = new Broadcast(converter, clock);
+        to.onStream("/events", exchange -> new Stream(broadcast, to.deadlines(), clock).serve(exchange));
+        to.on("GET", "/about", exchange -> Answer.json(exchange, about()));
+        to.on("GET", "/history", this::history);
+        to.on("GET", "/picture", this::picture);
+        to.on("GET", "/controls", exchange -> controls(to, exchange));
+        to.on("POST", "/session", exchange -> session(to, exchange));
+        to.on("POST", "/command", exchange -> command(to, exchange));
+        to.start();
+    }
+
+    private static void file(PageServer to, String path, String name, String mediaType) {
+        to.on("GET", path, exchange -> {
+            try (InputStream file = Objects.requireNonNull(Page.class.getResourceAsStream(name), name)) {
+                Answer.send(exchange, Answer.OK, mediaType, file.readAllBytes());
+            }
+        });
+    }
+
+    private synchronized String about() {
+        if (about == null) {
+            about = describe().toString();
+        }
+        return about;
+    }
+
+    private JsonObject describe() {
+        ModelPair models = converter.knowledge().models();
+        return new JsonObject()
+                .put("name", converter.status().name())
+                .put("original", MachineDrawing.of(models.original(), state -> false))
+                .put("new", MachineDrawing.of(models.evolved(), models::isNew))
+                .put(
+                        "pictures",
+                        pictures.stream()
+                                .map(picture -> new JsonObject()
+                                        .put("name", picture.name())
+                                        .put("description", picture.description()))
+                                .toList());
+    }
+
+    /** The events before one, and that many; a journal reaches far back, and reading it takes a while. */
+    private void history(HttpExchange exchange) throws IOException {
+        long before = number(exchange, "before", Long.MAX_VALUE);
+        if (!readingHistory.tryAcquire()) {
+            Answer.text(exchange, Answer.BUSY, "somebody else is reading the history; ask again");
+            return;
+        }
+        try {
+            List<HistoryEntry> newest = converter.history();
+            long last = newest.isEmpty() ? 0 : newest.get(newest.size() - 1).number();
+            long wanted = Math.max(1, last - Math.min(before, last + 1) + 1 + HISTORY_PAGE);
+            List<HistoryEntry> entries =
+                    converter.history((int) Math.min(SystemEventConverter.MOST_HISTORY, wanted)).stream()
+                            .filter(entry -> entry.number() < before)
+                            .toList();
+            List<HistoryEntry> page = entries.subList(Math.max(0, entries.size() - HISTORY_PAGE), entries.size());
+            Answer.json(
+                    exchange,
+                    new JsonObject()
+                            .put("events", page.stream().map(EntryJson::of).toList())
+                            .toString());
+        } finally {
+            readingHistory.release();
+        }
+    }
+
+    private void picture(HttpExchange exchange) throws IOException {
+        long number = number(exchange, "number", 0);
+        if (number >= pictures.size()) {
+            Answer.text(exchange, Answer.NOT_FOUND, "there are " + pictures.size() + " pictures");
+        } else {
+            Picture picture = pictures.get((int) number);
+            byte[] content = picture.content().get();
+            if (content.length == 0) {
+                Answer.text(exchange, Answer.NOT_FOUND, "there is no picture yet");
+            } else {
+                Answer.send(exchange, Answer.OK, picture.mediaType(), content);
+            }
+        }
+    }
+
+    private static long number(HttpExchange exchange, String name, long otherwise) {
+        String query = exchange.getRequestURI().getRawQuery();
+        for (String each : query == null ? new String[0] : query.split("&", -1)) {
+            if (each.matches(name + "=[0-9]{1,18}")) {
+                return Long.parseLong(each.substring(name.length() + 1));
+            }
+        }
+        return otherwise;
+    }
+
+    private void controls(PageServer from, HttpExchange exchange) throws IOException {
+        if (from.gate().isAdmitted(exchange)) {
+            Answer.json(exchange, controls.offered().toString());
+        } else {
+            notAdmitted(exchange);
+        }
+    }
+
+    private static void notAdmitted(HttpExchange exchange) throws IOException {
+        Answer.text(
+                exchange, Answer.NOT_ADMITTED, "this needs the token, which the program printed when it was started");
+    }
+
+    private void session(PageServer from, HttpExchange exchange) throws IOException {
+        String claimed = body(exchange);
+        String cookie = claimed == null ? null : from.gate().admit(claimed.strip());
+        if (cookie == null) {
+            notAdmitted(exchange);
+        } else {
+            exchange.getResponseHeaders().set("Set-Cookie", cookie);
+            Answer.json(exchange, controls.offered().toString());
+        }
+    }
+
+    private void command(PageServer from, HttpExchange exchange) throws IOException, InterruptedException {
+        String line = body(exchange);
+        if (!from.gate().isAdmitted(exchange)) {
+            notAdmitted(exchange);
+        } else if (line == null) {
+            Answer.text(exchange, Answer.TOO_LARGE, "a command has at most " + LONGEST_REQUEST + " bytes");
+        } else if (line.isBlank() || console.isEnding()) {
+            Answer.text(exchange, Answer.BAD_REQUEST, "there is no command, or the program is about to end");
+        } else {
+            Answer.json(exchange, controls.perform(line).toString());
+        }
+    }
+
+    /** Null if it is too long. */
+    private static @Nullable String body(HttpExchange exchange) throws IOException {
+        byte[] bytes = exchange.getRequestBody().readNBytes(LONGEST_REQUEST + 1);
+        return bytes.length > LONGEST_REQUEST ? null : new String(bytes, StandardCharsets.UTF_8);
+    }
+
+    /** The address, for tests. */
+    int port() {
+        return Objects.requireNonNull(server, "there is no page").port();
+    }
+
+    @Override
+    public void close() {
+        if (server != null) {
+            server.close();
+        }
+        clock.close();
+    }
+}

@@ -1,0 +1,72 @@
+package org.evoloop.page;
+
+import java.util.Iterator;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/**
+ * Where a page is served.
+ *
+ * <p>Threading: immutable.
+ *
+ * @param host the address to listen on, as a name or a number; empty for no page at all
+ * @param port 0 for any that is free
+ * @since 0.1
+ */
+public record PageOptions(String host, int port) {
+    /** The option, as it stands in a usage line. */
+    public static final String USAGE = "[--page [HOST:]PORT]";
+
+    private static final String LOOPBACK = "127.0.0.1";
+    private static final Pattern ADDRESS = Pattern.compile("(?:(\\[[0-9a-fA-F:.]+]|[A-Za-z0-9.-]+):)?([0-9]{1,5})");
+    private static final int HIGHEST = 65_535;
+
+    /** No page: nothing listens. */
+    public static PageOptions none() {
+        return new PageOptions("", 0);
+    }
+
+    /**
+     * A page at this address.
+     *
+     * @param address {@code PORT}, for this machine alone, or {@code HOST:PORT}; an IPv6 address stands in brackets
+     * @throws IllegalArgumentException if it is neither
+     */
+    public static PageOptions at(String address) {
+        Matcher parts = ADDRESS.matcher(address);
+        if (!parts.matches() || Integer.parseInt(parts.group(2)) > HIGHEST) {
+            throw new IllegalArgumentException("--page takes a port, 0 to " + HIGHEST
+                    + ", and before it a host if others than this machine shall see it, as in 8080 or 192.168.1.5:8080;"
+                    + " not '" + address + "'");
+        }
+        String host = parts.group(1);
+        return new PageOptions(host == null ? LOOPBACK : host, Integer.parseInt(parts.group(2)));
+    }
+
+    /**
+     * Takes {@code --page [HOST:]PORT} out of a command line.
+     *
+     * @param arguments a list that can be changed; what is left is the program's own
+     * @throws IllegalArgumentException if the address is missing, or is none
+     */
+    public static PageOptions takeFrom(List<String> arguments) {
+        PageOptions taken = none();
+        for (Iterator<String> rest = arguments.iterator(); rest.hasNext(); ) {
+            if (rest.next().equals("--page")) {
+                rest.remove();
+                if (!rest.hasNext()) {
+                    throw new IllegalArgumentException("--page needs a port, as in --page 8080");
+                }
+                taken = at(rest.next());
+                rest.remove();
+            }
+        }
+        return taken;
+    }
+
+    /** Whether there is a page. */
+    public boolean isOn() {
+        return !host.isEmpty();
+    }
+}

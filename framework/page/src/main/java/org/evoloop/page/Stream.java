@@ -1,0 +1,71 @@
+package org.evoloop.page;
+
+import com.sun.net.httpserver.HttpExchange;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
+import java.time.Duration;
+import org.evoloop.time.Clock;
+
+/**
+ * One viewer: server-sent events, each with the newest status and what has come to its end since the one before. A stream ends
+ * after some minutes, and a browser that is still there begins another: so one that has vanished is forgotten.
+ *
+ * <p>Threading: belongs to the thread that serves the viewer.
+ */
+final class Stream {
+    private static final Duration LONGEST = Duration.ofMinutes(5);
+    private static final Duration TO_TAKE_ONE = Duration.ofSeconds(10);
+    private static final Duration TO_BE_HEARD = Duration.ofSeconds(3);
+
+    private final Broadcast broadcast;
+    private final Deadlines deadlines;
+    private final Clock clock;
+
+    Stream(Broadcast broadcast, Deadlines deadlines, Clock clock) {
+        this.broadcast = broadcast;
+        this.deadlines = deadlines;
+        this.clock = clock;
+    }
+
+    /** Serves until the viewer goes, or takes too long to take an update. */
+    void serve(HttpExchange exchange) throws IOException, InterruptedException {
+        Answer.headers(exchange, "text/event-stream");
+        exchange.sendResponseHeaders(Answer.OK, 0);
+        broadcast.join();
+        try {
+            stream(exchange.getResponseBody());
+        } finally {
+            broadcast.leave();
+        }
+    }
+
+    private void stream(OutputStream body) throws IOException, InterruptedException {
+        long begun = clock.nanoTime();
+        long written = begun;
+        String before = "";
+        Broadcast.Update update = broadcast.after(-1, Long.MAX_VALUE);
+        write(body, "retry: 500\n\n");
+        while (clock.nanoTime() - begun < LONGEST.toNanos()) {
+            if (!update.events().isEmpty() || !update.status().equals(before)) {
+                write(body, "data: " + update.json() + "\n\n");
+                written = clock.nanoTime();
+            } else if (clock.nanoTime() - written >= TO_BE_HEARD.toNanos()) {
+                write(body, ": here\n\n");
+                written = clock.nanoTime();
+            }
+            before = update.status();
+            update = broadcast.after(update.number(), update.last());
+        }
+    }
+
+    private void write(OutputStream body, String text) throws IOException {
+        deadlines.begin(TO_TAKE_ONE);
+        try {
+            body.write(text.getBytes(StandardCharsets.UTF_8));
+            body.flush();
+        } finally {
+            deadlines.end();
+        }
+    }
+}

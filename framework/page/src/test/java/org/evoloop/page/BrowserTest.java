@@ -1,0 +1,180 @@
+package org.evoloop.page;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledIf;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** The page in Chromium, as a person uses it. */
+@EnabledIf("org.evoloop.page.Browser#isThere")
+class BrowserTest {
+    private static final String LIT =
+            "[...document.querySelectorAll('#%s .state.lit')].map(s => s.dataset.state).join()";
+    private static final Picture ROOM = new Picture(
+            "Room",
+            "The room from above",
+            "image/svg+xml",
+            () ->
+                    "<svg xmlns='http://www.w3.org/2000/svg' width='120' height='60'><rect width='120' height='60' fill='#888'/></svg>"
+                            .getBytes(StandardCharsets.UTF_8));
+
+    private static Browser browser;
+    private Shown shown;
+
+    @BeforeAll
+    static void launch() throws Exception {
+        browser = new Browser();
+    }
+
+    @AfterAll
+    static void quit() {
+        browser.close();
+    }
+
+    @BeforeEach
+    void open() throws Exception {
+        shown = new Shown(List.of(ROOM));
+        browser.requests.clear();
+        browser.complaints.clear();
+        browser.looks(1280, 900, false);
+    }
+
+    @AfterEach
+    void close() {
+        browser.open("about:blank");
+        shown.close();
+    }
+
+    private void lit(String original, String evolved) {
+        browser.await("document.readyState === 'complete' && " + LIT.formatted("original") + " === '" + original
+                + "' && " + LIT.formatted("new") + " === '" + evolved + "'");
+    }
+
+    private static String text(String id) {
+        return browser.evaluate("document.getElementById('" + id + "').innerText");
+    }
+
+    private static void click(String buttonText) {
+        browser.evaluate(
+                "[...document.querySelectorAll('button')].find(b => b.textContent === '" + buttonText + "').click()");
+    }
+
+    @Test
+    void anEventLightsWhereTheModelsAreAndSaysWhy() {
+        shown.converter.start();
+        browser.open(shown.address() + "/");
+        lit("Off", "Off");
+
+        shown.panel.press("Clean");
+        lit("On", "On");
+        shown.panel.press("Spot");
+        lit("On", "Move");
+        assertThat(text("headline")).contains("Spot: handled");
+        assertThat(text("why")).contains("the next state is new", "On → Move on Spot", "nothing");
+
+        shown.panel.press("Clean");
+        browser.await("document.getElementById('headline').innerText.startsWith('3')");
+        assertThat(text("status")).contains("battery 93 %", "not docked");
+        shown.battery.set(7);
+        browser.await("document.getElementById('status').innerText.includes('battery 7 %')");
+    }
+
+    @Test
+    void nothingIsAskedOfAnybodyElseAndNothingIsComplainedAbout() {
+        shown.converter.start();
+        browser.open(shown.address() + "/");
+        lit("Off", "Off");
+        browser.await("document.querySelector('#pictures img').naturalWidth === 120");
+        assertThat(browser.requests).isNotEmpty().allMatch(url -> url.startsWith(shown.address()));
+        // That nobody has shown the token yet is an answer of 401.
+        assertThat(browser.complaints).noneMatch(complaint -> !complaint.contains("/controls"));
+    }
+
+    @Test
+    void theHistoryIsLookedBackThroughWithTheKeyboard() {
+        shown.converter.start();
+        for (String button : List.of("Clean", "Spot", "Clean")) {
+            shown.panel.press(button);
+        }
+        browser.open(shown.address() + "/");
+        browser.await("document.getElementById('headline').innerText.startsWith('3')");
+        browser.evaluate("document.getElementById('position').focus()");
+        browser.key("ArrowLeft", 37);
+        browser.await("document.getElementById('headline').innerText.startsWith('2')");
+        lit("On", "Move");
+        assertThat(text("now")).startsWith("After event 2");
+        browser.key("Home", 36);
+        lit("On", "On");
+        shown.panel.press("Clean");
+        browser.await("document.getElementById('position').max === '3'");
+        assertThat(text("headline")).startsWith("1");
+        click("Live");
+        browser.await("document.getElementById('headline').innerText.startsWith('4')");
+    }
+
+    @Test
+    void whoHasTheTokenControls() {
+        browser.open(shown.address() + "/");
+        lit("Off", "Off");
+        assertThat(browser.evaluate("document.getElementById('buttons').hidden"))
+                .isEqualTo("true");
+        browser.evaluate("document.getElementById('token').value = 'wrong'");
+        click("Allow me to control");
+        browser.await("document.getElementById('answer').innerText.includes('not the token')");
+
+        browser.open("about:blank");
+        browser.open(shown.address() + "/#token=" + shown.token);
+        browser.await("document.readyState === 'complete' && !document.getElementById('buttons').hidden");
+        assertThat(browser.evaluate("location.href")).doesNotContain(shown.token);
+        assertThat(browser.evaluate("document.cookie")).as("no script reads it").isEmpty();
+        click("press Clean");
+        browser.await("document.getElementById('answer').className === 'bad'");
+        click("start");
+        browser.await("document.getElementById('answer').innerText === 'start: done'");
+        click("press Clean");
+        lit("On", "On");
+        browser.evaluate("document.getElementById('component').value = 'Robot'");
+        click("Exchange");
+        browser.await("document.getElementById('answer').innerText.endsWith('done')");
+    }
+
+    @ParameterizedTest
+    @CsvSource({"390,light", "390,dark", "1280,light", "1280,dark"})
+    void nothingSticksOutOfAnyWindow(int width, String colours) throws Exception {
+        shown.converter.start();
+        for (String button : List.of("Clean", "Spot")) {
+            shown.panel.press(button);
+        }
+        browser.looks(width, 900, colours.equals("dark"));
+        browser.open(shown.address() + "/#token=" + shown.token);
+        lit("On", "Move");
+        browser.await("!document.getElementById('buttons').hidden");
+        assertThat(browser.evaluate("document.documentElement.scrollWidth")).isEqualTo(Integer.toString(width));
+        browser.picture(Path.of("target/page-" + width + "-" + colours + ".png"));
+    }
+
+    @Test
+    void aScreenReaderFindsItsWay() {
+        browser.open(shown.address() + "/");
+        lit("Off", "Off");
+        String unnamed = browser.evaluate("[...document.querySelectorAll('button, input, select')]"
+                + ".filter(e => !(e.ariaLabel || e.textContent.trim() || (e.labels && e.labels.length)))"
+                + ".map(e => e.id).join()");
+        assertThat(unnamed).isEmpty();
+        assertThat(browser.evaluate("document.querySelector('#new svg').ariaLabel"))
+                .contains("Current state: Off");
+        assertThat(browser.evaluate(
+                        "document.querySelectorAll('h1').length + ',' + document.querySelectorAll('main').length"))
+                .isEqualTo("1,1");
+        assertThat(browser.evaluate("document.querySelector('#now').ariaLive")).isEqualTo("polite");
+    }
+}

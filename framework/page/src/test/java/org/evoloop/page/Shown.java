@@ -1,0 +1,105 @@
+package org.evoloop.page;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.time.Duration;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.atomic.AtomicLong;
+import org.evoloop.PaperModels;
+import org.evoloop.console.Console;
+import org.evoloop.console.ConsoleCommand;
+import org.evoloop.converter.DeviceLink;
+import org.evoloop.converter.EventExecute;
+import org.evoloop.converter.PushMonitor;
+import org.evoloop.converter.StateKnowledge;
+import org.evoloop.converter.SystemEventConverter;
+import org.evoloop.evolution.Step;
+import org.evoloop.function.Reading;
+import org.evoloop.loop.LoopConfig;
+import org.evoloop.time.SystemClock;
+
+/** The paper's cleaning robot, without a robot, and its page. */
+final class Shown implements AutoCloseable {
+    private final SystemClock clock = new SystemClock();
+    final PushMonitor panel = new PushMonitor("Panel");
+    final SystemEventConverter converter = new SystemEventConverter(LoopConfig.defaults("robot", clock));
+    final Console console;
+    final Page page;
+    final String token;
+    final AtomicLong battery = new AtomicLong(93);
+
+    Shown() throws IOException {
+        this(List.of());
+    }
+
+    Shown(List<Picture> pictures) throws IOException {
+        converter.addMonitor(panel);
+        converter.addExecute(execute());
+        converter.addSpare("Robot2", Shown::execute);
+        converter.addKnowledge(new StateKnowledge(PaperModels.cleaningRobot()) {
+            @Override
+            protected void registerNewFunctions() {
+                function("Move", visit -> visit.progress("driving", List.of(Reading.of("distance", 1.25, "m"))));
+                timer("SpotWait", "timeout", Duration.ofSeconds(600));
+            }
+        });
+        converter.addLink(new DeviceLink() {
+            @Override
+            public boolean isUp() {
+                return true;
+            }
+
+            @Override
+            public Optional<java.time.Instant> downSince() {
+                return Optional.empty();
+            }
+
+            @Override
+            public String describe() {
+                return "nowhere";
+            }
+
+            @Override
+            public List<Reading> readings() {
+                return List.of(Reading.of("battery", battery.get(), "%"), Reading.of("docked", false));
+            }
+        });
+        converter.build();
+        console = new Console(converter, InputStream.nullInputStream(), System.out, System.err);
+        console.addCommand(
+                ConsoleCommand.of("press BUTTON", "presses a button", (words, out) -> panel.press(words.get(0)))
+                        .completing(before -> before.isEmpty() ? List.of("Clean", "Spot") : List.of()));
+        console.addCommand(ConsoleCommand.of("robot COMMAND [X]", "is no button", (words, out) -> out.println("no")));
+        ByteArrayOutputStream told = new ByteArrayOutputStream();
+        page = Page.open(PageOptions.at("0"), console, new PrintStream(told, true, StandardCharsets.UTF_8), pictures);
+        token = told.toString(StandardCharsets.UTF_8).replaceFirst("(?s).*#token=(\\S+).*", "$1");
+    }
+
+    private static EventExecute execute() {
+        return new EventExecute("Robot") {
+            @Override
+            protected Set<String> sendableEvents() {
+                return Set.of("Clean", "Spot");
+            }
+
+            @Override
+            protected void send(Step step) {}
+        };
+    }
+
+    String address() {
+        return "http://127.0.0.1:" + page.port();
+    }
+
+    @Override
+    public void close() {
+        page.close();
+        converter.close();
+        clock.close();
+    }
+}

@@ -1,0 +1,191 @@
+package org.evoloop.page;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.net.Socket;
+import java.net.SocketException;
+import java.nio.charset.StandardCharsets;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import org.awaitility.Awaitility;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
+
+/** Who looks: well, slowly, never, or no longer. */
+class ViewersTest {
+    /** Of the older version, whose answer comes as it is and not in chunks. */
+    private static final String REQUEST = "GET /events HTTP/1.0\r\nHost: localhost\r\n\r\n";
+
+    private static final Duration LIMIT = Duration.ofSeconds(30);
+    private final List<Viewer> viewers = new ArrayList<>();
+    private Shown shown;
+
+    /** A connection with a stream of updates. */
+    private static final class Viewer implements AutoCloseable {
+        final Socket socket;
+        final BufferedReader lines;
+
+        Viewer(Shown shown, String request) throws IOException {
+            socket = new Socket();
+            socket.setReceiveBufferSize(4096);
+            socket.connect(new java.net.InetSocketAddress("127.0.0.1", shown.page.port()));
+            socket.setSoTimeout((int) LIMIT.toMillis());
+            socket.getOutputStream().write(request.getBytes(StandardCharsets.UTF_8));
+            lines = new BufferedReader(new InputStreamReader(socket.getInputStream(), StandardCharsets.UTF_8));
+        }
+
+        JsonNode next() throws IOException {
+            String line = lines.readLine();
+            while (line != null && !line.startsWith("data: ")) {
+                line = lines.readLine();
+            }
+            assertThat(line).as("the stream goes on").isNotNull();
+            return new JsonMapper().readTree(line.substring("data: ".length()));
+        }
+
+        @Override
+        public void close() throws IOException {
+            socket.close();
+        }
+    }
+
+    @BeforeEach
+    void open() throws IOException {
+        shown = new Shown();
+        shown.converter.start();
+    }
+
+    @AfterEach
+    void close() throws IOException {
+        for (Viewer viewer : viewers) {
+            viewer.close();
+        }
+        shown.close();
+    }
+
+    private Viewer look() throws IOException {
+        return ask(REQUEST);
+    }
+
+    private Viewer ask(String request) throws IOException {
+        Viewer viewer = new Viewer(shown, request);
+        viewers.add(viewer);
+        return viewer;
+    }
+
+    private static List<String> threads() {
+        return Thread.getAllStackTraces().keySet().stream()
+                .map(Thread::getName)
+                .filter(name -> name.startsWith("evoloop-page") || name.endsWith("-listeners"))
+                .toList();
+    }
+
+    @Test
+    void allAreToldOfAnEventAndWhy() throws IOException {
+        List<Viewer> five = new ArrayList<>();
+        for (int i = 0; i < 5; i++) {
+            five.add(look());
+        }
+        for (Viewer viewer : five) {
+            assertThat(viewer.next().at("/status/originalState").asString()).isEqualTo("Off");
+        }
+        shown.panel.press("Clean");
+        for (Viewer viewer : five) {
+            JsonNode told = viewer.next();
+            while (told.path("events").isEmpty()) {
+                told = viewer.next();
+            }
+            assertThat(told.at("/events/0/decision/kind").asString()).isEqualTo("existing-function");
+            assertThat(told.at("/events/0/decision/steps/0/sends").asString()).isEqualTo("Clean");
+            assertThat(told.at("/status/newState").asString()).isEqualTo("On");
+            assertThat(told.path("last").asLong()).isEqualTo(1);
+        }
+    }
+
+    @Test
+    void nobodyWhoLooksLeavesNothingBehind() throws IOException {
+        assertThat(threads()).isEmpty();
+        look().next();
+        assertThat(threads()).isNotEmpty();
+        viewers.get(0).close();
+        Awaitility.await()
+                .atMost(LIMIT)
+                .untilAsserted(() -> assertThat(threads()).isEmpty());
+    }
+
+    @Test
+    void thereAreSeatsForSoMany() throws IOException {
+        for (int i = 0; i < PageServer.MOST_VIEWERS; i++) {
+            look().next();
+        }
+        assertThat(look().lines.readLine()).isEqualTo("HTTP/1.1 503 Service Unavailable");
+        viewers.get(0).close();
+        Awaitility.await().atMost(LIMIT).until(() -> {
+            try (Viewer next = new Viewer(shown, REQUEST)) {
+                return "HTTP/1.1 200 OK".equals(next.lines.readLine());
+            }
+        });
+    }
+
+    @Test
+    void requestsThatAreNotWholeAreFewAndEnd() throws IOException {
+        List<Viewer> half = new ArrayList<>();
+        for (int i = 0; i < 300; i++) {
+            try {
+                half.add(ask("GET /about HTTP/1.1\r\nHost: loc"));
+            } catch (SocketException hungUp) {
+                // As it should be.
+            }
+        }
+        int most = PageServer.MOST_VIEWERS + PageServer.MOST_REQUESTS;
+        assertThat(threads().size()).isLessThanOrEqualTo(most + 1);
+        for (Viewer viewer : half) {
+            try {
+                assertThat(viewer.lines.read()).as("hung up on").isNegative();
+            } catch (SocketException hungUp) {
+                // That, too.
+            }
+        }
+        assertThat(ask("GET /about HTTP/1.1\r\nHost: localhost\r\n\r\n").lines.readLine())
+                .isEqualTo("HTTP/1.1 200 OK");
+    }
+
+    private static long served() {
+        return threads().stream().filter("evoloop-page"::equals).count();
+    }
+
+    @Test
+    @Tag("slow")
+    void whoTakesNothingIsHungUpOnAndTheOthersAreTold() throws Exception {
+        look();
+        Viewer quick = look();
+        quick.next();
+        Awaitility.await().atMost(LIMIT).until(() -> served() == 2);
+        Thread presser = new Thread(() -> {
+            while (!Thread.currentThread().isInterrupted()) {
+                shown.panel.press("Clean");
+            }
+        });
+        presser.setDaemon(true);
+        presser.start();
+        try {
+            // The other's buffers fill, and then it has ten seconds.
+            Awaitility.await().atMost(Duration.ofMinutes(2)).until(() -> {
+                quick.next();
+                return served() == 1;
+            });
+        } finally {
+            presser.interrupt();
+            presser.join(10_000);
+        }
+        assertThat(quick.next().path("last").asLong()).isPositive();
+    }
+}
