@@ -1,6 +1,7 @@
 package org.evoloop.console;
 
 import java.util.List;
+import org.evoloop.function.Reading;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -10,6 +11,19 @@ import org.jspecify.annotations.Nullable;
  */
 final class JsonObject {
     private final StringBuilder members = new StringBuilder();
+
+    /** A member for each reading, by its name; its value without its unit. */
+    static JsonObject of(List<Reading> readings) {
+        JsonObject members = new JsonObject();
+        for (Reading reading : readings) {
+            if (reading.value() instanceof String text) {
+                members.put(reading.name(), text);
+            } else {
+                members.putText(reading.name(), reading.value().toString());
+            }
+        }
+        return members;
+    }
 
     JsonObject put(String key, @Nullable String value) {
         return putText(key, value == null ? "null" : quote(value));

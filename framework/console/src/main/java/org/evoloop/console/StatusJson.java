@@ -20,10 +20,12 @@ import org.jspecify.annotations.Nullable;
  *   <li>{@code components}, a list: {@code name}, {@code role} (monitor, analyze, plan, execute), {@code thread}, {@code
  *       activity} (waiting, working, stuck, ended), {@code failures}, {@code lastFailure}
  *   <li>{@code doubt}: why the original state may be wrong, empty if it is sure
- *   <li>{@code function}: {@code state}, {@code thread}, {@code progress}, all empty if no new function runs
+ *   <li>{@code function}: {@code state}, {@code thread}, {@code progress} in words, {@code readings} as below; all empty
+ *       if no new function runs
  *   <li>{@code faults}, a list of what is no component and has failed, such as a guard or a function: {@code part}, {@code
  *       failures}, {@code lastFailure}
- *   <li>{@code link}: {@code up}, {@code text}; {@code null} if the converter was told of none
+ *   <li>{@code link}: {@code up}, {@code text}, {@code readings}, an object with a member for each thing that is known of the
+ *       device, such as {@code "battery":93}; {@code null} if the converter was told of none
  * </ul>
  */
 final class StatusJson {
@@ -72,14 +74,20 @@ final class StatusJson {
                         new JsonObject()
                                 .put("state", status.function().state())
                                 .put("thread", status.function().thread())
-                                .put("progress", status.function().progress()))
+                                .put("progress", status.function().progress())
+                                .put("readings", JsonObject.of(status.function().readings())))
                 .put("faults", status.faults().stream().map(StatusJson::fault).toList())
                 .put("link", link(status.link()))
                 .toString();
     }
 
     private static @Nullable JsonObject link(ConverterStatus.@Nullable LinkStatus link) {
-        return link == null ? null : new JsonObject().put("up", link.up()).put("text", link.text());
+        return link == null
+                ? null
+                : new JsonObject()
+                        .put("up", link.up())
+                        .put("text", link.text())
+                        .put("readings", JsonObject.of(link.readings()));
     }
 
     private static JsonObject component(ComponentStatus component) {

@@ -7,9 +7,11 @@ import java.time.ZoneId;
 import java.time.format.DateTimeFormatter;
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.Collectors;
 import org.evoloop.converter.ConverterStatus;
 import org.evoloop.converter.ConverterStatus.ConversionTime;
 import org.evoloop.converter.HistoryEntry;
+import org.evoloop.function.Reading;
 import org.evoloop.loop.ComponentStatus;
 import org.jspecify.annotations.Nullable;
 
@@ -52,6 +54,12 @@ final class StatusText {
         line(out, "conversion", conversionTime(status.conversionTime()));
         line(out, "function", function(status.function()));
         line(out, "link", link(status.link()));
+        if (status.link() != null && !status.link().readings().isEmpty()) {
+            line(
+                    out,
+                    "device",
+                    status.link().readings().stream().map(Reading::toString).collect(Collectors.joining(", ")));
+        }
         components(status.components(), out);
         for (ConverterStatus.Fault fault : status.faults()) {
             line(out, "fault", fault.part() + failures("  ", fault.failures(), fault.lastFailure()));
@@ -89,7 +97,7 @@ final class StatusText {
         }
         return function.state()
                 + (function.thread().isEmpty() ? ", no thread" : ", thread " + function.thread())
-                + (function.progress().isEmpty() ? "" : ": " + function.progress());
+                + (function.describe().isEmpty() ? "" : ": " + function.describe());
     }
 
     private static String link(ConverterStatus.@Nullable LinkStatus link) {

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import org.evoloop.converter.ConverterStatus;
 import org.evoloop.evolution.Configuration;
+import org.evoloop.function.Reading;
 import org.evoloop.loop.Component;
 import org.evoloop.loop.ComponentStatus;
 import org.evoloop.loop.LoopState;
@@ -40,9 +41,16 @@ class StatusFormatTest {
                             ComponentStatus.Activity.STUCK,
                             2,
                             "Motors.execute: \"no\\answer\"\t\u00e9")),
-            new ConverterStatus.RunningFunction("Move", "function-Move-7", ""),
+            new ConverterStatus.RunningFunction(
+                    "Move", "function-Move-7", "driving there", List.of(Reading.of("distance", 1.204, "m"))),
             List.of(new ConverterStatus.Fault("guard [full]", 1, "guard.full: no scales")),
-            new ConverterStatus.LinkStatus(true, "/dev/ttyUSB0"));
+            new ConverterStatus.LinkStatus(
+                    true,
+                    "/dev/ttyUSB0",
+                    List.of(
+                            Reading.of("battery", 93, "%"),
+                            Reading.of("docked", false),
+                            Reading.of("chargingSource", "home \"base\""))));
 
     @Test
     void asText() {
@@ -57,8 +65,9 @@ class StatusFormatTest {
                         "queue       2 of 8 waiting, highest 5; 1 dropped, 3 refused",
                         "events      30 handled, 4 ignored, 2 stale, 1 failed",
                         "conversion  last 180 us, median 999 us, 99th percentile 12.3 ms",
-                        "function    Move, thread function-Move-7",
+                        "function    Move, thread function-Move-7: driving there, distance 1.2 m",
                         "link        up, /dev/ttyUSB0",
+                        "device      battery 93 %, not docked, charging source home \"base\"",
                         "monitor     Panel   waiting  mapek-robot-monitor-Panel")
                 .anyMatch(line -> line.startsWith("execute     Motors  stuck    mapek-robot-execute-Motors"
                         + "  2 failures, the last: Motors.execute: \"no\\answer\""))
@@ -77,10 +86,12 @@ class StatusFormatTest {
                                 + "\"percentile99Nanos\":12340000},\"components\":[")
                 .contains("\"activity\":\"stuck\",\"failures\":2,"
                         + "\"lastFailure\":\"Motors.execute: \\\"no\\\\answer\\\"\\u0009\\u00e9\"}]")
-                .endsWith("\"function\":{\"state\":\"Move\",\"thread\":\"function-Move-7\",\"progress\":\"\"},"
+                .endsWith("\"function\":{\"state\":\"Move\",\"thread\":\"function-Move-7\","
+                        + "\"progress\":\"driving there\",\"readings\":{\"distance\":1.204}},"
                         + "\"faults\":[{\"part\":\"guard [full]\",\"failures\":1,"
                         + "\"lastFailure\":\"guard.full: no scales\"}],"
-                        + "\"link\":{\"up\":true,\"text\":\"/dev/ttyUSB0\"}}");
+                        + "\"link\":{\"up\":true,\"text\":\"/dev/ttyUSB0\","
+                        + "\"readings\":{\"battery\":93,\"docked\":false,\"chargingSource\":\"home \\\"base\\\"\"}}}");
     }
 
     @Test

@@ -19,8 +19,7 @@ final class Carrier {
     private final CoreDriver driver;
     private final Visits visits;
     private final Bindings bindings;
-    private final FailureLog failures;
-    private final Transcript transcript;
+    private final Books books;
     private volatile List<EventExecute> executes = List.of();
 
     /** Those of the loop, in the order in which they are asked. */
@@ -31,12 +30,11 @@ final class Carrier {
 
     private volatile String runningEffect = "";
 
-    Carrier(CoreDriver driver, Visits visits, Bindings bindings, FailureLog failures, Transcript transcript) {
+    Carrier(CoreDriver driver, Visits visits, Bindings bindings, Books books) {
         this.driver = driver;
         this.visits = visits;
         this.bindings = bindings;
-        this.failures = failures;
-        this.transcript = transcript;
+        this.books = books;
     }
 
     /** From now on these send. */
@@ -111,17 +109,20 @@ final class Carrier {
                 }
                 driver.located(number, state);
             } else if (next instanceof Output.Settle settle) {
-                transcript.say();
+                books.transcript().say();
                 try {
                     execute.settled(settle.now());
                 } catch (Exception cause) {
                     unsettled = cause;
                 }
             } else {
+                if (next instanceof Output.Leave) {
+                    books.history().leaving(visits.leaving());
+                }
                 visit(next);
             }
         }
-        transcript.say();
+        books.transcript().say();
         if (unsettled != null) {
             throw unsettled;
         }
@@ -164,7 +165,7 @@ final class Carrier {
             throw stop;
         } catch (Exception | LinkageError | AssertionError | StackOverflowError cause) {
             Failure<Occurrence> failure = new Failure<>(execute.name(), "effect " + effect, 0, occurrence, cause);
-            failures.fault("effect " + effect, failure);
+            books.failures().fault("effect " + effect, failure);
             return failure.toString();
         } finally {
             runningEffect = "";
@@ -182,7 +183,7 @@ final class Carrier {
         for (Output.Directive next = agenda.poll(); next != null; next = agenda.poll()) {
             visit(next);
         }
-        transcript.say();
+        books.transcript().say();
     }
 
     private void visit(Output.Directive directive) {

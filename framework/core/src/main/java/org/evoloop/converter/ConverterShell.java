@@ -56,7 +56,7 @@ final class ConverterShell implements LoopListener<Occurrence> {
                 books,
                 journal);
         this.visits = new Visits(config, knowledge, books.transcript(), books.failures());
-        this.carrier = new Carrier(driver, visits, knowledge.bindings(), books.failures(), books.transcript());
+        this.carrier = new Carrier(driver, visits, knowledge.bindings(), books);
         this.loop = new MapeLoop<>(config, this, carrier::next, driver);
         knowledge.bindings().watch(config, failures);
         visits.attach(loop);
@@ -173,7 +173,7 @@ final class ConverterShell implements LoopListener<Occurrence> {
                 loop.components(),
                 visits.runningFunction(),
                 books.failures().faults(),
-                link == null ? null : new ConverterStatus.LinkStatus(link.isUp(), link.describe()));
+                link == null ? null : new ConverterStatus.LinkStatus(link.isUp(), link.describe(), link.readings()));
     }
 
     @Override

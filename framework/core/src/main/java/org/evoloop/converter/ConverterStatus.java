@@ -3,7 +3,10 @@ package org.evoloop.converter;
 import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.evoloop.evolution.Configuration;
+import org.evoloop.function.Reading;
 import org.evoloop.loop.ComponentStatus;
 import org.evoloop.loop.LoopState;
 import org.evoloop.loop.QueueStatus;
@@ -60,8 +63,20 @@ public record ConverterStatus(
      * @param state the state, empty if the device does the work
      * @param thread the thread, empty if it has returned or has none
      * @param progress how far it is, in its own words; empty if it says nothing
+     * @param readings the same in numbers
      */
-    public record RunningFunction(String state, String thread, String progress) {}
+    public record RunningFunction(String state, String thread, String progress, List<Reading> readings) {
+        /** No function runs. */
+        public static final RunningFunction NONE = new RunningFunction("", "", "", List.of());
+
+        /** How far it is, in words and numbers; empty if it says nothing. */
+        public String describe() {
+            return Stream.concat(
+                            Stream.of(progress).filter(text -> !text.isEmpty()),
+                            readings.stream().map(Reading::toString))
+                    .collect(Collectors.joining(", "));
+        }
+    }
 
     /**
      * What is no component and has failed.
@@ -73,5 +88,5 @@ public record ConverterStatus(
     public record Fault(String part, long failures, String lastFailure) {}
 
     /** The connection, see {@link DeviceLink}. */
-    public record LinkStatus(boolean up, String text) {}
+    public record LinkStatus(boolean up, String text, List<Reading> readings) {}
 }

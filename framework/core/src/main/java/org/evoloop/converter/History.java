@@ -27,6 +27,9 @@ final class History {
     /** How many were recorded by others before the first. */
     private long before;
 
+    /** Where the event that is about to end has left a function. */
+    private volatile String leaving = "";
+
     History(Clock clock) {
         this(clock, SIZE);
     }
@@ -55,10 +58,21 @@ final class History {
             Outcome outcome,
             @Nullable Decision decision,
             String detail) {
-        record(clock.wallTime(), occurrence, before, after, outcome, decision, detail);
+        String left = leaving;
+        leaving = "";
+        record(clock.wallTime(), occurrence, before, after, outcome, decision, detail, left);
     }
 
-    /** The same of one that came to its end at {@code time}. */
+    /** The event whose turn it is leaves a function, {@code where} in words. Called by whoever carries that event. */
+    void leaving(String where) {
+        leaving = where;
+    }
+
+    /**
+     * The same of one that came to its end at {@code time}.
+     *
+     * @param left where it left a function; empty if it left none, or that is not known
+     */
     void record(
             Instant time,
             Occurrence occurrence,
@@ -66,14 +80,15 @@ final class History {
             Configuration after,
             Outcome outcome,
             @Nullable Decision decision,
-            String detail) {
+            String detail,
+            String left) {
         int place = (int) (recorded++ % size);
         HistoryLine line = lines[place];
         if (line == null) {
             line = new HistoryLine();
             lines[place] = line;
         }
-        line.set(recorded, time, occurrence, before, after, outcome, decision, detail);
+        line.set(recorded, time, occurrence, before, after, outcome, decision, detail, left);
     }
 
     /** The last one that was recorded. */

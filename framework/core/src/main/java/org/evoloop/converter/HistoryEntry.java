@@ -16,7 +16,8 @@ import org.evoloop.evolution.Occurrence;
  * @param before where the system stood
  * @param after where it stands
  * @param outcome what became of the event
- * @param detail the events sent, the function started, or why nothing happened
+ * @param detail the events sent, the function started, or why nothing happened; and how far a function was that it
+ *     ended, if that said so
  * @since 0.1
  */
 public record HistoryEntry(

@@ -25,6 +25,7 @@ final class HistoryLine {
     private @Nullable Outcome outcome;
     private @Nullable Decision decision;
     private String detail = "";
+    private String left = "";
 
     void set(
             long newNumber,
@@ -34,7 +35,8 @@ final class HistoryLine {
             Configuration newAfter,
             Outcome newOutcome,
             @Nullable Decision newDecision,
-            String newDetail) {
+            String newDetail,
+            String newLeft) {
         number = newNumber;
         at = newAt;
         occurrence = newOccurrence;
@@ -43,11 +45,13 @@ final class HistoryLine {
         outcome = newOutcome;
         decision = newDecision;
         detail = newDetail;
+        left = newLeft;
     }
 
     /** @param earlier how many there were before those that its history counts */
     HistoryEntry toEntry(long earlier) {
         Decision decided = decision;
+        String told = detail.isEmpty() && decided != null ? detail(decided) : detail;
         return new HistoryEntry(
                 earlier + number,
                 Objects.requireNonNull(at),
@@ -55,7 +59,7 @@ final class HistoryLine {
                 Objects.requireNonNull(before),
                 Objects.requireNonNull(after),
                 Objects.requireNonNull(outcome),
-                detail.isEmpty() && decided != null ? detail(decided) : detail);
+                told.isEmpty() || left.isEmpty() ? told + left : told + "; " + left);
     }
 
     private static String detail(Decision decision) {

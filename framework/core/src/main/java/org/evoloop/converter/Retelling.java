@@ -46,7 +46,7 @@ final class Retelling implements ConverterJournal.Past {
 
     @Override
     public void dropped(Occurrence occurrence, boolean first) {
-        history.record(time.get(), occurrence, at, at, Outcome.DROPPED, null, "the queue was full");
+        history.record(time.get(), occurrence, at, at, Outcome.DROPPED, null, "the queue was full", "");
     }
 
     @Override
@@ -57,6 +57,6 @@ final class Retelling implements ConverterJournal.Past {
             Outcome outcome,
             @Nullable Decision decision,
             String detail) {
-        history.record(time.get(), occurrence, before, after, outcome, decision, detail);
+        history.record(time.get(), occurrence, before, after, outcome, decision, detail, "");
     }
 }

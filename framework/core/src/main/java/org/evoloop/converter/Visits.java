@@ -89,12 +89,23 @@ final class Visits implements VisitHost {
         return functions.ownsCurrentThread();
     }
 
+    /** Where the function that runs is about to be left; empty if none runs or it has said nothing of that. */
+    String leaving() {
+        Visit running = functions.running();
+        // Most functions say nothing, and words would be garbage in every event.
+        return running == null
+                        || (running.progress().isEmpty() && running.readings().isEmpty())
+                ? ""
+                : "left " + running.state() + " at " + runningFunction().describe();
+    }
+
     ConverterStatus.RunningFunction runningFunction() {
         Visit running = functions.running();
+        if (running == null) {
+            return ConverterStatus.RunningFunction.NONE;
+        }
         return new ConverterStatus.RunningFunction(
-                running == null ? "" : running.state().name(),
-                functions.threadName(),
-                running == null ? "" : running.progress());
+                running.state().name(), functions.threadName(), running.progress(), running.readings());
     }
 
     @Override

@@ -1,6 +1,7 @@
 package org.evoloop.function;
 
 import java.time.Duration;
+import java.util.List;
 import org.evoloop.statemachine.State;
 import org.evoloop.time.Clock;
 
@@ -66,11 +67,25 @@ public interface Visit {
      */
     void send(String event) throws InterruptedException;
 
-    /** Describes in a short line how far the function is; shown in the converter's status. */
-    void progress(String text);
+    /** Says in a few words how far the function is: as {@link #progress(String, List)}, without readings. */
+    default void progress(String text) {
+        progress(text, List.of());
+    }
 
-    /** The last text given to {@link #progress(String)}; empty if there is none. */
+    /**
+     * Says how far the function is, in words and numbers: the converter's status shows the last that was said, and the
+     * history where the function was when its state was left. Cheap enough to be called 100 times a second.
+     *
+     * @param text for people, such as {@code looking around}
+     * @param readings for people and programs, such as {@code distance 1.25 m}
+     */
+    void progress(String text, List<Reading> readings);
+
+    /** What was said last; empty if nothing was. */
     String progress();
+
+    /** The readings that were given last. */
+    List<Reading> readings();
 
     /**
      * Ends the function with {@code event}, its last: the event is raised when {@link NewFunction#run} has returned. Only

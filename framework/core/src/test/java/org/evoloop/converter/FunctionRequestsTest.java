@@ -9,6 +9,7 @@ import org.evoloop.core.Outcome;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Values;
 import org.evoloop.function.NewFunction;
+import org.evoloop.function.Reading;
 import org.junit.jupiter.api.Test;
 
 /** What functions ask of the device and tell of themselves, what events carry, and who hears of it all. */
@@ -56,12 +57,19 @@ class FunctionRequestsTest {
 
     @Test
     void aFunctionSaysHowFarItIs() {
-        try (Player player = new Player(visit -> visit.progress("half as loud"))) {
+        Reading volume = Reading.of("volume", 0.5, "");
+        try (Player player = new Player(visit -> visit.progress("half as loud", List.of(volume)))) {
             player.press("play");
             player.press("fade");
             player.settle();
             assertThat(player.converter.status().function())
-                    .isEqualTo(new ConverterStatus.RunningFunction("Fading", "", "half as loud"));
+                    .isEqualTo(new ConverterStatus.RunningFunction("Fading", "", "half as loud", List.of(volume)));
+
+            player.press("stop");
+            player.settle();
+
+            assertThat(player.last().detail()).isEqualTo("stop; left Fading at half as loud, volume 0.5");
+            assertThat(player.converter.status().function()).isEqualTo(ConverterStatus.RunningFunction.NONE);
         }
     }
 

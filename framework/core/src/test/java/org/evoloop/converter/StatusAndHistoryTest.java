@@ -142,7 +142,7 @@ class StatusAndHistoryTest {
         assertThat(status.queue()).isEqualTo(new QueueStatus(1, 8, 1, 3, 0, 0));
         assertThat(status.events()).isEqualTo(new ConverterStatus.EventCounts(2, 0, 0, 0));
         assertThat(status.conversionTime()).isEqualTo(new ConverterStatus.ConversionTime(2, 0, 0, 0));
-        assertThat(status.function()).isEqualTo(new ConverterStatus.RunningFunction("Move", "", ""));
+        assertThat(status.function()).isEqualTo(new ConverterStatus.RunningFunction("Move", "", "", List.of()));
         assertThat(status.link()).isNull();
         assertThat(status.components())
                 .containsExactly(
@@ -166,7 +166,7 @@ class StatusAndHistoryTest {
             }
         });
         assertThat(robot.converter.status().link())
-                .isEqualTo(new ConverterStatus.LinkStatus(true, "a cable, in good shape"));
+                .isEqualTo(new ConverterStatus.LinkStatus(true, "a cable, in good shape", List.of()));
     }
 
     @Test

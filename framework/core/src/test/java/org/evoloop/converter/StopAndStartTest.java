@@ -9,6 +9,7 @@ import static org.evoloop.converter.Robot.at;
 
 import java.io.IOException;
 import java.time.Duration;
+import java.util.List;
 import java.util.Set;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CountDownLatch;
@@ -121,12 +122,12 @@ class StopAndStartTest {
             assertThat(take(life)).isEqualTo("begins");
             until(robot.converter::stop);
             assertThat(take(life)).startsWith("is ");
-            assertThat(robot.converter.status().function()).isEqualTo(new ConverterStatus.RunningFunction("", "", ""));
+            assertThat(robot.converter.status().function()).isEqualTo(ConverterStatus.RunningFunction.NONE);
 
             robot.converter.start();
             assertThat(take(life)).isEqualTo("begins");
             assertThat(robot.converter.status().function())
-                    .isEqualTo(new ConverterStatus.RunningFunction("Move", "function-Move-4", ""));
+                    .isEqualTo(new ConverterStatus.RunningFunction("Move", "function-Move-4", "", List.of()));
         }
     }
 

@@ -6,8 +6,10 @@ import java.time.Duration;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.HashSet;
+import java.util.List;
 import java.util.Set;
 import org.evoloop.function.NewFunction;
+import org.evoloop.function.Reading;
 import org.evoloop.function.Visit;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
@@ -28,6 +30,11 @@ public final class HostedVisit implements Visit {
     private final VisitHost host;
     private final Object lock = new Object();
     private volatile boolean ended;
+
+    /** How far the function is. */
+    private record Said(String text, List<Reading> readings) {
+        static final Said NOTHING = new Said("", List.of());
+    }
 
     /** Something that will happen; until its time has come it can be called off. */
     private final class Appointment implements Runnable {
@@ -51,7 +58,7 @@ public final class HostedVisit implements Visit {
         }
     }
 
-    private volatile String progress = "";
+    private volatile Said said = Said.NOTHING;
 
     // Made when they are needed: most visits need neither.
     private @Nullable Set<Appointment> timers;
@@ -136,13 +143,18 @@ public final class HostedVisit implements Visit {
     }
 
     @Override
-    public void progress(String text) {
-        progress = text;
+    public void progress(String text, List<Reading> readings) {
+        said = new Said(requireNonNull(text, "the text is null"), List.copyOf(readings));
     }
 
     @Override
     public String progress() {
-        return progress;
+        return said.text();
+    }
+
+    @Override
+    public List<Reading> readings() {
+        return said.readings();
     }
 
     @Override
