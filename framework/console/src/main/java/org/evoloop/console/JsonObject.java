@@ -1,19 +1,27 @@
 package org.evoloop.console;
 
+import java.util.Collection;
 import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.evoloop.function.Reading;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A JSON object in the making; its text is one line.
+ * A JSON object in the making; its text is one line of ASCII. Members are in the order in which they were put.
  *
  * <p>Threading: not thread-safe.
+ *
+ * @since 0.1
  */
-final class JsonObject {
+public final class JsonObject {
     private final StringBuilder members = new StringBuilder();
 
+    /** An object without members. */
+    public JsonObject() {}
+
     /** A member for each reading, by its name; its value without its unit. */
-    static JsonObject of(List<Reading> readings) {
+    public static JsonObject of(List<Reading> readings) {
         JsonObject members = new JsonObject();
         for (Reading reading : readings) {
             if (reading.value() instanceof String text) {
@@ -25,27 +33,46 @@ final class JsonObject {
         return members;
     }
 
-    JsonObject put(String key, @Nullable String value) {
+    /**
+     * Puts a text.
+     *
+     * @param value null is written as such
+     */
+    public JsonObject put(String key, @Nullable String value) {
         return putText(key, value == null ? "null" : quote(value));
     }
 
-    JsonObject put(String key, long value) {
+    /** Puts a number. */
+    public JsonObject put(String key, long value) {
         return putText(key, Long.toString(value));
     }
 
-    JsonObject put(String key, boolean value) {
+    /** Puts true or false. */
+    public JsonObject put(String key, boolean value) {
         return putText(key, Boolean.toString(value));
     }
 
-    /** @param value null is written as such */
-    JsonObject put(String key, @Nullable JsonObject value) {
+    /**
+     * Puts an object.
+     *
+     * @param value null is written as such
+     */
+    public JsonObject put(String key, @Nullable JsonObject value) {
         return putText(key, String.valueOf(value));
     }
 
-    JsonObject put(String key, List<JsonObject> values) {
-        return putText(
-                key,
-                "[" + String.join(",", values.stream().map(JsonObject::toString).toList()) + "]");
+    /** Puts an array of objects. */
+    public JsonObject put(String key, List<JsonObject> values) {
+        return putArray(key, values.stream().map(JsonObject::toString));
+    }
+
+    /** Puts an array of strings. */
+    public JsonObject putTexts(String key, Collection<String> values) {
+        return putArray(key, values.stream().map(JsonObject::quote));
+    }
+
+    private JsonObject putArray(String key, Stream<String> json) {
+        return putText(key, json.collect(Collectors.joining(",", "[", "]")));
     }
 
     private JsonObject putText(String key, String json) {
@@ -72,6 +99,7 @@ final class JsonObject {
         return quoted.append('"').toString();
     }
 
+    /** The object as one line. */
     @Override
     public String toString() {
         return "{" + members + "}";
