@@ -71,6 +71,8 @@ final class Watcher implements AutoCloseable {
 
     @Override
     public void close() {
-        client.disconnect().join();
+        if (client.getState().isConnected()) {
+            client.disconnect().join();
+        }
     }
 }
