@@ -82,7 +82,7 @@ class ConsoleTest {
                                 + component.formatted("EventAnalyze", "analyze") + ","
                                 + component.formatted("EventPlan", "plan") + ","
                                 + component.formatted("Lamp", "execute") + "],"
-                                + "\"function\":{\"state\":\"\",\"thread\":\"\",\"progress\":\"\"},"
+                                + "\"function\":{\"state\":\"\",\"thread\":\"\",\"progress\":\"\",\"readings\":{}},"
                                 + "\"faults\":[],\"link\":null}" + System.lineSeparator());
     }
 

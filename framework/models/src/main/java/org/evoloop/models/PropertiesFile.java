@@ -19,14 +19,20 @@ final class PropertiesFile {
     @Option(
             names = "--properties",
             paramLabel = "FILE",
-            description =
-                    "Properties of the evolution (default: the file beside NEW that is called like it and ends in "
-                            + ENDING + ", if there is one).")
+            description = "Properties of the evolution (default: the file beside NEW that is called like it, or like "
+                    + "it and the machine, and ends in " + ENDING + ", if there is one; for a.xml#b a.b" + ENDING
+                    + " or else a" + ENDING + ").")
     private @Nullable Path given;
 
     /** The one that was named, else the one that belongs beside {@code evolved}, which need not be there. */
     Path path(ModelReference evolved) {
-        return given != null ? given : beside(evolved.file());
+        if (given != null) {
+            return given;
+        }
+        return evolved.machine()
+                .map(name -> beside(evolved.file(), "." + name))
+                .filter(Files::exists)
+                .orElseGet(() -> beside(evolved.file(), ""));
     }
 
     /** Whether there is one; one that was named must be there. */
@@ -34,10 +40,11 @@ final class PropertiesFile {
         return given != null || Files.exists(path(evolved));
     }
 
-    private static Path beside(Path models) {
+    /** @param machine what the file's name says of which machine it is for */
+    private static Path beside(Path models, String machine) {
         String name = String.valueOf(models.getFileName());
         int dot = name.lastIndexOf('.');
-        return models.resolveSibling((dot > 0 ? name.substring(0, dot) : name) + ENDING);
+        return models.resolveSibling((dot > 0 ? name.substring(0, dot) : name) + machine + ENDING);
     }
 
     /**
