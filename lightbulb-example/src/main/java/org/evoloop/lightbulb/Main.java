@@ -12,6 +12,8 @@ import org.evoloop.evolution.ModelPair;
 import org.evoloop.journal.Journal;
 import org.evoloop.journal.JournalException;
 import org.evoloop.loop.LoopConfig;
+import org.evoloop.mqtt.BrokerAddress;
+import org.evoloop.mqtt.HomeAssistant;
 import org.evoloop.service.Service;
 import org.evoloop.service.ServiceOptions;
 import org.evoloop.statemachine.ModelException;
@@ -42,6 +44,8 @@ public final class Main {
         XmiFile machines = XmiFile.read(file);
         ModelPair models = new ModelPair(machines.pick("original"), machines.pick("new"));
 
+        String mqtt = unattended.mqtt();
+        BrokerAddress broker = mqtt == null ? null : BrokerAddress.parse(mqtt, System.getenv());
         Lamp lamp = new Lamp();
         PushMonitor wallSwitch = new PushMonitor("WallSwitch");
         try (Service service = Service.open(unattended);
@@ -60,6 +64,10 @@ public final class Main {
             Console console = new Console(converter, System.in, System.out, System.err);
             console.addCommand(ConsoleCommand.of(
                     "switch", "operates the wall switch", (words, out) -> wallSwitch.press("switch")));
+            if (broker != null) {
+                HomeAssistant home = new HomeAssistant(converter, broker).open();
+                console.onEnd(reason -> home.close());
+            }
             return service.run(console);
         }
     }

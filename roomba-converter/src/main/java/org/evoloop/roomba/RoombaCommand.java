@@ -9,7 +9,10 @@ import java.util.concurrent.Callable;
 import java.util.function.IntFunction;
 import org.evoloop.console.Console;
 import org.evoloop.console.ConsoleCommand;
+import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.loop.LoopConfig;
+import org.evoloop.mqtt.BrokerAddress;
+import org.evoloop.mqtt.HomeAssistant;
 import org.evoloop.roomba.link.Link;
 import org.evoloop.roomba.link.SerialLink;
 import org.evoloop.roomba.link.SerialSettings;
@@ -63,9 +66,12 @@ final class RoombaCommand implements Callable<Integer> {
                             + "still. A simulated robot has none.")
     private boolean noGuard;
 
+    private @Nullable BrokerAddress broker;
+
     @Override
     public Integer call() throws IOException, InterruptedException {
         double pace = checkedSpeed();
+        broker = unattended.broker();
         try (Service service = Service.open(unattended.options())) {
             String robotPort = port;
             if (robotPort != null) {
@@ -130,7 +136,20 @@ final class RoombaCommand implements Callable<Integer> {
                                 (arguments, out) -> out.println(world.execute(String.join(" ", arguments))))
                         .completing(before -> before.isEmpty() ? WorldCommands.NAMES : WorldCommands.BUTTON_NAMES));
             }
+            showAtHome(roomba, console);
             return service.run(console);
+        }
+    }
+
+    private void showAtHome(RoombaConverter roomba, Console console) {
+        BrokerAddress address = broker;
+        if (address != null) {
+            SystemEventConverter converter = roomba.converter();
+            HomeAssistant home = new HomeAssistant(converter, address);
+            home.vacuum(new RoombaVacuum(
+                    home, roomba.session(), converter.knowledge().models()));
+            home.open();
+            console.onEnd(reason -> home.close());
         }
     }
 

@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Set;
+import javax.net.ssl.TrustManagerFactory;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -38,6 +39,7 @@ public final class BrokerAddress {
     private final int port;
     private final @Nullable String user;
     private final @Nullable String password;
+    private final @Nullable TrustManagerFactory trust;
     private final Map<String, String> parameters;
 
     private BrokerAddress(URI uri, Map<String, String> parameters, @Nullable String password) {
@@ -47,13 +49,15 @@ public final class BrokerAddress {
         this.user = uri.getUserInfo();
         this.parameters = parameters;
         this.password = password;
+        String certificates = parameters.get("ca");
+        this.trust = certificates == null ? null : Trust.in(Path.of(certificates));
     }
 
     /**
      * Reads an address.
      *
      * @param environment where the password may be
-     * @throws IllegalArgumentException if it is none; the message says what is wrong and shows no password
+     * @throws IllegalArgumentException if it is none, or names a file that cannot be read; the message says what is wrong and shows no password
      */
     public static BrokerAddress parse(String url, Map<String, String> environment) {
         URI uri;
@@ -155,10 +159,10 @@ public final class BrokerAddress {
         return password;
     }
 
+    /** The certificates that the broker's is signed with; null for those that Java trusts. */
     @Nullable
-    Path certificates() {
-        String file = parameters.get("ca");
-        return file == null ? null : Path.of(file);
+    TrustManagerFactory trust() {
+        return trust;
     }
 
     /** What the converter of this name is called at the broker: as the address says, or by its name. */

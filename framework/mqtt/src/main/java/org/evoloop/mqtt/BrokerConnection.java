@@ -1,6 +1,5 @@
 package org.evoloop.mqtt;
 
-import java.nio.file.Path;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.HashSet;
@@ -13,7 +12,6 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
-import javax.net.ssl.TrustManagerFactory;
 import org.evoloop.converter.DeviceLink;
 import org.evoloop.time.Threads;
 import org.jspecify.annotations.Nullable;
@@ -41,7 +39,6 @@ public final class BrokerConnection implements DeviceLink, AutoCloseable {
 
     private final BrokerAddress address;
     private final String client;
-    private final @Nullable TrustManagerFactory trust;
     private final Map<String, Consumer<Message>> consumers = new LinkedHashMap<>();
     private final Outbox outbox = new Outbox();
     private final Backoff backoff = new Backoff();
@@ -61,16 +58,11 @@ public final class BrokerConnection implements DeviceLink, AutoCloseable {
     private volatile String trouble;
     private final AtomicLong connects = new AtomicLong();
 
-    /**
-     * @param client what the broker knows this client by; of two of one name it drops the older
-     * @throws IllegalArgumentException if the address names certificates that cannot be read
-     */
+    /** @param client what the broker knows this client by; of two of one name it drops the older */
     public BrokerConnection(BrokerAddress address, String client) {
         this.address = address;
         this.client = client;
         this.trouble = address + " has not been reached yet";
-        Path certificates = address.certificates();
-        this.trust = certificates == null ? null : Trust.in(certificates);
     }
 
     /** What the broker publishes when this client is gone without a goodbye; before {@link #open}. */
@@ -139,7 +131,7 @@ public final class BrokerConnection implements DeviceLink, AutoCloseable {
     private void connectAndServe() throws InterruptedException {
         HiveSession.Setup setup;
         synchronized (this) {
-            setup = new HiveSession.Setup(address, client, trust, will, Set.copyOf(consumers.keySet()));
+            setup = new HiveSession.Setup(address, client, will, Set.copyOf(consumers.keySet()));
         }
         try (HiveSession made = HiveSession.connect(setup, this::receive, this::lost)) {
             connects.incrementAndGet();

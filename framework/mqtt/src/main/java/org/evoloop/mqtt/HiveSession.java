@@ -18,7 +18,6 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Consumer;
-import javax.net.ssl.TrustManagerFactory;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -46,16 +45,11 @@ final class HiveSession implements AutoCloseable {
     /**
      * What a session begins with.
      *
-     * @param trust the certificates that the broker's is signed with; null for those that Java trusts
      * @param will what the broker publishes when this client is gone; null for nothing
      * @param filters what to subscribe to
      */
     record Setup(
-            BrokerAddress address,
-            String client,
-            @Nullable TrustManagerFactory trust,
-            @Nullable Message will,
-            Set<String> filters) {}
+            BrokerAddress address, String client, @Nullable Message will, Set<String> filters) {}
 
     /**
      * Logs in and subscribes.
@@ -107,7 +101,7 @@ final class HiveSession implements AutoCloseable {
                         MqttClientExecutorConfig.builder().nettyThreads(1).build());
         if (address.tls()) {
             builder = builder.sslConfig(MqttClientSslConfig.builder()
-                    .trustManagerFactory(setup.trust())
+                    .trustManagerFactory(address.trust())
                     .build());
         }
         String user = address.user();

@@ -19,6 +19,7 @@ import org.evoloop.evolution.Occurrence;
 import org.evoloop.function.Reading;
 import org.evoloop.loop.Failure;
 import org.evoloop.loop.LoopState;
+import org.evoloop.statemachine.State;
 import org.evoloop.time.Threads;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -38,7 +39,7 @@ import org.slf4j.LoggerFactory;
  * <p>Lifecycle: made when the converter has been built; {@link #vacuum} and {@link #choice}; {@link #open}, which does not wait
  * for the broker; {@link #close}, after which the device is unavailable.
  *
- * <p>Threading: {@link #open} and what comes before on one thread. The converter's threads never wait for the broker.
+ * <p>Threading: {@link #open} and what comes before on one thread; {@link #goTo} and {@link #stay} for the vacuum, on its. The converter's threads never wait for the broker.
  *
  * @since 0.1
  */
@@ -58,6 +59,7 @@ public final class HomeAssistant implements AutoCloseable {
     private final Set<HomeReading> readings = new LinkedHashSet<>();
 
     private boolean described;
+    private @Nullable Errand errand;
     private @Nullable Vacuum vacuum;
     private @Nullable Thread thread;
     private volatile String lastFailure = "";
@@ -66,7 +68,6 @@ public final class HomeAssistant implements AutoCloseable {
      * Shows {@code converter} there.
      *
      * @param converter built
-     * @throws IllegalArgumentException if the address names certificates that cannot be read
      */
     public HomeAssistant(SystemEventConverter converter, BrokerAddress address) {
         this.converter = converter;
@@ -86,13 +87,50 @@ public final class HomeAssistant implements AutoCloseable {
         return this;
     }
 
+    /**
+     * Has the controller's events raised, one after the other, that take the new model to a state: as a person would press
+     * buttons. Returns after the first; ends what it was told before. It gives up after a minute.
+     *
+     * @param state of the new model
+     * @throws IllegalStateException if nothing that a controller may raise leads there, or the converter is stopped
+     */
+    public void goTo(State state) {
+        Errand begun = new Errand(
+                converter.knowledge().models().evolved(),
+                HomeButtons.of(converter),
+                state,
+                controller::press,
+                converter.clock().nanoTime());
+        errand = null;
+        if (goOn(begun)) {
+            errand = begun;
+        }
+    }
+
+    /** Ends what {@link #goTo} has begun. */
+    public void stay() {
+        errand = null;
+    }
+
+    private boolean goOn(Errand begun) {
+        return begun.step(
+                converter.status().states().evolved(), converter.clock().nanoTime());
+    }
+
+    private void goOn() {
+        Errand begun = errand;
+        if (begun != null) {
+            obey(payload -> errand = goOn(begun) ? begun : null, "errand");
+        }
+    }
+
     /** The connection to the broker. */
     public BrokerConnection connection() {
         return connection;
     }
 
     /** Begins to connect, and to show the converter. */
-    public void open() {
+    public HomeAssistant open() {
         converter.addMonitor(controller);
         converter.addListener(new Listener());
         connection.will(Message.state(topics.availability(), "offline"));
@@ -119,6 +157,7 @@ public final class HomeAssistant implements AutoCloseable {
         thread.setDaemon(true);
         thread.start();
         connection.open();
+        return this;
     }
 
     private static Vacuum.Command command(String payload) {
@@ -175,6 +214,7 @@ public final class HomeAssistant implements AutoCloseable {
         try {
             while (!Thread.currentThread().isInterrupted()) {
                 show();
+                goOn();
                 Runnable next = inbox.poll(LOOK_MILLIS, TimeUnit.MILLISECONDS);
                 for (; next != null; next = inbox.poll()) {
                     next.run();
