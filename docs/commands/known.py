@@ -75,6 +75,17 @@ KNOWN = [
     Known("./evoloop test --stress", why_not="takes some minutes of both processors; a test run of its own"),
     typed("./evoloop lightbulb", input="start\nswitch\nstatus\nexit\n", shows="switch"),
     typed("./evoloop lightbulb --help", shows="--models"),
+    Known(
+        "./evoloop lightbulb --start --mqtt mqtt://homeassistant.local",
+        run="./evoloop lightbulb --start --mqtt mqtt://127.0.0.1:1",
+        input="switch\nexit\n",
+        shows="switch command",
+    ),
+    Known(
+        "EVOLOOP_MQTT_PASSWORD=SECRET ./evoloop roomba --port /dev/ttyUSB0 --start --mqtt mqtt://USER@homeassistant.local",
+        run=f"EVOLOOP_MQTT_PASSWORD=SECRET ./evoloop roomba --port {ROBOT} --start --mqtt mqtt://USER@127.0.0.1:1",
+        input="status\nexit\n",
+    ),
     Known("./evoloop lightbulb --start --name lamp < /dev/null &", why_not="goes on until somebody ends it; ServiceProcessTest runs one"),
     typed("./evoloop ctl", shows=""),
     Known("./evoloop ctl lamp status --json", run="./evoloop ctl --help", shows="status --json"),
