@@ -72,6 +72,7 @@ KNOWN = [
     Known("./evoloop test", why_not=THIS),
     Known("./evoloop test --slow", why_not=THIS),
     Known("./evoloop test --interop", why_not="network: fetches clients from PyPI; a test run of its own"),
+    Known("./evoloop test --home-assistant", why_not="root and network: a Debian of its own; a test run of its own"),
     Known("./evoloop test --stress", why_not="takes some minutes of both processors; a test run of its own"),
     typed("./evoloop lightbulb", input="start\nswitch\nstatus\nexit\n", shows="switch"),
     typed("./evoloop lightbulb --help", shows="--models"),
