@@ -23,9 +23,19 @@ homeassistant:
   name: Test
 logger:
   default: warning
-mqtt_statestream:
-  base_topic: mirror
+mqtt:
 automation:
+  - alias: tell
+    mode: parallel
+    max: 50
+    triggers:
+      - trigger: mqtt
+        topic: test/ask
+    actions:
+      - action: mqtt.publish
+        data:
+          topic: "test/told/{{ trigger.payload }}"
+          payload: "{{ states(trigger.payload) }}"
   - alias: call
     mode: parallel
     max: 50
@@ -122,8 +132,9 @@ class House:
         subprocess.run(["mosquitto_pub", "-p", str(self.port), "-t", topic, "-m", payload], check=True)
 
     def shown(self, entity: str) -> str:
-        """What Home Assistant shows."""
-        return self.newest.get(f"mirror/{entity.replace('.', '/')}/state", "")
+        """What Home Assistant has shown lately; it is asked again."""
+        self.publish("test/ask", entity)
+        return self.newest.pop(f"test/told/{entity}", "")
 
     def wait_shown(self, entity: str, state: str) -> None:
         self.wait(f"{entity} {state}", lambda: self.shown(entity) == state)

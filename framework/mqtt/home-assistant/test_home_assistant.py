@@ -77,8 +77,6 @@ class HomeAssistantTest(unittest.TestCase):
     def test_5_no_state_is_lost_with_home_assistant(self) -> None:
         for _ in range(HOME_ASSISTANT_RESTARTS):
             self.house.stop("home-assistant")
-            for topic in [topic for topic in self.house.newest if topic.startswith("mirror/")]:
-                del self.house.newest[topic]
             self.house.start_home_assistant()
             self.house.wait_shown("sensor.lamp_state", "on")
             self.house.wait_shown("vacuum.roomba", "idle")
