@@ -154,7 +154,7 @@ class House:
     @staticmethod
     def _concerns(line: str) -> bool:
         # Home Assistant's own trouble with its broker, which the test ends, is no warning of ours.
-        return "evoloop" in line.lower() or ("mqtt" in line and "onnect" not in line)
+        return "evoloop" in line.lower() or ("mqtt" in line and "onnect" not in line and "No ACK" not in line)
 
     def close(self) -> None:
         for name in list(self.processes):
