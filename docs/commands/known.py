@@ -80,7 +80,6 @@ KNOWN = [
         "./evoloop lightbulb --start --mqtt mqtt://homeassistant.local",
         run="./evoloop lightbulb --start --mqtt mqtt://127.0.0.1:1",
         input="switch\nexit\n",
-        shows="switch command",
     ),
     Known(
         "EVOLOOP_MQTT_PASSWORD=SECRET ./evoloop roomba --port /dev/ttyUSB0 --start --mqtt mqtt://USER@homeassistant.local",

@@ -14,7 +14,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 PROJECT = Path(__file__).resolve().parents[3]
-ROOT = Path(os.environ.get("EVOLOOP_HOME_ASSISTANT", PROJECT / "target/home-assistant"))
+ROOT = Path(os.environ.get("EVOLOOP_HOME_ASSISTANT", PROJECT / "target/home-assistant-root"))
 BROKER = shutil.which("mosquitto", path=os.environ["PATH"] + ":/usr/sbin") or "mosquitto"
 PATIENCE_S = 120
 

@@ -39,7 +39,8 @@ import org.slf4j.LoggerFactory;
  * <p>Lifecycle: made when the converter has been built; {@link #vacuum} and {@link #choice}; {@link #open}, which does not wait
  * for the broker; {@link #close}, after which the device is unavailable.
  *
- * <p>Threading: {@link #open} and what comes before on one thread; {@link #goTo} and {@link #stay} for the vacuum, on its. The converter's threads never wait for the broker.
+ * <p>Threading: {@link #open} and what comes before on one thread; {@link #goTo} for the vacuum, on its. The converter's
+ * threads never wait for the broker.
  *
  * @since 0.1
  */
@@ -107,11 +108,6 @@ public final class HomeAssistant implements AutoCloseable {
         }
     }
 
-    /** Ends what {@link #goTo} has begun. */
-    public void stay() {
-        errand = null;
-    }
-
     private boolean goOn(Errand begun) {
         return begun.step(
                 converter.status().states().evolved(), converter.clock().nanoTime());
@@ -122,11 +118,6 @@ public final class HomeAssistant implements AutoCloseable {
         if (begun != null) {
             obey(payload -> errand = goOn(begun) ? begun : null, "errand");
         }
-    }
-
-    /** The connection to the broker. */
-    public BrokerConnection connection() {
-        return connection;
     }
 
     /** Begins to connect, and to show the converter. */
