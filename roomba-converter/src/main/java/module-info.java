@@ -6,6 +6,7 @@ module org.evoloop.roomba {
     requires info.picocli;
     requires org.evoloop.console;
     requires org.evoloop.journal;
+    requires org.evoloop.mqtt;
     requires org.evoloop.page;
     requires org.evoloop.program;
     requires org.evoloop.roomba.camera;

@@ -12,6 +12,8 @@ import org.evoloop.evolution.ModelPair;
 import org.evoloop.journal.Journal;
 import org.evoloop.journal.JournalException;
 import org.evoloop.loop.LoopConfig;
+import org.evoloop.mqtt.BrokerAddress;
+import org.evoloop.mqtt.HomeAssistant;
 import org.evoloop.page.Page;
 import org.evoloop.page.PageOptions;
 import org.evoloop.service.Service;
@@ -45,6 +47,8 @@ public final class Main {
         XmiFile machines = XmiFile.read(file);
         ModelPair models = new ModelPair(machines.pick("original"), machines.pick("new"));
 
+        String mqtt = unattended.mqtt();
+        BrokerAddress broker = mqtt == null ? null : BrokerAddress.parse(mqtt, System.getenv());
         Lamp lamp = new Lamp();
         PushMonitor wallSwitch = new PushMonitor("WallSwitch");
         try (Service service = Service.open(unattended);
@@ -64,6 +68,10 @@ public final class Main {
             console.addCommand(ConsoleCommand.of(
                     "switch", "operates the wall switch", (words, out) -> wallSwitch.press("switch")));
             Page.open(shown, console, System.err);
+            if (broker != null) {
+                HomeAssistant home = new HomeAssistant(converter, broker).open();
+                console.onEnd(reason -> home.close());
+            }
             return service.run(console);
         }
     }

@@ -144,6 +144,13 @@ class MainTest {
         assertRefused(program(ROOT, "--model"), "error: usage: java -jar lightbulb-example.jar [--models FILE]");
     }
 
+    @Test
+    void aBrokerThatIsNoneIsOneLineOfErrorWithoutItsPassword() throws Exception {
+        assertRefused(program(ROOT, "--mqtt", "broker"), "error: the broker's URL broker names no broker");
+        assertRefused(
+                program(ROOT, "--mqtt", "mqtt://ha:s3cret@b"), "error: the broker's URL mqtt://ha:***@b contains");
+    }
+
     private static void assertRefused(Process lamp, String error) throws Exception {
         assertThat(refusal(lamp)).singleElement().asString().startsWith(error);
     }

@@ -10,7 +10,10 @@ import java.util.concurrent.Callable;
 import java.util.function.IntFunction;
 import org.evoloop.console.Console;
 import org.evoloop.console.ConsoleCommand;
+import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.loop.LoopConfig;
+import org.evoloop.mqtt.BrokerAddress;
+import org.evoloop.mqtt.HomeAssistant;
 import org.evoloop.page.Page;
 import org.evoloop.page.PageOptions;
 import org.evoloop.page.Picture;
@@ -67,10 +70,13 @@ final class RoombaCommand implements Callable<Integer> {
                             + "still. A simulated robot has none.")
     private boolean noGuard;
 
+    private @Nullable BrokerAddress broker;
+
     @Override
     public Integer call() throws IOException, InterruptedException {
         double pace = checkedSpeed();
         PageOptions shown = unattended.page();
+        broker = unattended.broker();
         try (Service service = Service.open(unattended.options())) {
             String robotPort = port;
             if (robotPort != null) {
@@ -141,6 +147,7 @@ final class RoombaCommand implements Callable<Integer> {
                         .completing(before -> before.isEmpty() ? WorldCommands.NAMES : WorldCommands.BUTTON_NAMES));
             }
             Page.open(shown, console, System.err, world == null ? List.of() : pictures(world));
+            showAtHome(roomba, console);
             return service.run(console);
         }
     }
@@ -155,6 +162,18 @@ final class RoombaCommand implements Callable<Integer> {
         Picture sight =
                 new Picture("Camera", "What the robot's camera saw last, while Move looked", "image/jpeg", world::seen);
         return world.camera().isPresent() ? List.of(room, sight) : List.of(room);
+    }
+
+    private void showAtHome(RoombaConverter roomba, Console console) {
+        BrokerAddress address = broker;
+        if (address != null) {
+            SystemEventConverter converter = roomba.converter();
+            HomeAssistant home = new HomeAssistant(converter, address);
+            home.vacuum(new RoombaVacuum(
+                    home, roomba.session(), converter.knowledge().models()));
+            home.open();
+            console.onEnd(reason -> home.close());
+        }
     }
 
     private SessionOptions robotOptions(double pace) {

@@ -1,5 +1,6 @@
 package org.evoloop.roomba;
 
+import org.evoloop.mqtt.BrokerAddress;
 import org.evoloop.page.PageOptions;
 import org.evoloop.service.ServiceOptions;
 import org.jspecify.annotations.Nullable;
@@ -27,6 +28,24 @@ final class Unattended {
     /** @throws IllegalArgumentException if it is no address */
     PageOptions page() {
         return page == null ? PageOptions.none() : PageOptions.at(page);
+    }
+
+    @Option(
+            names = "--mqtt",
+            paramLabel = "URL",
+            description =
+                    "Shows the robot in Home Assistant through this MQTT broker, mqtt://USER@HOST or mqtts://USER@HOST; "
+                            + "the password is in the environment, EVOLOOP_MQTT_PASSWORD (default: connects to none).")
+    private @Nullable String mqtt;
+
+    /**
+     * The broker; null if none is to be connected to.
+     *
+     * @throws IllegalArgumentException if the URL names none
+     */
+    @Nullable
+    BrokerAddress broker() {
+        return mqtt == null ? null : BrokerAddress.parse(mqtt, System.getenv());
     }
 
     /** @throws IllegalArgumentException if the name is not one */

@@ -1,6 +1,8 @@
 package org.evoloop.converter;
 
 import java.util.List;
+import java.util.Set;
+import java.util.stream.Collectors;
 import org.evoloop.core.Output;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Step;
@@ -44,6 +46,13 @@ final class Carrier {
 
     List<EventExecute> executes() {
         return executes;
+    }
+
+    /** What they can send. */
+    Set<Event> sendable() {
+        return executes().stream()
+                .flatMap(execute -> execute.events().stream())
+                .collect(Collectors.toUnmodifiableSet());
     }
 
     /** Which execute component goes on with {@code plan}; null if it has been carried out. */

@@ -12,6 +12,7 @@ import org.evoloop.evolution.Occurrence;
 import org.evoloop.loop.Component;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.loop.LoopState;
+import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.ModelException;
 import org.evoloop.time.Clock;
 import org.evoloop.time.Threads;
@@ -461,6 +462,11 @@ public final class SystemEventConverter implements AutoCloseable {
     /** What the converter knows. @throws IllegalStateException if it is not built yet */
     public StateKnowledge knowledge() {
         return built().knowledge;
+    }
+
+    /** The events that its execute components can send to the device. @throws IllegalStateException if it is not built yet */
+    public Set<Event> sendableEvents() {
+        return built().carrier.sendable();
     }
 
     /** A snapshot of the status. @throws IllegalStateException if the converter is not built yet */

@@ -14,26 +14,28 @@ import org.jspecify.annotations.Nullable;
  */
 public final class ServiceOptions {
     /** The names of the options, as they stand in a usage line. */
-    public static final String USAGE = "[--start] [--name NAME] [--journal DIR]";
+    public static final String USAGE = "[--start] [--name NAME] [--journal DIR] [--mqtt URL]";
 
     private final boolean start;
     private final @Nullable String name;
     private final @Nullable Path journal;
+    private final @Nullable String mqtt;
 
-    private ServiceOptions(boolean start, @Nullable String name, @Nullable Path journal) {
+    private ServiceOptions(boolean start, @Nullable String name, @Nullable Path journal, @Nullable String mqtt) {
         this.start = start;
         this.name = name;
         this.journal = journal;
+        this.mqtt = mqtt;
     }
 
-    /** An ordinary program with a console: nothing starts by itself, nothing listens, and nothing is kept. */
+    /** An ordinary program with a console: nothing starts by itself, nothing listens or connects, and nothing is kept. */
     public static ServiceOptions none() {
-        return new ServiceOptions(false, null, null);
+        return new ServiceOptions(false, null, null, null);
     }
 
     /** The same for a program that opens its loop at once, and goes on when its standard input ends. */
     public ServiceOptions withStart() {
-        return new ServiceOptions(true, name, journal);
+        return new ServiceOptions(true, name, journal, mqtt);
     }
 
     /**
@@ -43,12 +45,17 @@ public final class ServiceOptions {
      */
     public ServiceOptions withName(String instance) {
         Instances.requireName(instance);
-        return new ServiceOptions(start, instance, journal);
+        return new ServiceOptions(start, instance, journal, mqtt);
     }
 
     /** The same for a program whose converter keeps its journal in this directory. */
     public ServiceOptions withJournal(Path directory) {
-        return new ServiceOptions(start, name, directory);
+        return new ServiceOptions(start, name, directory, mqtt);
+    }
+
+    /** The same for a program whose converter is shown and operated through the MQTT broker of this URL. */
+    public ServiceOptions withMqtt(String url) {
+        return new ServiceOptions(start, name, journal, url);
     }
 
     /** Whether the loop is opened at once, and the end of the standard input ends nothing. */
@@ -66,11 +73,16 @@ public final class ServiceOptions {
         return journal;
     }
 
+    /** The URL of the MQTT broker through which its converter is shown and operated; null if it connects to none. */
+    public @Nullable String mqtt() {
+        return mqtt;
+    }
+
     /**
-     * Takes {@code --start}, {@code --name NAME} and {@code --journal DIR} out of a command line.
+     * Takes {@code --start}, {@code --name NAME}, {@code --journal DIR} and {@code --mqtt URL} out of a command line.
      *
      * @param arguments a list that can be changed; what is left is the program's own
-     * @throws IllegalArgumentException if the name or the directory is missing, or the name is not one
+     * @throws IllegalArgumentException if the name, the directory or the URL is missing, or the name is not one
      */
     public static ServiceOptions takeFrom(List<String> arguments) {
         ServiceOptions taken = none();
@@ -84,6 +96,8 @@ public final class ServiceOptions {
             } else if (next.equals("--journal")) {
                 taken = taken.withJournal(
                         Path.of(value(rest, "--journal needs a directory, as in --journal /var/lib/lamp")));
+            } else if (next.equals("--mqtt")) {
+                taken = taken.withMqtt(value(rest, "--mqtt needs a broker, as in --mqtt mqtt://ha@broker"));
             }
         }
         return taken;

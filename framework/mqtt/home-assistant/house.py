@@ -1,0 +1,161 @@
+"""A broker, the real Home Assistant and Evoloop's programs, as processes of a test."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import signal
+import socket
+import subprocess
+import threading
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+PROJECT = Path(__file__).resolve().parents[3]
+ROOT = Path(os.environ.get("EVOLOOP_HOME_ASSISTANT", PROJECT / "target/home-assistant-root"))
+BROKER = shutil.which("mosquitto", path=os.environ["PATH"] + ":/usr/sbin") or "mosquitto"
+PATIENCE_S = 120
+
+CONFIGURATION = """
+homeassistant:
+  name: Test
+logger:
+  default: warning
+mqtt:
+automation:
+  - alias: tell
+    mode: parallel
+    max: 50
+    triggers:
+      - trigger: mqtt
+        topic: test/ask
+    actions:
+      - action: mqtt.publish
+        data:
+          topic: "test/told/{{ trigger.payload }}"
+          payload: "{{ states(trigger.payload) }}"
+  - alias: call
+    mode: parallel
+    max: 50
+    triggers:
+      - trigger: mqtt
+        topic: test/call
+    actions:
+      - action: "{{ trigger.payload_json.action }}"
+        target:
+          entity_id: "{{ trigger.payload_json.entity }}"
+"""
+
+
+def free_port() -> int:
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        return int(probe.getsockname()[1])
+
+
+class House:
+    """What is in a house with one broker that forgets everything when it ends."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+        self.port = free_port()
+        self.newest: dict[str, str] = {}
+        self.processes: dict[str, subprocess.Popen[bytes]] = {}
+        (folder / "broker.conf").write_text(f"listener {self.port} 127.0.0.1\nallow_anonymous true\npersistence false\n")
+        self.start_broker()
+        self._configure()
+
+    def _configure(self) -> None:
+        config = ROOT / "config"
+        shutil.rmtree(config, ignore_errors=True)
+        (config / ".storage").mkdir(parents=True)
+        (config / "configuration.yaml").write_text(CONFIGURATION)
+        entry = {
+            "created_at": "2026-11-01T00:00:00+00:00", "modified_at": "2026-11-01T00:00:00+00:00",
+            "data": {"broker": "127.0.0.1", "port": self.port, "protocol": "5"}, "options": {"discovery": True},
+            "disabled_by": None, "discovery_keys": {}, "domain": "mqtt", "entry_id": "01J0000000000000000000MQTT",
+            "version": 2, "minor_version": 1, "pref_disable_new_entities": False, "pref_disable_polling": False,
+            "source": "user", "subentries": [], "title": "broker", "unique_id": None,
+        }
+        stored = {"version": 1, "minor_version": 5, "key": "core.config_entries", "data": {"entries": [entry]}}
+        (config / ".storage/core.config_entries").write_text(json.dumps(stored))
+
+    def start(self, name: str, command: list[str]) -> None:
+        with (self.folder / f"{name}.log").open("ab") as log:
+            self.processes[name] = subprocess.Popen(
+                command, stdin=subprocess.DEVNULL, stdout=log, stderr=subprocess.STDOUT, start_new_session=True
+            )
+
+    def stop(self, name: str, how: signal.Signals = signal.SIGTERM) -> None:
+        process = self.processes.pop(name)
+        process.send_signal(how)
+        process.wait(PATIENCE_S)
+
+    def start_broker(self) -> None:
+        self.start("broker", [BROKER, "-c", str(self.folder / "broker.conf")])
+        self.wait("the broker", self._listens)
+        self.newest.clear()
+        listener = subprocess.Popen(
+            ["mosquitto_sub", "-p", str(self.port), "-t", "#", "-v"], stdout=subprocess.PIPE, start_new_session=True
+        )
+        self.processes["listener"] = listener
+        threading.Thread(target=self._listen, args=(listener,), daemon=True).start()
+
+    def _listens(self) -> bool:
+        with socket.socket() as probe:
+            return probe.connect_ex(("127.0.0.1", self.port)) == 0
+
+    def _listen(self, listener: subprocess.Popen[bytes]) -> None:
+        assert listener.stdout is not None
+        with listener.stdout as lines:
+            for line in lines:
+                topic, _, payload = line.decode().rstrip("\n").partition(" ")
+                self.newest[topic] = payload
+
+    def stop_broker(self) -> None:
+        self.stop("listener")
+        self.stop("broker", signal.SIGKILL)
+
+    def start_home_assistant(self) -> None:
+        self.newest.pop("homeassistant/status", None)
+        # /proc is there for this process only, so nothing stays mounted.
+        inside = 'mount -t proc proc "$0/proc" && exec chroot "$0" /venv/bin/hass -c /config'
+        self.start("home-assistant", ["unshare", "--mount", "sh", "-c", inside, str(ROOT)])
+        self.wait("Home Assistant's birth", lambda: self.newest.get("homeassistant/status") == "online")
+
+    def call(self, action: str, entity: str) -> None:
+        self.publish("test/call", json.dumps({"action": action, "entity": entity}))
+
+    def publish(self, topic: str, payload: str) -> None:
+        subprocess.run(["mosquitto_pub", "-p", str(self.port), "-t", topic, "-m", payload], check=True)
+
+    def shown(self, entity: str) -> str:
+        """What Home Assistant has shown lately; it is asked again."""
+        self.publish("test/ask", entity)
+        return self.newest.pop(f"test/told/{entity}", "")
+
+    def wait_shown(self, entity: str, state: str) -> None:
+        self.wait(f"{entity} {state}", lambda: self.shown(entity) == state)
+
+    def wait(self, what: str, holds: Callable[[], bool]) -> None:
+        deadline = time.monotonic() + PATIENCE_S
+        while not holds():
+            if time.monotonic() > deadline:
+                raise AssertionError(f"{what}: not within {PATIENCE_S} s; last: {self.newest}")
+            time.sleep(0.05)
+
+    def warnings(self) -> list[str]:
+        """What Home Assistant has against what was published."""
+        lines = (self.folder / "home-assistant.log").read_text(errors="replace").splitlines()
+        return [line for line in lines if (" WARNING " in line or " ERROR " in line) and self._concerns(line)]
+
+    @staticmethod
+    def _concerns(line: str) -> bool:
+        # Home Assistant's own trouble with its broker, which the test ends, is no warning of ours.
+        return "evoloop" in line.lower() or ("mqtt" in line and "onnect" not in line and "No ACK" not in line)
+
+    def close(self) -> None:
+        for name in list(self.processes):
+            self.stop(name)

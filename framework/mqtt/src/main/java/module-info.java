@@ -1,0 +1,10 @@
+/** A converter at an MQTT broker, and in Home Assistant. */
+@SuppressWarnings("requires-automatic")
+module org.evoloop.mqtt {
+    requires static org.jspecify;
+    requires transitive org.evoloop.console;
+    requires com.hivemq.client.mqtt;
+    requires org.slf4j;
+
+    exports org.evoloop.mqtt;
+}

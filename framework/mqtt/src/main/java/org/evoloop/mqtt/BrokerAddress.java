@@ -1,0 +1,183 @@
+package org.evoloop.mqtt;
+
+import java.io.IOException;
+import java.net.URI;
+import java.net.URISyntaxException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Set;
+import javax.net.ssl.TrustManagerFactory;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Where a broker is and how one logs in: {@code mqtt://[USER@]HOST[:PORT]}, or {@code mqtts://} with TLS. After a question mark
+ * follow, separated by {@code &}:
+ *
+ * <ul>
+ *   <li>{@code id=ID}: what the converter is called at the broker (default: its name)
+ *   <li>{@code password-file=FILE}: a file that holds the user's password; else it is in the environment, see {@value
+ *       #PASSWORD}
+ *   <li>{@code ca=FILE}: with TLS, the certificates, in PEM, that the broker's is signed with (default: those that Java trusts)
+ *   <li>{@code discovery=PREFIX}: where Home Assistant looks for devices (default: {@code homeassistant})
+ * </ul>
+ *
+ * <p>Threading: immutable. Its text holds no password.
+ *
+ * @since 0.1
+ */
+public final class BrokerAddress {
+    /** The environment variable that holds the password. */
+    public static final String PASSWORD = "EVOLOOP_MQTT_PASSWORD";
+
+    private static final Set<String> PARAMETERS = Set.of("id", "password-file", "ca", "discovery");
+    private static final String EXAMPLE = "give it as mqtt://HOST, mqtt://USER@HOST:1883 or mqtts://USER@HOST";
+
+    private final boolean tls;
+    private final String host;
+    private final int port;
+    private final @Nullable String user;
+    private final @Nullable String password;
+    private final @Nullable TrustManagerFactory trust;
+    private final Map<String, String> parameters;
+
+    private BrokerAddress(URI uri, Map<String, String> parameters, @Nullable String password) {
+        this.tls = "mqtts".equals(uri.getScheme());
+        this.host = uri.getHost();
+        this.port = uri.getPort() >= 0 ? uri.getPort() : tls ? 8883 : 1883;
+        this.user = uri.getUserInfo();
+        this.parameters = parameters;
+        this.password = password;
+        String certificates = parameters.get("ca");
+        this.trust = certificates == null ? null : Trust.in(Path.of(certificates));
+    }
+
+    /**
+     * Reads an address.
+     *
+     * @param environment where the password may be
+     * @throws IllegalArgumentException if it is none, or names a file that cannot be read; the message says what is wrong and shows no password
+     */
+    public static BrokerAddress parse(String url, Map<String, String> environment) {
+        URI uri;
+        try {
+            uri = new URI(url);
+        } catch (URISyntaxException malformed) {
+            throw new IllegalArgumentException(
+                    "the broker's URL " + masked(url) + " cannot be read: " + malformed.getReason() + "; " + EXAMPLE);
+        }
+        String path = uri.getPath();
+        if (!("mqtt".equals(uri.getScheme()) || "mqtts".equals(uri.getScheme()))
+                || uri.getHost() == null
+                || uri.getPort() == 0
+                || uri.getPort() > 65_535
+                || uri.getFragment() != null
+                || !(path == null || path.isEmpty() || path.equals("/"))) {
+            throw new IllegalArgumentException("the broker's URL " + masked(url) + " names no broker; " + EXAMPLE);
+        }
+        String user = uri.getUserInfo();
+        if (user != null && user.contains(":")) {
+            throw new IllegalArgumentException("the broker's URL " + masked(url)
+                    + " contains a password, which everybody on this computer can see; leave it out, and put it into the "
+                    + "environment as " + PASSWORD + " or into a file, with ?password-file=FILE");
+        }
+        Map<String, String> parameters = parameters(uri);
+        return new BrokerAddress(uri, parameters, password(user, parameters, environment));
+    }
+
+    private static Map<String, String> parameters(URI uri) {
+        Map<String, String> found = new LinkedHashMap<>();
+        String query = uri.getQuery();
+        for (String each : query == null ? new String[0] : query.split("&")) {
+            String[] parts = each.split("=", 2);
+            if (!PARAMETERS.contains(parts[0]) || parts.length < 2 || parts[1].isEmpty()) {
+                throw new IllegalArgumentException(
+                        "the broker's URL " + masked(uri.toString()) + " has '" + parts[0]
+                                + "' after its question mark; there are id=ID, password-file=FILE, ca=FILE and discovery=PREFIX");
+            }
+            found.put(parts[0], parts[1]);
+        }
+        requireMatch(found.get("id"), "id", "[A-Za-z0-9_-]{1,64}", "letters, digits, _ and -, 64 at most");
+        requireMatch(found.get("discovery"), "discovery", "[^#+\\p{Cntrl}]{1,100}", "a topic, without # and +");
+        if (found.containsKey("ca") && !"mqtts".equals(uri.getScheme())) {
+            throw new IllegalArgumentException("the broker's URL " + masked(uri.toString())
+                    + " names certificates, but mqtt:// uses none; begin it with mqtts://");
+        }
+        return found;
+    }
+
+    private static void requireMatch(@Nullable String value, String name, String pattern, String allowed) {
+        if (value != null && !value.matches(pattern)) {
+            throw new IllegalArgumentException(
+                    "the broker's URL has " + name + "=" + value + "; allowed are " + allowed);
+        }
+    }
+
+    private static @Nullable String password(
+            @Nullable String user, Map<String, String> parameters, Map<String, String> environment) {
+        String file = parameters.get("password-file");
+        if (file == null) {
+            return user == null ? null : environment.get(PASSWORD);
+        }
+        if (user == null) {
+            throw new IllegalArgumentException(
+                    "the broker's URL names a password-file, but no user; write the user before the host: mqtt://USER@HOST");
+        }
+        try {
+            return Files.readString(Path.of(file)).strip();
+        } catch (IOException unreadable) {
+            throw new IllegalArgumentException("the file with the broker's password cannot be read: " + file
+                    + "; check that it is there, and that this user may read it");
+        }
+    }
+
+    /** The same text without what looks like a password. */
+    private static String masked(String url) {
+        return url.replaceFirst("(//[^/@]*?):.*@", "$1:***@");
+    }
+
+    boolean tls() {
+        return tls;
+    }
+
+    String host() {
+        return host;
+    }
+
+    int port() {
+        return port;
+    }
+
+    @Nullable
+    String user() {
+        return user;
+    }
+
+    @Nullable
+    String password() {
+        return password;
+    }
+
+    /** The certificates that the broker's is signed with; null for those that Java trusts. */
+    @Nullable
+    TrustManagerFactory trust() {
+        return trust;
+    }
+
+    /** What the converter of this name is called at the broker: as the address says, or by its name. */
+    String id(String converter) {
+        String id = parameters.get("id");
+        return id == null ? converter.replaceAll("[^A-Za-z0-9_-]", "_") : id;
+    }
+
+    String discovery() {
+        return parameters.getOrDefault("discovery", "homeassistant");
+    }
+
+    /** For messages: {@code mqtts://ha@broker:8883}. */
+    @Override
+    public String toString() {
+        return (tls ? "mqtts://" : "mqtt://") + (user == null ? "" : user + "@") + host + ":" + port;
+    }
+}

@@ -1,0 +1,252 @@
+package org.evoloop.mqtt;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
+import org.evoloop.converter.DeviceLink;
+import org.evoloop.time.Threads;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * A connection to a broker that is made again whenever it is lost, with pauses of 250 ms to 30 s. After each connect every
+ * state is published again ({@link Message.Kind#STATE}), so nothing is lost of how things are, whatever the broker forgot.
+ * What is wrong is logged once, until it is something else or over.
+ *
+ * <p>Lifecycle: {@link #will} and {@link #subscribe}, then {@link #open}, which does not wait for the broker; {@link #close}.
+ *
+ * <p>Threading: all methods may be called from any thread. {@link #publish} never waits. Consumers are called on a thread of
+ * the client, one at a time, and must be quick.
+ *
+ * @since 0.1
+ */
+public final class BrokerConnection implements DeviceLink, AutoCloseable {
+    private static final Logger LOG = LoggerFactory.getLogger(BrokerConnection.class);
+    /** A connection that is lost sooner counts as one more attempt: two clients of one name drop each other for ever. */
+    private static final Duration STABLE = Duration.ofSeconds(3);
+
+    private static final Duration END_LIMIT = Duration.ofSeconds(3);
+
+    private final BrokerAddress address;
+    private final String client;
+    private final Map<String, Consumer<Message>> consumers = new LinkedHashMap<>();
+    private final Outbox outbox = new Outbox();
+    private final Backoff backoff = new Backoff();
+    private final CountDownLatch closed = new CountDownLatch(1);
+    /** What has been said since a connection was stable. */
+    private final Set<String> said = new HashSet<>();
+
+    private final Set<String> deniedTopics = new HashSet<>();
+    /** Since when everything is there, by the monotonic clock; null while it is not. */
+    private @Nullable Long wellSince;
+
+    private @Nullable Message will;
+    private @Nullable Thread thread;
+    private volatile @Nullable HiveSession session;
+    private volatile boolean closing;
+    private volatile @Nullable Instant downSince = Instant.now();
+    private volatile String trouble;
+    private final AtomicLong connects = new AtomicLong();
+
+    /** @param client what the broker knows this client by; of two of one name it drops the older */
+    public BrokerConnection(BrokerAddress address, String client) {
+        this.address = address;
+        this.client = client;
+        this.trouble = address + " has not been reached yet";
+    }
+
+    /** What the broker publishes when this client is gone without a goodbye; before {@link #open}. */
+    public synchronized void will(Message message) {
+        will = message;
+    }
+
+    /**
+     * Has {@code consumer} called with what is published on this topic; before {@link #open}. A message that the broker had
+     * retained is a {@link Message.Kind#STATE}, any other a {@link Message.Kind#COMMAND}.
+     *
+     * @param topic without wildcards
+     * @throws IllegalStateException if it is open, or somebody has this topic already
+     */
+    public synchronized void subscribe(String topic, Consumer<Message> consumer) {
+        if (thread != null || consumers.putIfAbsent(topic, consumer) != null) {
+            throw new IllegalStateException("the topic " + topic + " of " + address
+                    + (thread != null ? " is to be subscribed to before the connection is opened" : " has a consumer"));
+        }
+    }
+
+    /** Begins to connect; does nothing if it was open before. */
+    public synchronized void open() {
+        if (thread == null) {
+            thread = new Thread(this::run, "mqtt-" + client);
+            thread.setDaemon(true);
+            thread.start();
+        }
+    }
+
+    /** Has a message published as soon as its {@linkplain Message.Kind kind} allows. */
+    public void publish(Message message) {
+        if (message.kind() != Message.Kind.COMMAND || isUp()) {
+            outbox.put(message);
+        }
+    }
+
+    /** Has every state published again. */
+    public void republish() {
+        outbox.republish();
+    }
+
+    /** How often it has been connected. */
+    public long connects() {
+        return connects.get();
+    }
+
+    /** How many messages were lost because too many waited. */
+    public long lost() {
+        return outbox.lost();
+    }
+
+    private void run() {
+        try {
+            while (!closing) {
+                connectAndServe();
+                if (!closing) {
+                    closed.await(pause().toMillis(), TimeUnit.MILLISECONDS);
+                }
+            }
+        } catch (InterruptedException end) {
+            // It is being closed.
+        }
+    }
+
+    private void connectAndServe() throws InterruptedException {
+        HiveSession.Setup setup;
+        synchronized (this) {
+            setup = new HiveSession.Setup(address, client, will, Set.copyOf(consumers.keySet()));
+        }
+        try (HiveSession made = HiveSession.connect(setup, this::receive, this::lost)) {
+            connects.incrementAndGet();
+            session = made;
+            downSince = null;
+            outbox.republish();
+            serve(made);
+        } catch (BrokerException failure) {
+            note(String.valueOf(failure.getMessage()));
+        } finally {
+            session = null;
+            if (downSince == null) {
+                downSince = Instant.now();
+            }
+            outbox.discardCommands();
+        }
+    }
+
+    private void serve(HiveSession made) throws BrokerException, InterruptedException {
+        BooleanSupplier worthIt = () -> made.isUp() && !(closing && outbox.isEmpty());
+        for (Message next = outbox.take(worthIt); next != null; next = outbox.take(worthIt)) {
+            try {
+                String denied = made.publish(next);
+                if (!denied.isEmpty() && deniedTopics.add(next.topic())) {
+                    LOG.warn("{}; the topic is {}", denied, next.topic());
+                }
+            } catch (BrokerException | InterruptedException failure) {
+                outbox.giveBack(next);
+                throw failure;
+            }
+            if (outbox.isEmpty() && made.isUp()) {
+                allIsWell();
+            }
+        }
+    }
+
+    /** Everything is at the broker. */
+    private synchronized void allIsWell() {
+        trouble = "";
+        if (wellSince == null) {
+            wellSince = System.nanoTime();
+            LOG.info("{} has everything", address);
+        }
+    }
+
+    private void lost(String why) {
+        if (session != null && !closing) {
+            note(why);
+        }
+        outbox.wake();
+    }
+
+    private synchronized void note(String why) {
+        Long since = wellSince;
+        wellSince = null;
+        if (since != null && System.nanoTime() - since >= STABLE.toNanos()) {
+            backoff.reset();
+            said.clear();
+        }
+        trouble = why;
+        if (said.add(why)) {
+            LOG.warn("{}; it is tried again until it works", why);
+        }
+    }
+
+    private synchronized Duration pause() {
+        return backoff.next();
+    }
+
+    private void receive(Message message) {
+        Consumer<Message> consumer;
+        synchronized (this) {
+            consumer = consumers.get(message.topic());
+        }
+        if (consumer != null) {
+            consumer.accept(message);
+        }
+    }
+
+    @Override
+    public boolean isUp() {
+        HiveSession now = session;
+        return now != null && now.isUp();
+    }
+
+    @Override
+    public Optional<Instant> downSince() {
+        return Optional.ofNullable(downSince);
+    }
+
+    @Override
+    public String describe() {
+        String wrong = trouble;
+        return wrong.isEmpty() ? address.toString() : wrong;
+    }
+
+    /** Publishes what waits, if the broker is there, says goodbye, and ends. Idempotent. */
+    @Override
+    public void close() {
+        closing = true;
+        closed.countDown();
+        outbox.wake();
+        Thread running;
+        synchronized (this) {
+            running = thread;
+        }
+        if (running == null) {
+            return;
+        }
+        if (!isUp()) {
+            running.interrupt();
+        }
+        if (!Threads.join(running, END_LIMIT)) {
+            running.interrupt();
+            LOG.warn("{} did not take everything within {} s", address, END_LIMIT.toSeconds());
+        }
+    }
+}

@@ -1,0 +1,98 @@
+package org.evoloop.mqtt;
+
+import com.hivemq.client.mqtt.exceptions.ConnectionClosedException;
+import com.hivemq.client.mqtt.mqtt5.exceptions.Mqtt5ConnAckException;
+import com.hivemq.client.mqtt.mqtt5.exceptions.Mqtt5DisconnectException;
+import com.hivemq.client.mqtt.mqtt5.exceptions.Mqtt5PubAckException;
+import com.hivemq.client.mqtt.mqtt5.exceptions.Mqtt5SubAckException;
+import com.hivemq.client.mqtt.mqtt5.message.connect.connack.Mqtt5ConnAckReasonCode;
+import com.hivemq.client.mqtt.mqtt5.message.disconnect.Mqtt5DisconnectReasonCode;
+import com.hivemq.client.mqtt.mqtt5.message.publish.puback.Mqtt5PubAckReasonCode;
+import java.net.ConnectException;
+import java.net.UnknownHostException;
+import java.security.cert.CertificateException;
+import javax.net.ssl.SSLException;
+import org.jspecify.annotations.Nullable;
+
+/** What went wrong with a broker, in words that say what to do. */
+final class BrokerFailure {
+    private BrokerFailure() {}
+
+    /** Whether the broker has refused a message that it would refuse again. */
+    static boolean isDenial(@Nullable Throwable failure) {
+        return failure instanceof Mqtt5PubAckException denied
+                && denied.getMqttMessage().getReasonCode() != Mqtt5PubAckReasonCode.QUOTA_EXCEEDED;
+    }
+
+    static String describe(BrokerAddress address, @Nullable Throwable failure) {
+        for (Throwable cause = failure; cause != null; cause = cause.getCause()) {
+            String known = known(address, cause);
+            if (known != null) {
+                return known;
+            }
+        }
+        return address + ": " + (failure == null ? "the connection is gone" : text(failure));
+    }
+
+    private static @Nullable String known(BrokerAddress address, Throwable cause) {
+        if (cause instanceof Mqtt5ConnAckException refused) {
+            return refused(address, refused.getMqttMessage().getReasonCode());
+        }
+        if (cause instanceof Mqtt5DisconnectException left) {
+            return left.getMqttMessage().getReasonCode() == Mqtt5DisconnectReasonCode.SESSION_TAKEN_OVER
+                    ? address
+                            + ": another program has logged in with the same id; give one of them another, with ?id=ID"
+                    : address + " has ended the connection: "
+                            + left.getMqttMessage().getReasonCode();
+        }
+        if (cause instanceof ConnectionClosedException) {
+            return address
+                    + " has ended the connection; if it does so again and again, another program may have the same "
+                    + "id: give one of them another, with ?id=ID";
+        }
+        if (cause instanceof Mqtt5SubAckException denied) {
+            return address + " does not let " + user(address) + " subscribe: "
+                    + denied.getMqttMessage().getReasonCodes() + "; check the broker's access list";
+        }
+        if (cause instanceof Mqtt5PubAckException denied) {
+            return address + " does not let " + user(address) + " publish: "
+                    + denied.getMqttMessage().getReasonCode() + "; check the broker's access list and its disk";
+        }
+        if (cause instanceof CertificateException) {
+            return address + ": the broker's certificate is not to be trusted: " + text(cause)
+                    + "; ?ca=FILE names the certificates that it is signed with";
+        }
+        if (cause instanceof SSLException && cause.getCause() == null) {
+            return address + ": there is no TLS with this broker: " + text(cause)
+                    + "; check the port, or begin the URL with mqtt:// if the broker has none";
+        }
+        if (cause instanceof UnknownHostException) {
+            return address + ": there is no computer of this name; check the URL and the network";
+        }
+        if (cause instanceof ConnectException) {
+            return address + " cannot be reached; check that the broker runs there, and the port";
+        }
+        return null;
+    }
+
+    private static String refused(BrokerAddress address, Mqtt5ConnAckReasonCode code) {
+        return switch (code) {
+            case BAD_USER_NAME_OR_PASSWORD, NOT_AUTHORIZED ->
+                address + " refuses the login of " + user(address)
+                        + "; check the user in the URL, and the password in " + BrokerAddress.PASSWORD
+                        + " or the password-file";
+            case UNSUPPORTED_PROTOCOL_VERSION ->
+                address + " does not know MQTT 5; a newer broker does, such as Mosquitto from 1.6 on";
+            default -> address + " refuses the connection: " + code;
+        };
+    }
+
+    private static String user(BrokerAddress address) {
+        return address.user() == null ? "a client without a user" : "user " + address.user();
+    }
+
+    private static String text(Throwable cause) {
+        String message = cause.getMessage();
+        return message == null ? cause.getClass().getSimpleName() : message.replaceAll("\\s+", " ");
+    }
+}

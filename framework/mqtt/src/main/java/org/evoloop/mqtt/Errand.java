@@ -1,0 +1,115 @@
+package org.evoloop.mqtt;
+
+import java.time.Duration;
+import java.util.ArrayDeque;
+import java.util.Comparator;
+import java.util.Deque;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.function.Consumer;
+import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.State;
+import org.evoloop.statemachine.StateMachine;
+import org.evoloop.statemachine.Transition;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Takes the evolved system to a state by what a controller may raise, one event after the other, and waits for timers in
+ * between: from a state that waits for a second press, say.
+ *
+ * <p>Threading: not thread-safe.
+ */
+final class Errand {
+    static final Duration LIMIT = Duration.ofMinutes(1);
+
+    private final StateMachine evolved;
+    private final Set<String> raisable;
+    private final State goal;
+    private final Consumer<String> press;
+    private final long deadlineNanos;
+    private @Nullable State pressedIn;
+
+    /**
+     * To {@code goal}.
+     *
+     * @param evolved the new model
+     * @param raisable the events that may be pressed
+     * @param press presses one
+     * @param nowNanos the time, by the converter's clock
+     */
+    Errand(StateMachine evolved, Set<String> raisable, State goal, Consumer<String> press, long nowNanos) {
+        this.evolved = evolved;
+        this.raisable = raisable;
+        this.goal = goal;
+        this.press = press;
+        this.deadlineNanos = nowNanos + LIMIT.toNanos();
+    }
+
+    /**
+     * Takes the next step, if it is time for it.
+     *
+     * @param now where the evolved system is
+     * @return whether there is more to do
+     * @throws IllegalStateException if nothing leads to the goal
+     */
+    boolean step(State now, long nowNanos) {
+        if (evolved.alike(goal).contains(now) || nowNanos - deadlineNanos > 0) {
+            return false;
+        }
+        if (now.equals(pressedIn)) {
+            return true;
+        }
+        Event next = firstStep(now);
+        if (next == null || !(mayRaise(next) || isTimer(next))) {
+            if (pressedIn != null) {
+                // The rest is up to the functions and the device.
+                return false;
+            }
+            throw new IllegalStateException("nothing that a controller may raise leads from " + now + " to " + goal);
+        }
+        if (mayRaise(next)) {
+            pressedIn = now;
+            press.accept(next.trigger().name());
+        }
+        return true;
+    }
+
+    private boolean mayRaise(Event event) {
+        return raisable.contains(event.name());
+    }
+
+    private static boolean isTimer(Event event) {
+        return event.timeTrigger().isPresent() || event.name().equals("timeout");
+    }
+
+    /** The first event of a cheapest way. */
+    private @Nullable Event firstStep(State from) {
+        Map<State, Integer> costs = new HashMap<>(Map.of(from, 0));
+        Map<State, Event> first = new HashMap<>();
+        Deque<State> changed = new ArrayDeque<>(List.of(from));
+        while (!changed.isEmpty()) {
+            State state = changed.remove();
+            for (Transition transition : evolved.transitionsFrom(state)) {
+                State target = transition.target();
+                int cost = costs.getOrDefault(state, 0) + cost(transition.event());
+                if (cost < costs.getOrDefault(target, Integer.MAX_VALUE)) {
+                    costs.put(target, cost);
+                    first.put(target, state.equals(from) ? transition.event() : first.get(state));
+                    changed.add(target);
+                }
+            }
+        }
+        return evolved.alike(goal).stream()
+                .filter(first::containsKey)
+                .min(Comparator.comparing(costs::get))
+                .map(first::get)
+                .orElse(null);
+    }
+
+    /** Waiting for a timer beats a detour through other work; what device and functions do may never come. */
+    private int cost(Event event) {
+        return mayRaise(event) ? 2 : isTimer(event) ? 1 : 20;
+    }
+}

@@ -1,0 +1,296 @@
+package org.evoloop.mqtt;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Set;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import org.evoloop.console.JsonObject;
+import org.evoloop.converter.ConverterListener;
+import org.evoloop.converter.ConverterStatus;
+import org.evoloop.converter.HistoryEntry;
+import org.evoloop.converter.PushMonitor;
+import org.evoloop.converter.SystemEventConverter;
+import org.evoloop.evolution.Configuration;
+import org.evoloop.evolution.Occurrence;
+import org.evoloop.function.Reading;
+import org.evoloop.loop.Failure;
+import org.evoloop.loop.LoopState;
+import org.evoloop.statemachine.State;
+import org.evoloop.time.Threads;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Shows a converter in Home Assistant, and has it operated there: one device with the states of both models, the events
+ * and what became of them, buttons for what a controller may raise, what is known of the device, and how the converter fares.
+ *
+ * <pre>{@code
+ * try (HomeAssistant home = new HomeAssistant(converter, BrokerAddress.parse("mqtt://ha@broker", System.getenv()))) {
+ *     home.open();
+ *     return service.run(console);
+ * }
+ * }</pre>
+ *
+ * <p>Lifecycle: made when the converter has been built; {@link #vacuum} and {@link #choice}; {@link #open}, which does not wait
+ * for the broker; {@link #close}, after which the device is unavailable.
+ *
+ * <p>Threading: {@link #open} and what comes before on one thread; {@link #goTo} for the vacuum, on its. The converter's
+ * threads never wait for the broker.
+ *
+ * @since 0.1
+ */
+public final class HomeAssistant implements AutoCloseable {
+    private static final Logger LOG = LoggerFactory.getLogger(HomeAssistant.class);
+    private static final long LOOK_MILLIS = 500;
+    private static final int MOST_COMMANDS = 64;
+    private static final Duration END_LIMIT = Duration.ofSeconds(2);
+
+    private final SystemEventConverter converter;
+    private final HomeTopics topics;
+    private final BrokerConnection connection;
+    private final PushMonitor controller = new PushMonitor("HomeAssistant");
+    private final LinkedBlockingQueue<Runnable> inbox = new LinkedBlockingQueue<>(MOST_COMMANDS);
+    private final List<Choice> choices = new ArrayList<>();
+    /** Those that were ever there: an entity does not go when its device cannot be reached. */
+    private final Set<HomeReading> readings = new LinkedHashSet<>();
+
+    private boolean described;
+    private @Nullable Errand errand;
+    private @Nullable Vacuum vacuum;
+    private @Nullable Thread thread;
+    private volatile String lastFailure = "";
+
+    /**
+     * Shows {@code converter} there.
+     *
+     * @param converter built
+     */
+    public HomeAssistant(SystemEventConverter converter, BrokerAddress address) {
+        this.converter = converter;
+        this.topics = new HomeTopics(address.id(converter.status().name()), address.discovery());
+        this.connection = new BrokerConnection(address, "evoloop-" + topics.id());
+    }
+
+    /** Shows it as a vacuum as well; before {@link #open}. */
+    public HomeAssistant vacuum(Vacuum shown) {
+        vacuum = shown;
+        return this;
+    }
+
+    /** Lets something be chosen; before {@link #open}. */
+    public HomeAssistant choice(Choice offered) {
+        choices.add(offered);
+        return this;
+    }
+
+    /**
+     * Has the controller's events raised, one after the other, that take the new model to a state: as a person would press
+     * buttons. Returns after the first; ends what it was told before. It gives up after a minute.
+     *
+     * @param state of the new model
+     * @throws IllegalStateException if nothing that a controller may raise leads there, or the converter is stopped
+     */
+    public void goTo(State state) {
+        Errand begun = new Errand(
+                converter.knowledge().models().evolved(),
+                HomeButtons.of(converter),
+                state,
+                controller::press,
+                converter.clock().nanoTime());
+        errand = null;
+        if (goOn(begun)) {
+            errand = begun;
+        }
+    }
+
+    private boolean goOn(Errand begun) {
+        return begun.step(
+                converter.status().states().evolved(), converter.clock().nanoTime());
+    }
+
+    private void goOn() {
+        Errand begun = errand;
+        if (begun != null) {
+            obey(payload -> errand = goOn(begun) ? begun : null, "errand");
+        }
+    }
+
+    /** Begins to connect, and to show the converter. */
+    public HomeAssistant open() {
+        converter.addMonitor(controller);
+        converter.addListener(new Listener());
+        connection.will(Message.state(topics.availability(), "offline"));
+        connection.subscribe(topics.birth(), message -> {
+            if (message.payload().equals("online")) {
+                connection.republish();
+            }
+        });
+        obey(topics.press(), controller::press);
+        obey(topics.converting(), this::convert);
+        Vacuum shown = vacuum;
+        if (shown != null) {
+            obey(topics.vacuumCommand(), command -> shown.perform(command(command)));
+        }
+        for (Choice choice : choices) {
+            obey(topics.choice(choice.key()), wanted -> {
+                if (!choice.options().contains(wanted)) {
+                    throw new IllegalArgumentException("there is no " + choice.name() + " " + wanted);
+                }
+                choice.choose().accept(wanted);
+            });
+        }
+        thread = new Thread(this::run, "mqtt-home-" + topics.id());
+        thread.setDaemon(true);
+        thread.start();
+        connection.open();
+        return this;
+    }
+
+    private static Vacuum.Command command(String payload) {
+        for (Vacuum.Command command : Vacuum.Command.values()) {
+            if (command.name().toLowerCase(Locale.ROOT).equals(payload)) {
+                return command;
+            }
+        }
+        throw new IllegalArgumentException("a vacuum has no command " + payload);
+    }
+
+    private void convert(String payload) {
+        switch (payload) {
+            case "ON" -> converter.start();
+            case "OFF" -> converter.stop();
+            default -> throw new IllegalArgumentException("converting is ON or OFF, not " + payload);
+        }
+    }
+
+    /** What is done on a command. */
+    private interface Action {
+        void obey(String payload) throws Exception;
+    }
+
+    private void obey(String topic, Action action) {
+        connection.subscribe(topic, message -> {
+            String payload = message.payload();
+            if (message.kind() == Message.Kind.STATE) {
+                LOG.warn(
+                        "the command '{}' on {} was retained by the broker, so it is old and ignored; publish it "
+                                + "without retain",
+                        payload,
+                        topic);
+            } else if (!inbox.offer(() -> obey(action, payload))) {
+                LOG.warn("more than {} commands wait; '{}' on {} is ignored", MOST_COMMANDS, payload, topic);
+            }
+        });
+    }
+
+    private void obey(Action action, String payload) {
+        try {
+            action.obey(payload);
+        } catch (InterruptedException end) {
+            Thread.currentThread().interrupt();
+        } catch (Exception refusal) {
+            String why = String.valueOf(refusal.getMessage());
+            LOG.debug("'{}' is refused", payload, refusal);
+            publish(Message.event(
+                    topics.decision(), HomeState.refusal(payload, why).toString()));
+        }
+    }
+
+    private void run() {
+        try {
+            while (!Thread.currentThread().isInterrupted()) {
+                show();
+                goOn();
+                Runnable next = inbox.poll(LOOK_MILLIS, TimeUnit.MILLISECONDS);
+                for (; next != null; next = inbox.poll()) {
+                    next.run();
+                }
+            }
+        } catch (InterruptedException end) {
+            // It is being closed.
+        }
+    }
+
+    private void show() {
+        ConverterStatus status = converter.status();
+        boolean more = !described;
+        for (Reading reading : HomeState.readings(status)) {
+            more |= readings.add(HomeReading.of(reading));
+        }
+        if (more) {
+            described = true;
+            publish(Message.state(topics.config(), config(status)));
+        }
+        publish(Message.state(
+                topics.state(), HomeState.state(status, choices, lastFailure).toString()));
+        Vacuum shown = vacuum;
+        if (shown != null) {
+            String activity = shown.activity(status).name().toLowerCase(Locale.ROOT);
+            publish(Message.state(
+                    topics.vacuum(), new JsonObject().put("state", activity).toString()));
+        }
+        publish(Message.state(
+                topics.diagnostics(), HomeState.diagnostics(status, connection).toString()));
+        boolean ended = status.loop() == LoopState.EXITED;
+        publish(Message.state(topics.availability(), ended ? "offline" : "online"));
+    }
+
+    private String config(ConverterStatus status) {
+        HomeDiscovery discovery = new HomeDiscovery(topics, status.name())
+                .converter(converter.knowledge().models(), HomeButtons.of(converter));
+        if (vacuum != null) {
+            discovery.vacuum();
+        }
+        if (status.link() != null) {
+            discovery.link();
+        }
+        readings.forEach(discovery::reading);
+        choices.forEach(discovery::choice);
+        return discovery.payload();
+    }
+
+    private void publish(Message message) {
+        connection.publish(message);
+    }
+
+    /** Wakes the thread, if it has nothing to do anyway. */
+    private void look() {
+        inbox.offer(() -> {});
+    }
+
+    private final class Listener implements ConverterListener {
+        @Override
+        public void ended(HistoryEntry entry) {
+            publish(Message.event(topics.decision(), HomeState.decision(entry).toString()));
+            look();
+        }
+
+        @Override
+        public void moved(Configuration before, Configuration after) {
+            look();
+        }
+
+        @Override
+        public void failed(Failure<Occurrence> failure) {
+            lastFailure = failure.toString();
+            look();
+        }
+    }
+
+    /** Tells that the converter is not there any more, and ends. Idempotent. */
+    @Override
+    public void close() {
+        Thread running = thread;
+        if (running != null) {
+            running.interrupt();
+            Threads.join(running, END_LIMIT);
+        }
+        publish(Message.state(topics.availability(), "offline"));
+        connection.close();
+    }
+}

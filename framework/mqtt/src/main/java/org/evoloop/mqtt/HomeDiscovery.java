@@ -1,0 +1,202 @@
+package org.evoloop.mqtt;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.List;
+import java.util.Locale;
+import java.util.function.UnaryOperator;
+import org.evoloop.console.JsonObject;
+import org.evoloop.core.Outcome;
+import org.evoloop.evolution.ModelPair;
+import org.evoloop.statemachine.State;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What Home Assistant is told of a converter: one device with its entities (Home Assistant, "MQTT", device discovery payload;
+ * as of 2026.11).
+ *
+ * <p>Threading: not thread-safe.
+ */
+final class HomeDiscovery {
+    /** The type of the event that a command was not obeyed. */
+    static final String REFUSED = "refused";
+
+    private static final String DIAGNOSTIC = "diagnostic";
+
+    private final HomeTopics topics;
+    private final String name;
+    private final JsonObject components = new JsonObject();
+
+    /** @param converter its name */
+    HomeDiscovery(HomeTopics topics, String converter) {
+        this.topics = topics;
+        this.name = converter.substring(0, 1).toUpperCase(Locale.ROOT) + converter.substring(1);
+    }
+
+    /** A name as it can stand in topics and the names of entities. */
+    static String key(String text) {
+        return text.replaceAll("(?<=[a-z0-9])(?=[A-Z])", "_")
+                .toLowerCase(Locale.ROOT)
+                .replaceAll("[^a-z0-9]+", "_");
+    }
+
+    /** What every converter has. */
+    HomeDiscovery converter(ModelPair models, Collection<String> buttons) {
+        states("device_state", "Device state", models.original().states());
+        states("state", "State", models.evolved().states());
+        add("event", "decision", "Decision", event -> {
+            List<String> types = new ArrayList<>();
+            for (Outcome outcome : Outcome.values()) {
+                types.add(outcome.name().toLowerCase(Locale.ROOT));
+            }
+            types.add(REFUSED);
+            return event.put("state_topic", topics.decision()).putTexts("event_types", types);
+        });
+        for (String button : buttons) {
+            add(
+                    "button",
+                    "press_" + key(button),
+                    "Press " + button,
+                    press -> press.put("command_topic", topics.press()).put("payload_press", button));
+        }
+        add(
+                "switch",
+                "converting",
+                "Converting",
+                onOff -> onOff.put("state_topic", topics.state())
+                        .put("value_template", "{{ value_json.converting }}")
+                        .put("command_topic", topics.converting())
+                        .put("entity_category", "config"));
+        add(
+                "sensor",
+                "progress",
+                "Progress",
+                progress -> progress.put("state_topic", topics.state())
+                        .put("value_template", "{{ value_json.progress }}")
+                        .put("json_attributes_topic", topics.state())
+                        .put("json_attributes_template", "{{ value_json.function | tojson }}"));
+        ofState("sensor", "problem", "Problem");
+        ofState("sensor", "last_failure", "Last failure");
+        for (String each : List.of("handled", "ignored", "stale", "failed", "dropped", "refused")) {
+            diagnostic(each, "Events " + each, count -> count.put("state_class", "total_increasing"));
+        }
+        diagnostic("waiting", "Events waiting", depth -> depth.put("state_class", "measurement"));
+        diagnostic(
+                "conversion_micros",
+                "Conversion time",
+                time -> time.put("state_class", "measurement")
+                        .put("device_class", "duration")
+                        .put("unit_of_measurement", "µs"));
+        return this;
+    }
+
+    /** Whether the device can be reached. */
+    HomeDiscovery link() {
+        return add(
+                "binary_sensor",
+                "reachable",
+                "Reachable",
+                reachable -> reachable
+                        .put("device_class", "connectivity")
+                        .put("state_topic", topics.state())
+                        .put("value_template", "{{ value_json.reachable }}")
+                        .put("entity_category", DIAGNOSTIC));
+    }
+
+    /** The vacuum, which is what the device is called after. */
+    HomeDiscovery vacuum() {
+        return add(
+                "vacuum",
+                "vacuum",
+                null,
+                vacuum -> vacuum.put("state_topic", topics.vacuum())
+                        .put("command_topic", topics.vacuumCommand())
+                        .putTexts(
+                                "supported_features",
+                                List.of("start", "stop", "pause", "return_home", "clean_spot", "locate", "status")));
+    }
+
+    /** What can be chosen. */
+    HomeDiscovery choice(Choice choice) {
+        return add(
+                "select",
+                choice.key(),
+                choice.name(),
+                select -> select.put("state_topic", topics.state())
+                        .put("value_template", "{{ value_json.choices." + choice.key() + " }}")
+                        .put("command_topic", topics.choice(choice.key()))
+                        .putTexts("options", choice.options())
+                        .put("entity_category", "config"));
+    }
+
+    /** What is known of the device. */
+    HomeDiscovery reading(HomeReading reading) {
+        return add(reading.platform(), "reading_" + key(reading.name()), reading.title(), sensor -> {
+            sensor.put("state_topic", topics.state()).put("value_template", reading.template());
+            reading.describe(sensor);
+            return sensor;
+        });
+    }
+
+    private void states(String key, String entity, Collection<State> states) {
+        add(
+                "sensor",
+                key,
+                entity,
+                sensor -> sensor.put("device_class", "enum")
+                        .putTexts("options", states.stream().map(State::name).toList())
+                        .put("state_topic", topics.state())
+                        .put("value_template", "{{ value_json." + key + " }}"));
+    }
+
+    private void ofState(String platform, String key, String entity) {
+        add(
+                platform,
+                key,
+                entity,
+                sensor -> sensor.put("state_topic", topics.state())
+                        .put("value_template", "{{ value_json." + key + " }}")
+                        .put("entity_category", DIAGNOSTIC));
+    }
+
+    private void diagnostic(String key, String entity, UnaryOperator<JsonObject> more) {
+        add(
+                "sensor",
+                key,
+                entity,
+                sensor -> more.apply(sensor.put("state_topic", topics.diagnostics())
+                        .put("value_template", "{{ value_json." + key + " }}")
+                        .put("entity_category", DIAGNOSTIC)));
+    }
+
+    private HomeDiscovery add(String platform, String key, @Nullable String entity, UnaryOperator<JsonObject> more) {
+        components.put(
+                key,
+                more.apply(new JsonObject()
+                        .put("platform", platform)
+                        .put("unique_id", "evoloop_" + topics.id() + "_" + key)
+                        .put("default_entity_id", platform + "." + entityId(key, entity))
+                        .put("name", entity)));
+        return this;
+    }
+
+    private String entityId(String key, @Nullable String entity) {
+        return entity == null ? key(topics.id()) : key(topics.id()) + "_" + key;
+    }
+
+    /** The payload with what was added. */
+    String payload() {
+        JsonObject device = new JsonObject()
+                .putTexts("identifiers", List.of("evoloop_" + topics.id()))
+                .put("name", name)
+                .put("manufacturer", "Evoloop")
+                .put("model", "Event converter");
+        return new JsonObject()
+                .put("device", device)
+                .put("origin", new JsonObject().put("name", "Evoloop"))
+                .put("availability_topic", topics.availability())
+                .put("qos", 1)
+                .put("components", components)
+                .toString();
+    }
+}

@@ -1,0 +1,211 @@
+package org.evoloop.mqtt;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.awaitility.Awaitility.await;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.CopyOnWriteArrayList;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** With Debian's Mosquitto. */
+class BrokerConnectionTest {
+    private static final Duration LIMIT = Duration.ofSeconds(30);
+
+    @TempDir
+    private Path directory;
+
+    private final Logged logged = new Logged();
+
+    @AfterEach
+    void endLog() {
+        logged.close();
+    }
+
+    private static BrokerConnection connection(String url) {
+        return new BrokerConnection(BrokerAddress.parse(url, Map.of()), "test");
+    }
+
+    @Test
+    void statesSurviveARestartOfABrokerThatForgetsEverything() throws Exception {
+        try (Mosquitto broker = new Mosquitto(directory).start();
+                BrokerConnection connection = connection(broker.url())) {
+            connection.open();
+            connection.publish(Message.state("lamp/state", "on"));
+            for (int restart = 1; restart <= 3; restart++) {
+                await().atMost(LIMIT).until(connection::isUp);
+                broker.stop();
+                await().atMost(LIMIT).until(() -> connection.downSince().isPresent());
+                connection.publish(Message.state("lamp/power", "level " + restart));
+                broker.start();
+                try (Watcher watcher = new Watcher(broker)) {
+                    watcher.awaitNewest("lamp/state", "on");
+                    watcher.awaitNewest("lamp/power", "level " + restart);
+                }
+            }
+            assertThat(connection.connects()).isEqualTo(4);
+        }
+    }
+
+    @Test
+    void eventsOfAnOutageAreToldAfterwardsAndCommandsAreNot() throws Exception {
+        try (Mosquitto broker = new Mosquitto(directory);
+                BrokerConnection connection = connection(broker.url())) {
+            connection.open();
+            connection.publish(Message.command("lamp/set", "toggle"));
+            connection.publish(Message.event("lamp/event", "pressed"));
+            connection.publish(Message.state("lamp/end", "yes"));
+            List<String> heard = new CopyOnWriteArrayList<>();
+            broker.start();
+            try (BrokerConnection other = connection(broker.url() + "?id=x")) {
+                other.subscribe("lamp/event", message -> heard.add(message.payload()));
+                other.subscribe("lamp/set", message -> heard.add(message.payload()));
+                other.open();
+                await().atMost(LIMIT).until(() -> connection.isUp() || other.isUp());
+            }
+            try (Watcher watcher = new Watcher(broker)) {
+                watcher.awaitNewest("lamp/end", "yes");
+            }
+            assertThat(heard).doesNotContain("toggle");
+        }
+    }
+
+    @Test
+    void theWillTellsThatAClientIsGone() throws Exception {
+        try (Mosquitto broker = new Mosquitto(directory).start();
+                Watcher watcher = new Watcher(broker);
+                BrokerConnection connection = connection(broker.url())) {
+            connection.will(Message.state("lamp/availability", "offline"));
+            connection.publish(Message.state("lamp/availability", "online"));
+            connection.open();
+            watcher.awaitNewest("lamp/availability", "online");
+            try (BrokerConnection usurper = connection(broker.url())) {
+                usurper.open();
+                watcher.awaitHeard("lamp/availability", "offline");
+                await().atMost(LIMIT)
+                        .untilAsserted(() -> assertThat(logged.lines()).anyMatch(line -> line.contains("?id=ID")));
+            }
+        }
+    }
+
+    @Test
+    void aWrongPasswordIsSaidOnceHoweverOftenItIsTried() throws Exception {
+        Path passwords = directory.resolve("passwords");
+        Files.createFile(passwords);
+        assertThat(new ProcessBuilder(Mosquitto.program("mosquitto_passwd"), "-b", passwords.toString(), "ha", "right")
+                        .inheritIO()
+                        .start()
+                        .waitFor())
+                .isZero();
+        try (Mosquitto broker = new Mosquitto(directory)
+                        .with("user root", "allow_anonymous false", "password_file " + passwords)
+                        .start();
+                BrokerConnection wrong = new BrokerConnection(
+                        BrokerAddress.parse(
+                                "mqtt://ha@127.0.0.1:" + broker.port(), Map.of(BrokerAddress.PASSWORD, "wr0ng")),
+                        "wrong");
+                BrokerConnection right = new BrokerConnection(
+                        BrokerAddress.parse(
+                                "mqtt://ha@127.0.0.1:" + broker.port(), Map.of(BrokerAddress.PASSWORD, "right")),
+                        "right")) {
+            wrong.open();
+            Path log = directory.resolve("mosquitto-" + broker.port() + ".log");
+            await().atMost(LIMIT)
+                    .until(() -> Files.readAllLines(log).stream()
+                                    .filter(line -> line.contains("not authori"))
+                                    .count()
+                            >= 3);
+            assertThat(logged.lines()).hasSize(1);
+            assertThat(logged.lines().get(0))
+                    .contains("refuses the login of user ha", BrokerAddress.PASSWORD)
+                    .doesNotContain("wr0ng");
+            assertThat(wrong.describe()).isEqualTo(logged.lines().get(0).split("; it is tried")[0]);
+            right.open();
+            await().atMost(LIMIT).until(right::isUp);
+        }
+    }
+
+    @Test
+    void onlyABrokerWhoseCertificateIsTrustedGetsThePassword() throws Exception {
+        Certificate own = Certificate.of(directory, "own", "ip:127.0.0.1");
+        Certificate foreign = Certificate.of(directory, "foreign", "ip:127.0.0.1");
+        Certificate misnamed = Certificate.of(directory, "misnamed", "dns:elsewhere");
+        assertThat(trouble(own, foreign.certificate())).contains("certificate is not to be trusted", "?ca=FILE");
+        assertThat(trouble(misnamed, misnamed.certificate())).contains("certificate is not to be trusted", "127.0.0.1");
+        assertThat(trouble(own, own.certificate())).isEmpty();
+    }
+
+    /** What is wrong with a broker that shows one certificate, for a client that trusts another. */
+    private String trouble(Certificate shown, Path trusted) {
+        try (Mosquitto broker = new Mosquitto(directory)
+                        .with("user root", "certfile " + shown.certificate(), "keyfile " + shown.key())
+                        .start();
+                BrokerConnection connection = connection("mqtts://127.0.0.1:" + broker.port() + "?ca=" + trusted)) {
+            int before = logged.lines().size();
+            connection.publish(Message.state("a", "b"));
+            connection.open();
+            await().atMost(LIMIT)
+                    .until(() -> connection.describe().startsWith("mqtts://127.0.0.1:" + broker.port())
+                            && (connection.connects() > 0 && connection.isUp()
+                                    || logged.lines().size() > before));
+            return connection.isUp() ? "" : logged.lines().get(before);
+        }
+    }
+
+    @Test
+    void aBrokerWithoutTlsIsNotSpokenToInClear() throws Exception {
+        try (Mosquitto broker = new Mosquitto(directory).start();
+                BrokerConnection connection = connection("mqtts://127.0.0.1:" + broker.port())) {
+            connection.open();
+            await().atMost(LIMIT).until(() -> !logged.lines().isEmpty());
+            assertThat(connection.isUp()).isFalse();
+        }
+    }
+
+    @Test
+    void certificatesThatCannotBeReadAreRefusedAtOnce() throws Exception {
+        assertThatThrownBy(() -> connection("mqtts://b?ca=/no/such"))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("/no/such");
+        Path empty = Files.writeString(directory.resolve("empty.pem"), "nothing\n");
+        assertThatThrownBy(() -> connection("mqtts://b?ca=" + empty))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("PEM");
+    }
+
+    @Test
+    void whatTheBrokerForbidsIsSaidOnceAndTheRestIsPublished() throws Exception {
+        Path acl = Files.writeString(directory.resolve("acl"), "topic read #\ntopic write allowed\n");
+        try (Mosquitto broker = new Mosquitto(directory)
+                        .with("user root", "acl_file " + acl)
+                        .start();
+                Watcher watcher = new Watcher(broker);
+                BrokerConnection connection = connection(broker.url())) {
+            connection.publish(Message.state("forbidden", "1"));
+            connection.publish(Message.state("allowed", "1"));
+            connection.open();
+            watcher.awaitNewest("allowed", "1");
+            connection.publish(Message.state("forbidden", "2"));
+            connection.publish(Message.state("allowed", "2"));
+            watcher.awaitNewest("allowed", "2");
+            assertThat(logged.lines()).hasSize(1).allMatch(line -> line.contains("forbidden"));
+        }
+    }
+
+    @Test
+    void aBrokerThatIsNotThereHoldsUpNobody() {
+        try (BrokerConnection connection = connection("mqtt://127.0.0.1:1")) {
+            connection.open();
+            connection.publish(Message.state("a", "b"));
+            await().atMost(LIMIT).until(() -> !logged.lines().isEmpty());
+            assertThat(connection.describe()).contains("cannot be reached");
+        }
+        assertThat(logged.lines()).hasSize(1);
+    }
+}

@@ -1,0 +1,184 @@
+package org.evoloop.mqtt;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.awaitility.Awaitility.await;
+
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.CopyOnWriteArrayList;
+import org.evoloop.converter.ConverterStatus;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** A lamp's converter at Debian's Mosquitto, operated as Home Assistant does it. */
+class HomeAssistantTest {
+    private static final Duration LIMIT = Duration.ofSeconds(20);
+    private static final String STATE = "evoloop/lamp/state";
+    private static final String DECISION = "evoloop/lamp/decision";
+    private static final String CONFIG = "homeassistant/device/evoloop_lamp/config";
+
+    @TempDir
+    private Path directory;
+
+    private final List<Vacuum.Command> obeyed = new CopyOnWriteArrayList<>();
+    private Lamp lamp;
+    private Mosquitto broker;
+    private HomeAssistant home;
+    private Watcher watcher;
+
+    @BeforeEach
+    void connect() throws Exception {
+        lamp = new Lamp();
+        broker = new Mosquitto(directory).start();
+        home = new HomeAssistant(lamp.converter, BrokerAddress.parse(broker.url(), Map.of()))
+                .vacuum(new Vacuum() {
+                    @Override
+                    public Activity activity(ConverterStatus status) {
+                        return Activity.RETURNING;
+                    }
+
+                    @Override
+                    public void perform(Command command) {
+                        obeyed.add(command);
+                    }
+                })
+                .choice(new Choice("Model", List.of("day", "night"), () -> "day", wanted -> {
+                    throw new IllegalStateException("the model " + wanted + " is not there yet");
+                }));
+        home.open();
+        watcher = new Watcher(broker);
+    }
+
+    @AfterEach
+    void end() {
+        watcher.close();
+        home.close();
+        lamp.close();
+        broker.close();
+    }
+
+    @Test
+    void everyEntityReadsWhatIsPublished() {
+        watcher.awaitNewest("evoloop/lamp/availability", "online");
+        watcher.awaitNewest(CONFIG, "\"origin\"");
+        watcher.awaitNewest(STATE, "\"battery\":93");
+        DiscoverySchema.check(
+                watcher.newest(CONFIG),
+                Map.of(
+                        STATE,
+                        watcher.newest(STATE),
+                        "evoloop/lamp/diagnostics",
+                        watcher.newest("evoloop/lamp/diagnostics")));
+        assertThat(watcher.newest("evoloop/lamp/vacuum")).isEqualTo("{\"state\":\"returning\"}");
+    }
+
+    @Test
+    void aButtonIsAPressAndWhatBecameOfItIsAnEvent() throws Exception {
+        watcher.awaitNewest(STATE, "\"converting\":\"OFF\"");
+        watcher.publish("evoloop/lamp/press", "switch", false);
+        watcher.awaitHeard(DECISION, "the converter lamp is stopped");
+        watcher.publish("evoloop/lamp/converting/set", "ON", false);
+        watcher.awaitNewest(STATE, "\"converting\":\"ON\"");
+        for (int press = 0; press < 3; press++) {
+            watcher.publish("evoloop/lamp/press", "switch", false);
+        }
+        watcher.awaitNewest(STATE, "\"state\":\"incandescentOn\"");
+        watcher.awaitNewest(STATE, "\"progress\":\"warming up, warm 40 %\"");
+        watcher.awaitHeard(DECISION, "\"event_type\":\"handled\"");
+        watcher.awaitHeard(DECISION, "new function of incandescentOn");
+        assertThat(lamp.sent).containsExactly("switch");
+    }
+
+    @Test
+    void whatCannotBeObeyedIsRefusedWithItsReason() throws Exception {
+        watcher.awaitNewest("evoloop/lamp/availability", "online");
+        watcher.publish("evoloop/lamp/converting/set", "ON", false);
+        watcher.publish("evoloop/lamp/press", "swich", false);
+        watcher.awaitHeard(DECISION, "switch");
+        watcher.publish("evoloop/lamp/vacuum/set", "dance", false);
+        watcher.awaitHeard(DECISION, "no command dance");
+        watcher.publish("evoloop/lamp/converting/set", "maybe", false);
+        watcher.awaitHeard(DECISION, "ON or OFF");
+        watcher.publish("evoloop/lamp/choice/model/set", "dusk", false);
+        watcher.awaitHeard(DECISION, "there is no Model dusk");
+        watcher.publish("evoloop/lamp/choice/model/set", "night", false);
+        watcher.awaitHeard(DECISION, "is not there yet");
+        assertThat(lamp.sent).isEmpty();
+    }
+
+    @Test
+    void theVacuumObeysItsCommandsAndNoneThatIsOld() throws Exception {
+        watcher.awaitNewest("evoloop/lamp/availability", "online");
+        watcher.publish("evoloop/lamp/vacuum/set", "return_to_base", true);
+        await().atMost(LIMIT).until(() -> obeyed.equals(List.of(Vacuum.Command.RETURN_TO_BASE)));
+        try (Logged logged = new Logged();
+                BrokerConnection usurper =
+                        new BrokerConnection(BrokerAddress.parse(broker.url(), Map.of()), "evoloop-lamp")) {
+            usurper.open();
+            await().atMost(LIMIT)
+                    .untilAsserted(() -> assertThat(logged.lines()).anyMatch(line -> line.contains("retained")));
+        }
+        watcher.publish("evoloop/lamp/vacuum/set", "clean_spot", false);
+        await().atMost(LIMIT).until(() -> obeyed.contains(Vacuum.Command.CLEAN_SPOT));
+        assertThat(obeyed).hasSize(2);
+    }
+
+    @Test
+    void aDeviceOutOfReachIsAProblemAndItsReadingsAreUnknown() {
+        watcher.awaitNewest(STATE, "\"problem\":\"none\"");
+        lamp.up = false;
+        watcher.awaitNewest(STATE, "\"problem\":\"out of its socket\"");
+        assertThat(watcher.newest(STATE)).contains("\"reachable\":\"OFF\"", "\"readings\":{}");
+        assertThat(watcher.newest(CONFIG)).contains("reading_battery");
+    }
+
+    @Test
+    void everythingIsToldAgainWhenHomeAssistantHasStarted() throws Exception {
+        watcher.awaitNewest(STATE, "device_state");
+        long before = count(CONFIG);
+        watcher.publish("homeassistant/status", "offline", false);
+        watcher.publish("homeassistant/status", "online", false);
+        await().atMost(LIMIT).until(() -> count(CONFIG) > before);
+    }
+
+    private long count(String topic) {
+        return watcher.heard().stream()
+                .filter(line -> line.startsWith(topic + " "))
+                .count();
+    }
+
+    @Test
+    void whoEndsIsUnavailable() {
+        watcher.awaitNewest("evoloop/lamp/availability", "online");
+        home.close();
+        watcher.awaitNewest("evoloop/lamp/availability", "offline");
+    }
+
+    @Test
+    void aConverterThatHasEndedIsUnavailable() {
+        watcher.awaitNewest("evoloop/lamp/availability", "online");
+        lamp.converter.close();
+        watcher.awaitNewest("evoloop/lamp/availability", "offline");
+    }
+
+    @Test
+    void nothingIsForgottenByARestartOfTheBroker() throws Exception {
+        watcher.awaitNewest(STATE, "\"state\":\"off\"");
+        watcher.publish("evoloop/lamp/converting/set", "ON", false);
+        watcher.awaitNewest(STATE, "\"converting\":\"ON\"");
+        watcher.close();
+        broker.stop();
+        lamp.wallSwitch.press("switch");
+        await().atMost(LIMIT).until(() -> lamp.sent.contains("switch"));
+        broker.start();
+        watcher = new Watcher(broker);
+        watcher.awaitNewest(STATE, "\"state\":\"on\"");
+        watcher.awaitNewest(CONFIG, "\"origin\"");
+        watcher.awaitNewest("evoloop/lamp/availability", "online");
+        watcher.awaitHeard(DECISION, "\"event\":\"switch\"");
+    }
+}

@@ -1,0 +1,60 @@
+package org.evoloop.roomba;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.concurrent.TimeUnit;
+import org.evoloop.mqtt.Mosquitto;
+import org.evoloop.mqtt.Watcher;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The program with a simulated robot at Debian's Mosquitto, operated as Home Assistant does it. */
+@EnabledOnOs(OS.LINUX)
+@Timeout(180)
+class AtHomeTest {
+    private static final String STATE = "evoloop/roomba/state";
+    private static final String VACUUM = "evoloop/roomba/vacuum";
+    private static final String COMMAND = "evoloop/roomba/vacuum/set";
+    private static final String DECISION = "evoloop/roomba/decision";
+
+    @TempDir
+    private Path folder;
+
+    @Test
+    void theVacuumCleansPausesAndCleansASpotAndNothingIsKeptOfItsEnd() throws Exception {
+        Path log = folder.resolve("roomba.log");
+        try (Mosquitto broker = new Mosquitto(folder).start();
+                Watcher watcher = new Watcher(broker)) {
+            Process roomba = Program.startWithLog(
+                    log, "--simulate", "--speed", "10", "--start", "--spot-wait", "20", "--mqtt", broker.url());
+            try {
+                watcher.awaitNewest(VACUUM, "idle");
+                watcher.publish(COMMAND, "start", false);
+                watcher.awaitNewest(VACUUM, "cleaning");
+                watcher.awaitNewest(STATE, "\"device_state\":\"Clean\"");
+                watcher.publish(COMMAND, "pause", false);
+                watcher.awaitNewest(STATE, "\"state\":\"SpotWait\"");
+                watcher.awaitNewest(VACUUM, "paused");
+                watcher.awaitNewest(STATE, "\"state\":\"On\"");
+                watcher.awaitNewest(VACUUM, "paused");
+                watcher.publish(COMMAND, "locate", false);
+                watcher.publish(COMMAND, "return_to_base", false);
+                watcher.awaitHeard(DECISION, "does not say what Dock does in On");
+                watcher.publish(COMMAND, "clean_spot", false);
+                watcher.awaitNewest(STATE, "\"state\":\"Move\"");
+                watcher.awaitNewest(VACUUM, "cleaning");
+                assertThat(watcher.heard()).noneMatch(line -> line.contains("\"event\":\"locate\""));
+            } finally {
+                roomba.destroy();
+                assertThat(roomba.waitFor(60, TimeUnit.SECONDS)).isTrue();
+            }
+            watcher.awaitNewest("evoloop/roomba/availability", "offline");
+            assertThat(Files.readString(log)).doesNotContain("WARN", "Exception");
+        }
+    }
+}
