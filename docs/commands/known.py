@@ -139,6 +139,12 @@ KNOWN = [
     Known("java -jar target/fan.jar", why_not=ELSEWHERE),
     # The robot.
     Known("./evoloop roomba --port /dev/ttyUSB0", run=f"./evoloop roomba --port {ROBOT}", input="start\nstatus\nexit\n"),
+    Known(
+        "./evoloop roomba --port /dev/ttyUSB0 --original models/roomba.xml#original --new models/roomba.xml#home",
+        run=f"./evoloop roomba --port {ROBOT} --original models/roomba.xml#original --new models/roomba.xml#home",
+        input="start\npress clean\nstatus --json\nexit\n",
+        shows='"battery":',
+    ),
     typed("./evoloop roomba --help", shows="--port"),
     typed("./evoloop roomba --simulate --speed 5", input=CONSOLE, shows="xMm"),
     Known(

@@ -105,7 +105,7 @@ final class MonitorEvent extends PushMonitor implements SessionListener {
         if (!same) {
             List<String> events = changes(before, now);
             events.forEach(this::tell);
-            if (known.containsAll(events)) {
+            if (known.containsAll(events) && !now.asleep()) {
                 // What they begin must not be overtaken by the finding that they are true.
                 session.tellSoon();
             } else {
@@ -125,12 +125,21 @@ final class MonitorEvent extends PushMonitor implements SessionListener {
     }
 
     private static List<String> changes(Circumstances before, Circumstances now) {
+        if (now.asleep()) {
+            return List.of(RobotEvents.ASLEEP);
+        }
         List<String> changes = new ArrayList<>();
         change(changes, before.asleep(), now.asleep(), RobotEvents.ASLEEP, RobotEvents.AWAKE);
         change(changes, before.inTrouble(), now.inTrouble(), RobotEvents.ERROR, RobotEvents.RECOVERED);
         change(changes, before.docked(), now.docked(), RobotEvents.DOCKED, RobotEvents.UNDOCKED);
-        if (before.docked() && now.docked()) {
-            change(changes, before.filling(), now.filling(), RobotEvents.CHARGING, RobotEvents.CHARGED);
+        if (now.docked()) {
+            // Who has just come to the dock is taken to charge.
+            change(
+                    changes,
+                    !before.docked() || before.filling(),
+                    now.filling(),
+                    RobotEvents.CHARGING,
+                    RobotEvents.CHARGED);
         }
         return changes;
     }

@@ -61,16 +61,20 @@ class TruthTest {
                 return "Error";
             }
             if (this != PAPER && robot.surroundings().docked() && !running) {
-                return robot.charging() && robot.batteryPercent() < 100 ? "Charging" : "Charged";
+                return "Charging";
             }
             String name = robot.activity().name();
             return name.charAt(0) + name.substring(1).toLowerCase(Locale.ROOT);
         }
 
-        /** The state that the converter believes in; from outside Max looks like Clean. */
+        /** The state that the converter believes in. From outside Max looks like Clean; the truth is told in whole percent. */
         String belief(SteppedRoomba stepped) {
             String name = stepped.states().original().name();
-            return name.equals("Max") ? "Clean" : name;
+            return switch (name) {
+                case "Max" -> "Clean";
+                case "Charged" -> "Charging";
+                default -> name;
+            };
         }
     }
 

@@ -162,7 +162,10 @@ final class Browser implements AutoCloseable {
         Awaitility.await(expression)
                 .atMost(Duration.ofSeconds(30))
                 .pollInterval(Duration.ofMillis(50))
-                .until(() -> evaluate("Boolean(" + expression + ")").equals("true"));
+                // What is looked at may not be there yet.
+                .until(() -> evaluate(
+                                "(() => { try { return Boolean(" + expression + "); } catch { return false; } })()")
+                        .equals("true"));
     }
 
     void key(String key, int code) {

@@ -123,12 +123,16 @@ final class RobotReader implements Connection.Owner {
         if (obeyed != null) {
             listeners.forEach(listener -> listener.obeyed(obeyed));
         }
-        if (circumstances.update(values, estimate.activity().isWork()) || tellAgain) {
-            tellCircumstances(tellAgain ? Circumstances.USUAL : told);
+        boolean again = tellAgain;
+        if (circumstances.update(values, estimate.activity().isWork()) || (again && circumstances.isSure())) {
+            tellCircumstances(again ? Circumstances.USUAL : told);
         }
         tellAgain |= undocking.update(now);
         switch (control.update(now)) {
-            case ON -> tellSeen(EstimatedActivity.ON);
+            case ON -> {
+                estimate.controlled();
+                tellSeen(EstimatedActivity.ON);
+            }
             case AS_ESTIMATED -> tellActivity();
             case NOTHING -> {}
         }
@@ -279,6 +283,8 @@ final class RobotReader implements Connection.Owner {
         spotWatch.forget();
         estimate.forget();
         undocking.end();
+        circumstances.forget();
+        tellAgain = true;
     }
 
     @Override

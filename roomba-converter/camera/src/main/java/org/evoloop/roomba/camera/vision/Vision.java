@@ -35,7 +35,7 @@ public interface Vision {
     MarkerFinder finder(MarkerSpec marker, CameraModel model);
 
     /**
-     * Starts a recording as AVI with Motion JPEG.
+     * Starts a recording as AVI.
      *
      * @param framesPerSecond of the recording, which keeps time whatever the camera's rate is
      * @param mostBytes the recording ends before the file is larger

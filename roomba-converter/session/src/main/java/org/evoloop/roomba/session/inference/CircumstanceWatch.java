@@ -13,6 +13,8 @@ import org.evoloop.roomba.oi.SensorValues;
  * <p>Time is counted in frames of the stream, one every 15 ms.
  *
  * <p>Threading: not thread-safe.
+ *
+ * @since 0.1
  */
 public final class CircumstanceWatch {
     /**
@@ -51,7 +53,7 @@ public final class CircumstanceWatch {
         seenFrames = shown.equals(seen) ? seenFrames + 1 : 1;
         seen = shown;
         // One frame alone may be spoilt.
-        return seenFrames >= SpotWatch.SURE_FRAMES && become(shown);
+        return isSure() && become(shown);
     }
 
     private static Circumstances shown(SensorValues values) {
@@ -63,6 +65,16 @@ public final class CircumstanceWatch {
                 values.anyWheelDrop() || values.anyOvercurrent(),
                 values.onHomeBase(),
                 values.onHomeBase() && filling);
+    }
+
+    /** Whether enough frames have been seen since the robot was out of sight. */
+    public boolean isSure() {
+        return seenFrames >= SpotWatch.SURE_FRAMES;
+    }
+
+    /** The robot was out of sight. */
+    public void forget() {
+        seenFrames = 0;
     }
 
     /** Somebody has used the robot's wake line, which begins its idle time anew. */
