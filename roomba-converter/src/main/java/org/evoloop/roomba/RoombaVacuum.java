@@ -7,6 +7,7 @@ import org.evoloop.evolution.ModelPair;
 import org.evoloop.function.Reading;
 import org.evoloop.mqtt.HomeAssistant;
 import org.evoloop.mqtt.Vacuum;
+import org.evoloop.roomba.move.Move;
 import org.evoloop.roomba.oi.ActuatorCommand;
 import org.evoloop.roomba.oi.ActuatorCommand.Song.Note;
 import org.evoloop.roomba.session.RoombaSession;
@@ -19,7 +20,6 @@ import org.evoloop.statemachine.State;
  */
 final class RoombaVacuum implements Vacuum {
     private static final State ON = new State(RobotEvents.STATE_ON);
-    private static final String DOCK = "Dock";
     private static final int TUNE = 4;
     private static final List<Note> NOTES =
             List.of(new Note(72, 16), new Note(76, 16), new Note(79, 16), new Note(84, 32));
@@ -58,18 +58,18 @@ final class RoombaVacuum implements Vacuum {
 
     private Activity activity(String evolved, String original) {
         return switch (evolved) {
-            case "Clean", "Spot", "Max" -> Activity.CLEANING;
-            case DOCK -> Activity.RETURNING;
-            case "Charging", "Charged" -> Activity.DOCKED;
-            case "Error" -> Activity.ERROR;
-            case "Off", "On", "Asleep" -> Activity.IDLE;
+            case RobotEvents.STATE_CLEAN, RobotEvents.STATE_SPOT, RobotEvents.MAX -> Activity.CLEANING;
+            case RobotEvents.STATE_DOCK -> Activity.RETURNING;
+            case RobotEvents.STATE_CHARGING, RobotEvents.STATE_CHARGED -> Activity.DOCKED;
+            case RobotEvents.STATE_ERROR -> Activity.ERROR;
+            case RobotEvents.STATE_OFF, RobotEvents.STATE_ON, RobotEvents.STATE_ASLEEP -> Activity.IDLE;
             default -> isMove(evolved) ? Activity.CLEANING : evolved.equals(original) ? Activity.IDLE : ofNew(original);
         };
     }
 
     /** Whether the robot is on its way to a place that will be cleaned. */
     private boolean isMove(String state) {
-        return models.evolved().hasTrigger(new State(state), new Event("arriveSpot"));
+        return models.evolved().hasTrigger(new State(state), new Event(Move.ARRIVED));
     }
 
     /** A new state in which the robot rests waits for something; else it shows what the robot does. */
@@ -83,7 +83,7 @@ final class RoombaVacuum implements Vacuum {
         switch (command) {
             case START -> home.goTo(where(RobotEvents.CLEAN));
             case CLEAN_SPOT -> home.goTo(where(RobotEvents.SPOT));
-            case RETURN_TO_BASE -> home.goTo(where(DOCK));
+            case RETURN_TO_BASE -> home.goTo(where(RobotEvents.DOCK));
             case STOP, PAUSE -> home.goTo(ON);
             case LOCATE -> locate();
         }

@@ -53,8 +53,9 @@ class ArchitectureTest {
                     type(LinkException.class)));
 
     @ArchTest
-    static final ArchRule whatMoveDoesNextIsPure =
-            room("org.evoloop.roomba.move.phase..", resideInAnyPackage(OI, "org.evoloop.roomba.session"));
+    static final ArchRule whatMoveDoesNextIsPure = room(
+            "org.evoloop.roomba.move.phase..",
+            resideInAnyPackage(OI, "org.evoloop.roomba.session", "org.evoloop.roomba.session.inference"));
 
     @ArchTest
     static final ArchRule nothingUsesTheApplication = noClasses()

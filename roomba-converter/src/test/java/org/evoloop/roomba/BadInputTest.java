@@ -56,6 +56,11 @@ class BadInputTest {
                 "--simulate --start-point 0,NaN | error: --start-point takes two numbers, X,Y in mm, for example "
                         + "1000,500",
                 "--simulate --spot-wait 0 | error: --spot-wait is 0.0, allowed is 0.1 to 3600 seconds",
+                "--simulate --quiet-hours 22:00-07:00 | error: --quiet-hours says when QuietHours waits, but it runs in no "
+                        + "state of the new model; leave the option out, or draw a state that is left by quietOver",
+                "--simulate --clean-at 09:00 | error: --clean-at raises schedule, which the new model does not know; leave "
+                        + "the option out, or draw a transition for it",
+                "--simulate --camera sim --record-limit 9 | error: --record-limit goes with --record; give both or neither",
                 "--simulate --new models.xml | error: --original and --new go together, and not with --models; "
                         + "give both or neither",
                 "--nonsense | error: Unknown option: '--nonsense' (see roomba --help)",

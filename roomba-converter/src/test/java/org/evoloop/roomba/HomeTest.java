@@ -172,6 +172,23 @@ class HomeTest {
     }
 
     @Test
+    void itsTimetableBeginsToCleanOutsideOfTheQuietHours() {
+        switchOn();
+        roomba.press(RobotEvents.SCHEDULE);
+        until("Clean", "Clean", 2);
+        assertThat(roomba.truth().activity()).isEqualTo(RobotActivity.CLEAN);
+    }
+
+    @Test
+    void fromItsDockAndFromSleepItsTimetableWorksToo() {
+        roomba.robot.dock();
+        until("Charging", "Charging", 3);
+        roomba.press(RobotEvents.SCHEDULE);
+        until("Clean", "Clean", 5);
+        assertThat(roomba.truth().activity()).isEqualTo(RobotActivity.CLEAN);
+    }
+
+    @Test
     void whatTheControllerMayRaiseIsKnown() {
         assertThat(RobotModels.of(RoombaPair.of("home")).buttons())
                 .containsExactly("Clean", "Spot", "Dock", "Max", "Power", "Undock", "SpotThenDock");

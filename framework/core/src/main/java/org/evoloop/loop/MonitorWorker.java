@@ -109,7 +109,7 @@ final class MonitorWorker<O> extends Worker {
 
     @Override
     @Nullable
-    LoopThread threadToEnd() {
+    LoopThread ownThread() {
         return thread;
     }
 

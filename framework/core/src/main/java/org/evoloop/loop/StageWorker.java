@@ -141,6 +141,12 @@ final class StageWorker<I> extends Worker {
 
     @Override
     @Nullable
+    LoopThread ownThread() {
+        return own;
+    }
+
+    @Override
+    @Nullable
     LoopThread threadToEnd() {
         return own != null ? own : stuckIn;
     }

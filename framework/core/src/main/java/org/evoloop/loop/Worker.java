@@ -26,8 +26,14 @@ abstract class Worker {
     /** The thread that calls the component; null if the loop has no threads. */
     abstract @Nullable LoopThread thread();
 
+    /** The thread that nobody else's component is called on; null if there is none. */
+    abstract @Nullable LoopThread ownThread();
+
     /** The thread that ends when the component leaves the loop; null if none does. */
-    abstract @Nullable LoopThread threadToEnd();
+    @Nullable
+    LoopThread threadToEnd() {
+        return ownThread();
+    }
 
     abstract boolean isWorking();
 
@@ -35,7 +41,7 @@ abstract class Worker {
 
     /** Starts the thread that is its own. */
     final void start() {
-        LoopThread own = threadToEnd();
+        LoopThread own = ownThread();
         if (own != null) {
             own.start();
         }
