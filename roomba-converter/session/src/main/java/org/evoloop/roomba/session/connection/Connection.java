@@ -300,9 +300,16 @@ public final class Connection {
     public void wake() {
         thread.run(() -> {
             if (state.enterFrom(Phase.ASLEEP, Phase.ASKING, "it is being woken")) {
-                askedNanos = clock.nanoTime() + WAKE_PULSE.toNanos();
                 attempt = 1;
-                pulse(this::ask);
+                if (plug.setWakeLine(false)) {
+                    askedNanos = clock.nanoTime() + WAKE_PULSE.toNanos();
+                    pulse(this::ask);
+                } else {
+                    // Opening a port anew moves its lines; a simulated robot behind a pseudo-terminal takes that for a
+                    // pulse.
+                    plug.pull();
+                    replug();
+                }
             }
         });
     }

@@ -127,12 +127,10 @@ final class Plug {
         return Duration.ofNanos(LONGEST_COMMAND * BITS_PER_BYTE * 1_000_000_000L / baud);
     }
 
-    /** Pulls the wake line low or lets it go high again, if the link has one. */
-    void setWakeLine(boolean low) {
+    /** Pulls the wake line low or lets it go high again; returns whether the link has one. */
+    boolean setWakeLine(boolean low) {
         Link current = link;
-        if (current != null) {
-            current.wakeLine().setLow(low);
-        }
+        return current != null && current.wakeLine().setLow(low);
     }
 
     String description() {
