@@ -114,12 +114,20 @@ final class MonitorEvent extends PushMonitor implements SessionListener {
         }
     }
 
+    /** Who wakes the robot, or drives it off its dock, tells the end of that; what is seen meanwhile is a part of it. */
+    private boolean isBeingMoved() {
+        return session.isWaking() || session.isUndocking();
+    }
+
     private void find(Circumstances now) {
+        if (isBeingMoved()) {
+            return;
+        }
         RobotEvents.stateName(original, activity, now).ifPresent(state -> push(foundIn(state)));
     }
 
     private void tell(String event) {
-        if (known.contains(event)) {
+        if (known.contains(event) && !isBeingMoved()) {
             push(fromDevice(event));
         }
     }

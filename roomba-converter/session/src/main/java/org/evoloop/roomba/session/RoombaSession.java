@@ -82,6 +82,7 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
     private final Connection connection;
     private final Control control;
     private final Object sending = new Object();
+    private volatile boolean waking;
     private boolean modeChanged;
     private long modeChangedNanos;
 
@@ -278,9 +279,15 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
         synchronized (reader) {
             control.want();
         }
-        connection.wake();
-        await(this::isUnderControl, WAKE_LIMIT);
+        waking = options.mayWait();
+        try {
+            connection.wake();
+            await(this::isUnderControl, WAKE_LIMIT);
+        } finally {
+            waking = false;
+        }
         if (options.mayWait() && !isUnderControl()) {
+            tellSoon();
             throw new RobotException(connection.description()
                     + ": the robot sleeps, and its wake line does not wake it. Press CLEAN on it");
         }
@@ -306,6 +313,11 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
         if (options.mayWait() && (now == null || now.values().onHomeBase())) {
             throw new RobotException(connection.description() + ": the robot does not come off its dock; free its way");
         }
+    }
+
+    /** Whether somebody waits for the robot to wake: that it does is no news. */
+    public boolean isWaking() {
+        return waking;
     }
 
     /** Whether the robot is on its way off its dock: nobody else is to drive it. */
