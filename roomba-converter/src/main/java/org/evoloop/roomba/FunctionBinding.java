@@ -14,8 +14,8 @@ import org.evoloop.statemachine.Transition;
 
 /**
  * Finds out which function runs in which new state: what {@code --function STATE=NAME} says, else the one that the state's
- * do activity names, and else each function in the one new state that is left by the event it finishes with. What is wrong is told all at once, in terms of the command
- * line.
+ * do activity names, and else each function in the one new state that is left by the event it finishes with. What is wrong
+ * is told all at once, in terms of the command line.
  */
 final class FunctionBinding {
     private final ModelPair pair;

@@ -1,5 +1,6 @@
 package org.evoloop.roomba;
 
+import java.util.Set;
 import java.util.function.Function;
 import org.evoloop.converter.StateKnowledge;
 import org.evoloop.function.NewFunction;
@@ -40,12 +41,24 @@ final class KnowledgeState extends StateKnowledge {
             switch (function) {
                 case MOVE -> registerMove(state);
                 case SPOT_WAIT -> function(state.name(), spotWait);
-                case SPOT_CLEAN -> function(state.name(), new SpotClean(this::device));
-                case CHARGE -> function(state.name(), new Charge(this::device));
+                case SPOT_CLEAN -> function(state.name(), spotClean());
+                case CHARGE -> function(state.name(), charge());
                 case QUIET_HOURS -> function(state.name(), quietHours);
                 case NONE -> function(state.name(), NewFunction.none());
             }
         });
+    }
+
+    private NewFunction spotClean() {
+        return new RobotWork(this::device, "cleaning the spot", RobotEvents.SPOT, Set.of(RobotEvents.STATE_SPOT));
+    }
+
+    private NewFunction charge() {
+        return new RobotWork(
+                this::device,
+                "charging first, then going on",
+                RobotEvents.DOCK,
+                Set.of(RobotEvents.STATE_DOCK, RobotEvents.STATE_CHARGING, RobotEvents.STATE_CHARGED));
     }
 
     private State device() {

@@ -137,7 +137,9 @@ final class MonitorEvent extends PushMonitor implements SessionListener {
             return List.of(RobotEvents.ASLEEP);
         }
         List<String> changes = new ArrayList<>();
-        change(changes, before.asleep(), now.asleep(), RobotEvents.ASLEEP, RobotEvents.AWAKE);
+        if (before.asleep()) {
+            changes.add(RobotEvents.AWAKE);
+        }
         change(changes, before.inTrouble(), now.inTrouble(), RobotEvents.ERROR, RobotEvents.RECOVERED);
         change(changes, before.docked(), now.docked(), RobotEvents.DOCKED, RobotEvents.UNDOCKED);
         if (now.docked()) {

@@ -1,9 +1,9 @@
 package org.evoloop.roomba;
 
 import java.util.function.Supplier;
-import org.evoloop.function.Reading;
 import org.evoloop.function.Visit;
 import org.evoloop.roomba.session.RoombaSession;
+import org.evoloop.roomba.session.Telemetry;
 import org.evoloop.statemachine.State;
 
 /**
@@ -12,7 +12,9 @@ import org.evoloop.statemachine.State;
  */
 final class Readiness {
     /** With less charge, in percent, the robot is charged first. */
-    static final long LOW_PERCENT = 20;
+    static final int LOW_PERCENT = 20;
+
+    private static final int FULL_PERCENT = 100;
 
     private final RoombaSession session;
     private final Supplier<State> device;
@@ -39,9 +41,7 @@ final class Readiness {
     }
 
     private boolean isLow() {
-        return session.readings().stream()
-                .filter(reading -> reading.name().equals("battery"))
-                .map(Reading::value)
-                .anyMatch(percent -> percent instanceof Long value && value < LOW_PERCENT);
+        Telemetry now = session.latest();
+        return now != null && now.values().batteryPercent().orElse(FULL_PERCENT) < LOW_PERCENT;
     }
 }

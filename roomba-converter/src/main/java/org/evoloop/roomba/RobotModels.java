@@ -33,8 +33,8 @@ public final class RobotModels {
     }
 
     /**
-     * Each function runs in the one new state that is left by the event it finishes with: Move by {@code arriveSpot},
-     * SpotWait by {@code timeout}.
+     * A function runs in the new states whose do activity names it; Move and SpotWait else in the one new state that is left
+     * by the event they finish with, {@code arriveSpot} and {@code timeout}.
      *
      * @throws ModelException if the models are no evolution, or a new state has no function
      */

@@ -11,6 +11,7 @@ import org.evoloop.core.Rules;
 import org.evoloop.core.Tally;
 import org.evoloop.evolution.DecisionTable;
 import org.evoloop.evolution.Occurrence;
+import org.evoloop.loop.Component;
 import org.evoloop.loop.Failure;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.loop.LoopListener;
@@ -62,6 +63,33 @@ final class ConverterShell implements LoopListener<Occurrence> {
         knowledge.bindings().watch(config, failures);
         visits.attach(loop);
         knowledge.attach(driver);
+    }
+
+    /** Adds a component, which is told what it belongs to. */
+    void join(Component component) {
+        attach(component);
+        if (component instanceof EventMonitor monitor) {
+            loop.addMonitor(monitor);
+        } else if (component instanceof EventAnalyze analyze) {
+            loop.addAnalyze(analyze);
+        } else if (component instanceof EventPlan plan) {
+            loop.addPlan(plan);
+        } else if (component instanceof EventExecute execute) {
+            loop.addExecute(execute);
+        }
+    }
+
+    /** Tells a component what it belongs to. */
+    void attach(Component component) {
+        if (component instanceof EventMonitor monitor) {
+            monitor.attach(config, loop, knowledge.eventNames(), driver::holding);
+        } else if (component instanceof EventAnalyze analyze) {
+            analyze.attach(driver);
+        } else if (component instanceof EventExecute execute) {
+            execute.attach(driver, carrier);
+        } else if (!(component instanceof EventPlan)) {
+            throw new IllegalArgumentException(component.name() + " is not a component of a converter");
+        }
     }
 
     /** From the next event on, decides by {@code table}. */

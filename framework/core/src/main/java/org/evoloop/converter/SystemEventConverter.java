@@ -163,7 +163,7 @@ public final class SystemEventConverter implements AutoCloseable {
         Assembly changed = assembly.with(component);
         if (built != null) {
             DecisionTable table = changed.decisions(built.knowledge);
-            taking(component, () -> join(built, component));
+            taking(component, () -> built.join(component));
             built.use(table, changed.executes());
         }
         assembly = changed;
@@ -254,36 +254,11 @@ public final class SystemEventConverter implements AutoCloseable {
                 new ConverterShell(config, known, table, failures, listeners, changes::isClosing, journal);
         built.use(table, assembly.executes());
         for (Component component : assembly.all()) {
-            join(built, component);
+            built.join(component);
         }
         built.loop.build();
         closedAt = config.clock().wallTime();
         return built;
-    }
-
-    private void join(ConverterShell built, Component component) {
-        attach(built, component);
-        if (component instanceof EventMonitor monitor) {
-            built.loop.addMonitor(monitor);
-        } else if (component instanceof EventAnalyze analyze) {
-            built.loop.addAnalyze(analyze);
-        } else if (component instanceof EventPlan plan) {
-            built.loop.addPlan(plan);
-        } else if (component instanceof EventExecute execute) {
-            built.loop.addExecute(execute);
-        }
-    }
-
-    private void attach(ConverterShell built, Component component) {
-        if (component instanceof EventMonitor monitor) {
-            monitor.attach(config, built.loop, built.knowledge.eventNames(), built.driver::holding);
-        } else if (component instanceof EventAnalyze analyze) {
-            analyze.attach(built.driver);
-        } else if (component instanceof EventExecute execute) {
-            execute.attach(built.driver, built.carrier);
-        } else if (!(component instanceof EventPlan)) {
-            throw new IllegalArgumentException(component.name() + " is not a component of a converter");
-        }
     }
 
     /** Opens the loop; does nothing if it is open. @throws IllegalStateException if it is not built, or has ended */
@@ -412,7 +387,7 @@ public final class SystemEventConverter implements AutoCloseable {
         Assembly changed = assembly.with(name, next);
         DecisionTable table = changed.decisions(built.knowledge);
         taking(next, () -> {
-            attach(built, next);
+            built.attach(next);
             built.loop.exchange(name, next, () -> built.use(table, changed.executes()));
         });
         belongings.giveBack(assembly.require(name));

@@ -127,6 +127,11 @@ public enum Opcode {
         return this == CLEAN || this == SPOT || this == MAX || this == SEEK_DOCK;
     }
 
+    /** Whether the command ends a client's control for what the robot then does by itself, be it nothing. */
+    public boolean endsControl() {
+        return startsWork() || this == POWER;
+    }
+
     /** Data bytes that every such command has; if it has items too, the last of these bytes says how many. */
     int headBytes() {
         return headBytes;

@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.Collection;
 import java.util.NoSuchElementException;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.Set;
 import java.util.StringJoiner;
 import java.util.function.ToIntFunction;
@@ -232,6 +233,19 @@ public final class SensorValues {
     /** Packet 26. */
     public int batteryCapacityMilliAmpHours() {
         return value(Packet.BATTERY_CAPACITY);
+    }
+
+    /**
+     * How full the battery is, 0 to 100 %, from packets 25 and 26; empty if the robot tells no capacity. An old battery tells
+     * more charge than capacity, or underflows below nothing.
+     */
+    public OptionalInt batteryPercent() {
+        int capacity = batteryCapacityMilliAmpHours();
+        if (capacity == 0) {
+            return OptionalInt.empty();
+        }
+        int charge = (short) batteryChargeMilliAmpHours();
+        return OptionalInt.of((int) Math.max(0, Math.min(100, Math.round(100.0 * charge / capacity))));
     }
 
     /** Packet 43: wraps around in 16 bits, see {@link #encoderDelta}. */

@@ -114,7 +114,7 @@ final class Control {
         }
         unconfirmed = null;
         again = null;
-        if (command.opcode().startsWork() || command instanceof Command.Power) {
+        if (command.opcode().endsControl()) {
             unconfirmed = underControl ? command : null;
             // Counted anew: the frames that are on their way still show control.
             framesWith = 0;

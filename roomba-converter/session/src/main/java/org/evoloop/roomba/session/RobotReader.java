@@ -144,7 +144,9 @@ final class RobotReader implements Connection.Owner {
             estimate.seenAtRest();
             listeners.forEach(listener -> listener.spotEnded(ending));
         }
-        if (estimate.update(values, now.isUnderControl(), !control.isWanted()) && ending == null) {
+        boolean seen = estimate.update(values, now.isUnderControl(), !control.isWanted());
+        // The end of a spot cleaning has just been told; what begins with it must not be overtaken.
+        if (seen && ending == null) {
             tellActivity();
         }
         if (framesUntilTold > 0 && --framesUntilTold == 0) {
@@ -182,7 +184,7 @@ final class RobotReader implements Connection.Owner {
         framesUntilTold = CommandEffect.SHOW_FRAMES;
     }
 
-    /** How it stands with the robot is told with the next frame, though it has been told before. */
+    /** The robot's circumstances are told with the next frame, though they have been told before. */
     synchronized void tellAgain() {
         tellAgain = true;
     }
@@ -249,7 +251,7 @@ final class RobotReader implements Connection.Owner {
      *
      * @param since the number of a frame; what is told has to be newer
      */
-    synchronized ActivityEstimate.@Nullable EstimatedActivity known(long since) {
+    synchronized @Nullable EstimatedActivity known(long since) {
         Telemetry now = latest;
         if (now == null || now.frame() <= since || !effect.isOver() || control.isRegaining()) {
             return null;

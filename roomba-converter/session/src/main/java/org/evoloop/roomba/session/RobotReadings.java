@@ -49,11 +49,7 @@ final class RobotReadings {
     }
 
     private static Stream<Reading> battery(SensorValues values) {
-        int capacity = values.batteryCapacityMilliAmpHours();
-        // An old battery tells more charge than capacity, or underflows below nothing.
-        int charge = (short) values.batteryChargeMilliAmpHours();
-        long percent = Math.max(0, Math.min(100, Math.round(100.0 * charge / Math.max(1, capacity))));
-        return capacity == 0 ? Stream.empty() : Stream.of(Reading.of("battery", percent, "%"));
+        return values.batteryPercent().stream().mapToObj(percent -> Reading.of("battery", percent, "%"));
     }
 
     private static boolean isCharging(SensorValues values) {

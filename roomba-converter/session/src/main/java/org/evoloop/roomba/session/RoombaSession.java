@@ -311,7 +311,8 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
         }
         Telemetry now = reader.latest();
         if (options.mayWait() && (now == null || now.values().onHomeBase())) {
-            throw new RobotException(connection.description() + ": the robot does not come off its dock; free its way");
+            throw new RobotException(
+                    connection.description() + ": the robot does not leave its dock; clear the way behind it");
         }
     }
 
@@ -346,7 +347,7 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
         reader.tellSoon();
     }
 
-    /** How it stands with the robot is told to listeners once more, with the next frame; see {@link SessionListener#changed}. */
+    /** The robot's circumstances are told to listeners once more, with the next frame; see {@link SessionListener#changed}. */
     public void tellAgain() {
         reader.tellAgain();
     }

@@ -38,8 +38,8 @@ public interface SessionListener {
     default void seen(EstimatedActivity activity) {}
 
     /**
-     * It has changed how it stands with the robot, or that is told again because somebody {@link RoombaSession#tellAgain
-     * asked}: then {@code before} is what is usual.
+     * The robot's circumstances have changed, or are told again because somebody {@link RoombaSession#tellAgain asked}: then
+     * {@code before} is {@link Circumstances#USUAL}.
      *
      * @param activity what the robot is taken to do
      */

@@ -1,10 +1,15 @@
 package org.evoloop.roomba.session;
 
 import java.io.ByteArrayOutputStream;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import org.evoloop.roomba.link.Link;
 import org.evoloop.roomba.link.MemoryLink;
+import org.evoloop.roomba.oi.Command;
+import org.evoloop.roomba.oi.SensorValues;
+import org.evoloop.roomba.oi.StreamFrame;
+import org.evoloop.time.ManualClock;
 
 /** Cables in memory, one for each time a session plugs in; their other end says only what a test lets it say. */
 final class Cables {
@@ -41,6 +46,23 @@ final class Cables {
     void say(byte[] bytes) {
         current().robot().send(bytes);
         reader.run();
+    }
+
+    /** The robot shows this so many times, 15 ms apart. */
+    void show(int frames, SensorValues values, ManualClock clock) {
+        for (int frame = 0; frame < frames; frame++) {
+            say(StreamFrame.encode(RoombaSession.STREAM, values::value));
+            clock.advance(Duration.ofMillis(15));
+        }
+    }
+
+    /** These commands as they go over a cable. */
+    static byte[] bytes(Command... commands) {
+        ByteArrayOutputStream all = new ByteArrayOutputStream();
+        for (Command command : commands) {
+            all.writeBytes(command.bytes());
+        }
+        return all.toByteArray();
     }
 
     void hangUp() {

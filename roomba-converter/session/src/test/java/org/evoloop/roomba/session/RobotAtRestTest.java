@@ -1,8 +1,8 @@
 package org.evoloop.roomba.session;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.evoloop.roomba.session.Cables.bytes;
 
-import java.io.ByteArrayOutputStream;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.ArrayList;
@@ -16,7 +16,6 @@ import org.evoloop.roomba.oi.InputCommand;
 import org.evoloop.roomba.oi.OiMode;
 import org.evoloop.roomba.oi.Packet;
 import org.evoloop.roomba.oi.SensorValues;
-import org.evoloop.roomba.oi.StreamFrame;
 import org.evoloop.roomba.session.connection.Connection;
 import org.evoloop.roomba.session.inference.ActivityEstimate.EstimatedActivity;
 import org.evoloop.roomba.session.inference.Circumstances;
@@ -74,18 +73,7 @@ class RobotAtRestTest {
     }
 
     private void frames(int count, SensorValues values) {
-        for (int frame = 0; frame < count; frame++) {
-            cables.say(StreamFrame.encode(RoombaSession.STREAM, values::value));
-            clock.advance(Duration.ofMillis(15));
-        }
-    }
-
-    private static byte[] bytes(Command... commands) {
-        ByteArrayOutputStream all = new ByteArrayOutputStream();
-        for (Command command : commands) {
-            all.writeBytes(command.bytes());
-        }
-        return all.toByteArray();
+        cables.show(count, values, clock);
     }
 
     private void fallAsleep() {

@@ -37,6 +37,10 @@ public final class CameraSettings {
             Duration staleAfter,
             Optional<Path> record,
             long recordLimitBytes) {
+        if (recordLimitBytes < LEAST_RECORD_BYTES) {
+            throw new IllegalArgumentException("the limit of a recording is " + recordLimitBytes
+                    + " bytes; allowed is at least " + LEAST_RECORD_BYTES);
+        }
         this.source = source;
         this.marker = marker;
         this.model = model;
@@ -44,10 +48,6 @@ public final class CameraSettings {
         this.framesInARow = framesInARow;
         this.staleAfter = staleAfter;
         this.record = record;
-        if (recordLimitBytes < LEAST_RECORD_BYTES) {
-            throw new IllegalArgumentException("the limit of a recording is " + recordLimitBytes
-                    + " bytes; allowed is at least " + LEAST_RECORD_BYTES);
-        }
         this.recordLimitBytes = recordLimitBytes;
     }
 
@@ -95,6 +95,11 @@ public final class CameraSettings {
                 source, marker, model, size, framesInARow, staleAfter, Optional.of(other), recordLimitBytes);
     }
 
+    /** The same whose recording takes so many bytes at most, from {@value #LEAST_RECORD_BYTES}. */
+    public CameraSettings withRecordLimit(long bytes) {
+        return new CameraSettings(source, marker, model, size, framesInARow, staleAfter, record, bytes);
+    }
+
     /** Where the frames come from. */
     public CameraSource source() {
         return source;
@@ -123,11 +128,6 @@ public final class CameraSettings {
     /** How long a camera may be silent: without a new frame for so long, a camera has stalled. */
     public Duration staleAfter() {
         return staleAfter;
-    }
-
-    /** The same whose recording takes so many bytes at most, from {@value #LEAST_RECORD_BYTES}. */
-    public CameraSettings withRecordLimit(long bytes) {
-        return new CameraSettings(source, marker, model, size, framesInARow, staleAfter, record, bytes);
     }
 
     /** How many bytes a recording takes at most. */

@@ -35,7 +35,7 @@ final class AviRecorder implements FrameRecorder {
 
     private static final int INDEX_ENTRY_BYTES = 16;
 
-    /** What a frame of 1920x1080 takes at most at this quality, with what the encoder has not written yet. */
+    /** What the encoder may not have written yet: a frame of 1920x1080 takes less. */
     private static final int LARGEST_FRAME_BYTES = 1_000_000;
 
     private static final Logger LOG = LoggerFactory.getLogger(AviRecorder.class);

@@ -6,7 +6,7 @@ import org.evoloop.roomba.oi.OiMode;
 import org.evoloop.roomba.oi.SensorValues;
 
 /**
- * Sees how it stands with the robot: wheel drops and overcurrents (packets 7 and 14) are trouble, the home base among the
+ * Follows the robot's circumstances: wheel drops and overcurrents (packets 7 and 14) are trouble, the home base among the
  * charging sources (34) is the dock, and the charging state (21) tells whether that fills the battery. That it sleeps is
  * inferred: it has rested in Passive mode for as long as the specification gives it, and has fallen silent.
  *
@@ -34,7 +34,7 @@ public final class CircumstanceWatch {
     /** Before any frame. */
     public CircumstanceWatch() {}
 
-    /** How it stands with the robot, after the frames so far. */
+    /** The circumstances after the frames so far. */
     public Circumstances now() {
         return now;
     }
@@ -43,7 +43,7 @@ public final class CircumstanceWatch {
      * Takes the next frame.
      *
      * @param atWork whether the robot is taken to work by itself
-     * @return whether it has changed how it stands with the robot
+     * @return whether they have changed
      */
     public boolean update(SensorValues values, boolean atWork) {
         boolean passive = values.mode().filter(mode -> mode == OiMode.PASSIVE).isPresent();

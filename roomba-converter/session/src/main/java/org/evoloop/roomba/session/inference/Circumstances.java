@@ -1,7 +1,7 @@
 package org.evoloop.roomba.session.inference;
 
 /**
- * How it stands with the robot, whatever it is taken to do.
+ * Where the robot is and how it fares, whatever it is taken to do.
  *
  * <p>Threading: immutable.
  *

@@ -29,7 +29,7 @@ public final class CommandEffect {
 
     /** A command is about to be sent. */
     public void sending(Command command) {
-        if (takesControl(command) || endsControl(command)) {
+        if (takesControl(command) || command.opcode().endsControl()) {
             awaited = takesControl(command) == underControl ? null : command;
             missing = false;
             frames = 0;
@@ -38,10 +38,6 @@ public final class CommandEffect {
 
     private static boolean takesControl(Command command) {
         return command instanceof Command.Safe || command instanceof Command.Full;
-    }
-
-    private static boolean endsControl(Command command) {
-        return command.opcode().startsWork() || command instanceof Command.Power;
     }
 
     /** Takes the next frame; returns the command whose effect it shows, else null. */

@@ -1,0 +1,26 @@
+package org.evoloop.roomba;
+
+import java.util.Set;
+import java.util.function.Supplier;
+import org.evoloop.function.NewFunction;
+import org.evoloop.function.Visit;
+import org.evoloop.statemachine.State;
+
+/**
+ * A new function in which the robot itself does the work: it is sent an event, and tells the end by itself.
+ *
+ * @param device where the robot's model is
+ * @param words what it does, for people
+ * @param event has the robot begin
+ * @param underWay the states of its model in which it has begun: after a restart, a second command would pause it
+ */
+record RobotWork(Supplier<State> device, String words, String event, Set<String> underWay) implements NewFunction {
+
+    @Override
+    public void run(Visit visit) throws InterruptedException {
+        visit.progress(words);
+        if (!underWay.contains(device.get().name())) {
+            visit.send(event);
+        }
+    }
+}
