@@ -198,7 +198,7 @@ final class Carrier {
         } else if (directive instanceof Output.Enter enter) {
             visits.enter(enter);
         } else if (directive instanceof Output.Start start) {
-            visits.start(start.visit());
+            visits.start(start);
         }
     }
 }

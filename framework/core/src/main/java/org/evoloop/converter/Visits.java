@@ -26,14 +26,20 @@ import org.jspecify.annotations.Nullable;
  * from their own threads.
  */
 final class Visits implements VisitHost {
+    private static final Duration FIRST_PAUSE = Duration.ofMillis(100);
+
+    /** Up to 3.2 s. */
+    private static final int MOST_DOUBLINGS = 5;
+
     private final LoopConfig config;
     private final StateKnowledge knowledge;
     private final Transcript transcript;
     private final FailureLog failures;
     private final FunctionRunner functions;
     private @Nullable MapeLoop<Occurrence, ?, ?> loop;
-    private @Nullable Visit current;
+    private @Nullable HostedVisit current;
     private NewFunction function = NewFunction.none();
+    private int retries;
 
     Visits(LoopConfig config, StateKnowledge knowledge, Transcript transcript, FailureLog failures) {
         this.config = config;
@@ -72,10 +78,26 @@ final class Visits implements VisitHost {
         offer(raised(visit, event, Source.TIMER));
     }
 
-    /** Runs the function of the state that was entered, if it has not been left meanwhile. */
-    synchronized void start(long visit) {
-        Visit entered = current;
-        if (entered != null && entered.number() == visit) {
+    /**
+     * Runs the function of the state that was entered, if it has not been left meanwhile. One whose state could not be left
+     * begins again at once, and then after pauses that grow: it may end as soon as it has begun.
+     */
+    synchronized void start(Output.Start start) {
+        HostedVisit entered = current;
+        if (entered == null || entered.number() != start.visit()) {
+            return;
+        }
+        retries = start.again() ? retries + 1 : 0;
+        if (retries <= 1) {
+            functions.run(function);
+        } else {
+            int doublings = Math.min(retries - 2, MOST_DOUBLINGS);
+            entered.onClock(FIRST_PAUSE.multipliedBy(1L << doublings), () -> startLate(entered));
+        }
+    }
+
+    private synchronized void startLate(Visit entered) {
+        if (entered == current) {
             functions.run(function);
         }
     }

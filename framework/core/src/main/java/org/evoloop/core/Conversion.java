@@ -177,9 +177,9 @@ final class Conversion {
             // Its timers start anew: what was impossible now may be possible the next time.
             ledger.stay.leave(ledger.out);
         }
-        ledger.enterAgain();
+        boolean again = ledger.enterAgain();
         ledger.out.settle(ledger.place.at());
-        ledger.start(visit);
+        ledger.start(visit, again);
     }
 
     private static Outcome outcome(Decision decision, String failedEffects) {
@@ -215,8 +215,7 @@ final class Conversion {
         long visit = ledger.stay.number();
         progress.end();
         ledger.ended(pending.occurrence(), before, outcome, null, reason);
-        ledger.enterAgain();
-        ledger.start(visit);
+        ledger.start(visit, ledger.enterAgain());
     }
 
     /** A component was given up, maybe with a step on its way. */

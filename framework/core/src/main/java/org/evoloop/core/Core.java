@@ -79,7 +79,7 @@ public final class Core implements Inputs {
         } else {
             ledger.enter(ledger.stay.by(), Set.of());
         }
-        ledger.start(visit);
+        ledger.start(visit, false);
     }
 
     @Override

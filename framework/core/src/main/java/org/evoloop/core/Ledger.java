@@ -107,17 +107,19 @@ final class Ledger {
         progress.replace(pending -> pending.carriedOver(before, stay.number()));
     }
 
-    /** Enters the current state anew if its visit has ended without another state being entered. */
-    void enterAgain() {
-        if (stay.isOver() && open && !line.isRetryNext()) {
+    /** Enters the current state anew if its visit has ended without another state being entered; returns whether it has. */
+    boolean enterAgain() {
+        boolean again = stay.isOver() && open && !line.isRetryNext();
+        if (again) {
             enter(stay.by(), Set.of());
         }
+        return again;
     }
 
     /** The function of the current state begins, if another visit than {@code before} has begun and the state is new. */
-    void start(long before) {
+    void start(long before, boolean again) {
         if (stay.number() != before && rules.table().isNew(place.at().evolved())) {
-            out.start(stay.number());
+            out.start(stay.number(), again);
         }
     }
 

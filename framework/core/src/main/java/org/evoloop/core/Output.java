@@ -55,8 +55,12 @@ public sealed interface Output {
     /** An occurrence has been dealt with; the device may be given what it needs in these states. */
     record Settle(Configuration now) implements Directive {}
 
-    /** The function of the state that was entered begins. */
-    record Start(long visit) implements Directive {}
+    /**
+     * The function of the state that was entered begins.
+     *
+     * @param again whether the state was entered again because what should have led out of it has failed
+     */
+    record Start(long visit, boolean again) implements Directive {}
 
     /** It waits for its turn. */
     record Queued(Occurrence occurrence) implements Notice {}

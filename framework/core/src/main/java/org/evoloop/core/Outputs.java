@@ -57,8 +57,8 @@ public interface Outputs {
     }
 
     /** As {@link Output.Start}. */
-    default void start(long visit) {
-        say(new Output.Start(visit));
+    default void start(long visit, boolean again) {
+        say(new Output.Start(visit, again));
     }
 
     /** As {@link Output.Queued}. */

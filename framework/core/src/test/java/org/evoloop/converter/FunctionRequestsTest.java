@@ -3,8 +3,10 @@ package org.evoloop.converter;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.evoloop.converter.Robot.at;
 
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.evoloop.core.Outcome;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Values;
@@ -52,6 +54,35 @@ class FunctionRequestsTest {
             assertThat(player.last().detail())
                     .isEqualTo("a function asks for play, but the device has no transition for it in Playing");
             assertThat(player.states()).isEqualTo(at("Playing", "Fading"));
+        }
+    }
+
+    @Test
+    void aFunctionWhoseEndFailsAgainAndAgainTakesItsTime() {
+        AtomicInteger runs = new AtomicInteger();
+        try (Player player = new Player(visit -> {
+            runs.incrementAndGet();
+            visit.finish("faded");
+        })) {
+            player.press("play");
+            player.settle();
+            player.before = () -> {
+                throw new IllegalStateException("the cable is out");
+            };
+            player.press("fade");
+            player.settle();
+            assertThat(runs).as("once, and once more").hasValue(2);
+            for (int second = 0; second < 60; second++) {
+                player.clock.advance(Duration.ofSeconds(1));
+                player.settle();
+            }
+            assertThat(runs).hasValueBetween(15, 30);
+
+            player.before = () -> {};
+            player.clock.advance(Duration.ofSeconds(4));
+            player.settle();
+
+            assertThat(player.states()).isEqualTo(at("Stopped", "Stopped"));
         }
     }
 

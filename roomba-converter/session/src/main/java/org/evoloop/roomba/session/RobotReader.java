@@ -161,7 +161,7 @@ final class RobotReader implements Connection.Owner {
         listeners.forEach(listener -> listener.changed(before, now, estimate.activity()));
     }
 
-    /** Drives the robot off its dock. */
+    /** Drives the robot, which was put into Full mode, off its dock, until it is away from it or somebody else moves it. */
     synchronized void beginUndocking() {
         Telemetry now = latest;
         if (now != null) {
@@ -192,6 +192,7 @@ final class RobotReader implements Connection.Owner {
     private void pressed(Button button, boolean robotActs) {
         listeners.forEach(listener -> listener.pressed(button, robotActs));
         if (robotActs) {
+            tellAgain |= undocking.giveUp();
             estimate.pressed(button);
             if (estimate.activity() == EstimatedActivity.SPOT) {
                 spotWatch.started();
@@ -266,6 +267,7 @@ final class RobotReader implements Connection.Owner {
     /** A command has been sent. */
     synchronized void commanded(Command command) {
         framesUntilTold = 0;
+        tellAgain |= undocking.giveUp();
         control.commanded(command);
         estimate.commanded(command);
         if (command instanceof Command.Spot && estimate.activity() == EstimatedActivity.SPOT) {

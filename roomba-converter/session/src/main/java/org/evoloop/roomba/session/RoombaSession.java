@@ -294,13 +294,15 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
     }
 
     /**
-     * Drives the robot backwards off its dock, 0.3 m, and keeps it under control there. Without waiting, it drives as frames
-     * come.
+     * Drives the robot backwards off its dock, 0.3 m, and keeps it under control there, unless somebody else moves it
+     * meanwhile: its own buttons or another command. Without waiting, it drives as frames come.
      *
-     * @throws RobotException if it stays on its dock
+     * @throws LinkException if the robot cannot be reached
+     * @throws RobotException if it stays on its dock, or has just come back into sight
      * @throws InterruptedException if the thread is told to stop while it waits; the robot is stopped
      */
     public void leaveDock() throws InterruptedException {
+        send(new Command.Full());
         reader.beginUndocking();
         try {
             await(() -> !reader.isUndocking(), UNDOCK_LIMIT);
@@ -374,7 +376,7 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
     public boolean mayBeUnderControl() {
         synchronized (reader) {
             // Control that was just asked for may show only in the next frame.
-            return control.isWanted() || control.isRegaining() || isUnderControl();
+            return control.isWanted() || control.isRegaining() || reader.isUndocking() || isUnderControl();
         }
     }
 

@@ -62,17 +62,11 @@ final class Undocking {
         return phase != Phase.IDLE;
     }
 
-    /** Begins. */
+    /** Begins with a robot that has been put into Full mode. */
     void begin(Telemetry now) {
         from = now.pose();
-        go(Phase.LEAVING, new Command.Full());
-    }
-
-    private void go(Phase next, Command mode) {
-        phase = next;
+        phase = Phase.LEAVING;
         frames = 0;
-        sink.accept(mode);
-        estimate.commanded(mode);
     }
 
     /** Takes the next frame; returns whether it was the last one of the way, however that has ended. */
@@ -83,7 +77,11 @@ final class Undocking {
         frames++;
         boolean far = now.pose().distanceTo(from.xMm(), from.yMm()) >= FAR_MM;
         if (phase == Phase.LEAVING && !now.values().onHomeBase()) {
-            go(Phase.CLEARING, new Command.Safe());
+            phase = Phase.CLEARING;
+            frames = 0;
+            Command safe = new Command.Safe();
+            sink.accept(safe);
+            estimate.commanded(safe);
         } else if (phase == Phase.LEAVING && frames >= STUCK_FRAMES) {
             end();
             sink.accept(new Command.Start());
@@ -98,10 +96,16 @@ final class Undocking {
         return phase == Phase.IDLE;
     }
 
+    /** Somebody else moves the robot from here on; returns whether it was on its way. */
+    boolean giveUp() {
+        boolean given = phase != Phase.IDLE;
+        phase = Phase.IDLE;
+        return given;
+    }
+
     /** Stops the robot where it is, if it is on its way. */
     void end() {
-        if (phase != Phase.IDLE) {
-            phase = Phase.IDLE;
+        if (giveUp()) {
             sink.accept(STAND);
         }
     }

@@ -1,16 +1,20 @@
 package org.evoloop.roomba.session;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.evoloop.roomba.session.Cables.bytes;
 
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import org.evoloop.roomba.link.ForwardingLink;
 import org.evoloop.roomba.link.Link;
+import org.evoloop.roomba.link.LinkException;
 import org.evoloop.roomba.link.WakeLine;
 import org.evoloop.roomba.oi.ActuatorCommand.DriveDirect;
+import org.evoloop.roomba.oi.Button;
 import org.evoloop.roomba.oi.Command;
 import org.evoloop.roomba.oi.InputCommand;
 import org.evoloop.roomba.oi.OiMode;
@@ -84,10 +88,9 @@ class RobotAtRestTest {
     }
 
     @Test
-    void aRobotThatMaySleepIsLeftInPeace() {
+    void aRobotThatMaySleepIsNotWoken() {
         fallAsleep();
         clock.advance(Duration.ofHours(8));
-        assertThat(cables.heard()).isEmpty();
         assertThat(wakeLine).isEmpty();
         assertThat(told).containsExactly("asleep, STANDBY");
         assertThat(session.isUp()).isTrue();
@@ -141,6 +144,17 @@ class RobotAtRestTest {
     }
 
     @Test
+    void whoeverHasWokenItUnheardIsFound() {
+        fallAsleep();
+        cables.heard();
+        clock.advance(Connection.ASK_SLEEPER.plus(Duration.ofMillis(300)));
+        assertThat(cables.heard()).isEqualTo(bytes(new Command.Start(), new InputCommand.Stream(RoombaSession.STREAM)));
+        frames(20, PASSIVE);
+        assertThat(session.isAsleep()).isFalse();
+        assertThat(told).containsExactly("asleep, STANDBY", "usual, STANDBY");
+    }
+
+    @Test
     void unusedItIsLetGo() {
         session.takeControl();
         frames(3, CONTROLLED);
@@ -168,6 +182,35 @@ class RobotAtRestTest {
 
         frames(1, CONTROLLED.with(Packet.LEFT_ENCODER, -700).with(Packet.RIGHT_ENCODER, -700));
         assertThat(cables.heard()).isEqualTo(bytes(STAND));
+        assertThat(session.isUndocking()).isFalse();
+    }
+
+    @Test
+    void whoeverMovesItOnItsWayOffTheDockHasIt() throws InterruptedException {
+        frames(5, DOCKED);
+        session.leaveDock();
+        session.letGo();
+        assertThat(session.isUndocking()).isFalse();
+        cables.heard();
+        frames(100, DOCKED);
+        assertThat(cables.heard()).isEmpty();
+
+        session.leaveAlone();
+        session.leaveDock();
+        frames(4, DOCKED.with(Packet.BUTTONS, Button.toBits(Set.of(Button.CLEAN))));
+        frames(4, DOCKED);
+        assertThat(session.isUndocking()).isFalse();
+        cables.heard();
+        frames(100, DOCKED);
+        assertThat(cables.heard()).isEmpty();
+    }
+
+    @Test
+    void aRobotOutOfReachIsNotDrivenOffItsDock() {
+        frames(5, DOCKED);
+        cables.hangUp();
+        clock.advance(Duration.ofMillis(10));
+        assertThatThrownBy(session::leaveDock).isInstanceOf(LinkException.class);
         assertThat(session.isUndocking()).isFalse();
     }
 

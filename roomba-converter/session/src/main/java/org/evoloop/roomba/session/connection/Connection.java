@@ -49,6 +49,9 @@ public final class Connection {
     /** A robot in Passive mode falls asleep after five minutes; a pulse a minute keeps it awake. */
     static final Duration KEEP_AWAKE = Duration.ofMinutes(1);
 
+    /** How often a robot that sleeps is asked for its stream: somebody may have woken it, and its words were lost. */
+    public static final Duration ASK_SLEEPER = Duration.ofSeconds(5);
+
     /** After a change of the baud rate the robot needs 100 ms. */
     static final Duration BAUD_CHANGE = Duration.ofMillis(100);
 
@@ -219,16 +222,24 @@ public final class Connection {
             // It has answered while it was woken; a Start would now end its control.
             return;
         }
-        askedNanos = clock.nanoTime();
-        Duration pause = MODE_CHANGE;
         if (attempt == 1) {
-            plug.trySend(new Command.Start());
+            askForStream(Phase.ASKING);
         } else {
+            askedNanos = clock.nanoTime();
             plug.completeWhateverIsPending();
-            pause = pause.plus(Plug.completionTime(BAUD));
+            askForStream(Phase.ASKING, MODE_CHANGE.plus(Plug.completionTime(BAUD)));
         }
+    }
+
+    private void askForStream(Phase asking) {
+        askedNanos = clock.nanoTime();
+        plug.trySend(new Command.Start());
+        askForStream(asking, MODE_CHANGE);
+    }
+
+    private void askForStream(Phase asking, Duration pause) {
         later(pause, () -> {
-            if (state.phase() == Phase.ASKING) {
+            if (state.phase() == asking) {
                 plug.trySend(new InputCommand.Stream(stream));
             }
         });
@@ -274,12 +285,18 @@ public final class Connection {
                 }
             }
             case DOWN -> replug();
-            case NEW, ASLEEP, CHANGING_RATE, CLOSED -> {}
+            case ASLEEP -> {
+                if (now - askedNanos >= ASK_SLEEPER.toNanos()) {
+                    askForStream(Phase.ASLEEP);
+                }
+            }
+            case NEW, CHANGING_RATE, CLOSED -> {}
         }
     }
 
     private void fallAsleep() {
         if (state.enterFrom(Phase.UP, Phase.ASLEEP, "asleep; the next event wakes it")) {
+            askedNanos = clock.nanoTime();
             LOG.info("{}: the robot has fallen asleep", description());
             owner.outOfSight();
             owner.fellAsleep();
