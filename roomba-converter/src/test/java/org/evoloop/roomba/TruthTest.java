@@ -9,6 +9,7 @@ import java.util.Locale;
 import java.util.Random;
 import org.evoloop.PaperPair;
 import org.evoloop.RoombaPair;
+import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.loop.LoopState;
 import org.evoloop.roomba.link.MemoryLink;
@@ -191,11 +192,13 @@ class TruthTest {
         }
     }
 
-    /** Also a robot that ends its spot cleaning by itself at the last moment must have its time. */
+    /** A robot that does something at the last moment, and what that begins, must have their time. */
     private static void letThingsBecomeQuiet(Evolution evolution, SteppedRoomba stepped) {
         String before;
+        Configuration believed;
         do {
             before = evolution.truth(stepped.truth());
+            believed = stepped.states();
             stepped.advance(QUIET);
             if (evolution == Evolution.PAPER && before.equals("Dock")) {
                 // The original model has no such state. The robot's search ends when it is lifted.
@@ -203,7 +206,8 @@ class TruthTest {
                 stepped.advance(QUIET);
                 stepped.robot.setDown();
             }
-        } while (!evolution.truth(stepped.truth()).equals(before));
+        } while (!evolution.truth(stepped.truth()).equals(before)
+                || !stepped.states().equals(believed));
     }
 
     private static void perform(SteppedRoomba stepped, Deed deed) {
