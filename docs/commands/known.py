@@ -133,6 +133,10 @@ KNOWN = [
         shows="<svg ",
     ),
     typed(f"./evoloop models check {FAN}", shows="swallowed-event"),
+    typed(
+        "./evoloop models migrate models/roomba.xml#home models/roomba.xml#guest --original models/roomba.xml#original",
+        shows="waits until tm(5s) or Clean or Dock leads out",
+    ),
     typed(f"./evoloop models plan {FAN}", shows="path power, speed"),
     typed(f"./evoloop models scaffold {FAN} --package com.example.fan --out fan"),
     Known("./mvnw verify", why_not=ELSEWHERE),

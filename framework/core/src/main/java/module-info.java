@@ -12,6 +12,7 @@ module org.evoloop.core {
     exports org.evoloop.evolution;
     exports org.evoloop.function;
     exports org.evoloop.loop;
+    exports org.evoloop.migration;
     exports org.evoloop.statemachine;
     exports org.evoloop.time;
 }

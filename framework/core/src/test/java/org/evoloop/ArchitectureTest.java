@@ -40,6 +40,8 @@ class ArchitectureTest {
             .definedBy("org.evoloop.time..")
             .layer("evolution")
             .definedBy("org.evoloop.evolution..")
+            .layer("migration")
+            .definedBy("org.evoloop.migration..")
             .layer("core")
             .definedBy("org.evoloop.core..")
             .layer("loop")
@@ -54,6 +56,8 @@ class ArchitectureTest {
             .mayNotAccessAnyLayer()
             .whereLayer("evolution")
             .mayOnlyAccessLayers("statemachine")
+            .whereLayer("migration")
+            .mayOnlyAccessLayers("evolution", "statemachine")
             .whereLayer("core")
             .mayOnlyAccessLayers("evolution", "statemachine")
             .whereLayer("loop")
@@ -80,7 +84,8 @@ class ArchitectureTest {
 
     @ArchTest
     static final ArchRule decisionsArePure = noClasses()
-            .that(resideInAnyPackage("org.evoloop.statemachine..", "org.evoloop.evolution.."))
+            .that(resideInAnyPackage(
+                    "org.evoloop.statemachine..", "org.evoloop.evolution..", "org.evoloop.migration.."))
             .should()
             .dependOnClassesThat()
             .resideInAnyPackage("java.io..", "java.nio..", "java.net..", "org.slf4j..")

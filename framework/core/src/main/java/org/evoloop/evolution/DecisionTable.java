@@ -415,6 +415,28 @@ public final class DecisionTable {
         return new Configuration(original, same.isEmpty() ? original : same.get(0));
     }
 
+    /**
+     * What it takes that device and evolved system stand together, where another pair of models has led: nothing if events
+     * as they should go can lead there; else a way to a state of the device in which the new model's may be.
+     *
+     * @param at in states of these models
+     * @return a {@link Decision.Sending}, or {@link Decision.Impossible}
+     */
+    public synchronized Decision settle(Configuration at) {
+        return conversion.settle(at, situations.containsKey(at) ? List.of(at.original()) : companions(at.evolved()));
+    }
+
+    /** The states of the device in which {@code evolved} may be: those that it is, or for a new one all that go with it. */
+    private List<State> companions(State evolved) {
+        List<State> same = pair.deviceStates(evolved);
+        return !same.isEmpty()
+                ? same
+                : situations.keySet().stream()
+                        .filter(at -> at.evolved().equals(evolved))
+                        .map(Configuration::original)
+                        .toList();
+    }
+
     /** Every configuration that can be reached, first reached first. */
     public Set<Configuration> configurations() {
         return Collections.unmodifiableSet(situations.keySet());

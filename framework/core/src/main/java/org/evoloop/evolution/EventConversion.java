@@ -128,7 +128,11 @@ final class EventConversion {
         Optional<List<Step>> way = taken ? planner.shortestPath(original, goals) : wayFor(original, same, goals);
         if (way.isEmpty()) {
             return new Decision.Impossible(
-                    before, before.withOriginal(original), steps, transition, noWay(original, event, target.state()));
+                    before,
+                    before.withOriginal(original),
+                    steps,
+                    transition,
+                    noWay("event " + event + " leads to " + target.state(), original));
         }
         return existing(before, steps, steps, way.get(), transition, target);
     }
@@ -169,8 +173,24 @@ final class EventConversion {
         }
         List<Step> way = planner.shortestPath(at.original(), goals).orElse(null);
         return way == null
-                ? new Decision.Impossible(at, at, List.of(), transition, noWay(at.original(), event, target.state()))
+                ? new Decision.Impossible(
+                        at,
+                        at,
+                        List.of(),
+                        transition,
+                        noWay("event " + event + " leads to " + target.state(), at.original()))
                 : existing(at, List.of(), done, way, transition, target);
+    }
+
+    /** See {@link DecisionTable#settle}. */
+    Decision settle(Configuration at, List<State> goals) {
+        List<Step> way = planner.shortestPath(at.original(), goals).orElse(null);
+        if (way == null) {
+            String stands = "the new model stands in " + at.evolved();
+            return new Decision.Impossible(at, at, List.of(), null, noWay(stands, at.original()));
+        }
+        State reached = way.isEmpty() ? at.original() : way.get(way.size() - 1).target();
+        return new Decision.Sending(at, at.withOriginal(reached), way);
     }
 
     private static List<Step> joined(List<Step> first, List<Step> then) {
@@ -212,9 +232,9 @@ final class EventConversion {
         return List.copyOf(left);
     }
 
-    private String noWay(State original, Event event, State target) {
-        StringBuilder reason = new StringBuilder("event " + event + " leads to " + target + ", but with the device in "
-                + original + " no events that can be sent take it there (sendable: " + names(device.sendable()));
+    private String noWay(String wanted, State original) {
+        StringBuilder reason = new StringBuilder(wanted + ", but with the device in " + original
+                + " no events that can be sent take it there (sendable: " + names(device.sendable()));
         if (!device.doNotPass().isEmpty()) {
             reason.append("; not to be passed: ").append(names(device.doNotPass()));
         }

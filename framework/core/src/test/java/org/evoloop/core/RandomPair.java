@@ -16,7 +16,7 @@ import org.evoloop.statemachine.Transition;
  * A small pair at random: a device of three states that can be sent {@code a} and {@code b} and does {@code a} and {@code x}
  * by itself, and a new model with two more states, one with a timer, and effects.
  */
-final class RandomPair {
+public final class RandomPair {
     private static final List<String> DEVICE = List.of("A", "B", "C");
     private static final List<String> NEW = List.of("N", "W");
 
@@ -27,7 +27,12 @@ final class RandomPair {
     }
 
     static Scene scene(long seed) {
-        return Scene.of("pair of seed " + seed, new RandomPair(seed).draw(), Map.of("W", "late"), "a b", "a", 2);
+        return Scene.of("pair of seed " + seed, models(seed), Map.of("W", "late"), "a b", "a", 2);
+    }
+
+    /** The pair that belongs to {@code seed}. */
+    public static ModelPair models(long seed) {
+        return new RandomPair(seed).draw();
     }
 
     private ModelPair draw() {

@@ -69,7 +69,7 @@ final class CheckCommand implements Callable<Integer> {
         ModelReference evolved = options.evolved();
         if (all.stream().noneMatch(CheckCommand::isNoEvolution) && properties.isThere(evolved)) {
             Path file = properties.path(evolved);
-            switches = RuleSwitches.parse(file.toString(), PropertiesFile.read(file), pair);
+            switches = RuleSwitches.parse(file.toString(), TextFile.read(file, "properties"), pair);
             all.addAll(PropertyCheck.run(input, file.toString(), switches.properties()));
             switches.useless(all).forEach(useless -> spec.commandLine().getErr().println("note: " + useless));
         }

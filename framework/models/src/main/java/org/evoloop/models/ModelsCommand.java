@@ -14,6 +14,7 @@ import picocli.CommandLine.Spec;
             CheckCommand.class,
             DiffCommand.class,
             PlanCommand.class,
+            MigrateCommand.class,
             FlattenCommand.class,
             ScaffoldCommand.class,
             JournalCommand.class

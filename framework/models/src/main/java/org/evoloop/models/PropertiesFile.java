@@ -1,11 +1,7 @@
 package org.evoloop.models;
 
-import java.io.IOException;
-import java.nio.charset.CharacterCodingException;
 import java.nio.file.Files;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
-import org.evoloop.statemachine.ModelException;
 import org.evoloop.xmi.ModelReference;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Option;
@@ -45,24 +41,5 @@ final class PropertiesFile {
         String name = String.valueOf(models.getFileName());
         int dot = name.lastIndexOf('.');
         return models.resolveSibling((dot > 0 ? name.substring(0, dot) : name) + machine + ENDING);
-    }
-
-    /**
-     * Its text.
-     *
-     * @throws ModelException if it is no file of text
-     * @throws IOException if it cannot be read for another reason
-     */
-    static String read(Path file) throws IOException {
-        if (Files.exists(file) && !Files.isRegularFile(file)) {
-            throw new ModelException(file + ": is no file; name a file of properties");
-        }
-        try {
-            return Files.readString(file);
-        } catch (NoSuchFileException missing) {
-            throw new ModelException(file + ": does not exist; correct the path", missing);
-        } catch (CharacterCodingException notText) {
-            throw new ModelException(file + ": holds bytes that are no text in UTF-8; save it in UTF-8", notText);
-        }
     }
 }

@@ -84,7 +84,7 @@ final class ScaffoldCommand implements Callable<Integer> {
             return null;
         }
         Path file = properties.path(evolved);
-        RuleSwitches.parse(file.toString(), PropertiesFile.read(file), pair);
+        RuleSwitches.parse(file.toString(), TextFile.read(file, "properties"), pair);
         return file;
     }
 }

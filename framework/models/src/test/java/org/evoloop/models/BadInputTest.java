@@ -28,7 +28,7 @@ class BadInputTest {
 
     @Test
     void sayingNothingIsAnsweredWithWhatThereIs() {
-        assertRefused(Tool.run(), "say what to do", "show", "check", "diff", "plan", "flatten", "scaffold");
+        assertRefused(Tool.run(), "say what to do", "show", "check", "diff", "plan", "migrate", "flatten", "scaffold");
     }
 
     @Test

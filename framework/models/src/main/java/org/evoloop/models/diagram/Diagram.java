@@ -74,6 +74,12 @@ public record Diagram(String title, List<Node> nodes, List<Edge> edges) {
         /** The new model lacks it. */
         REMOVED,
         /** Part of a counter-example. */
-        MARKED
+        MARKED,
+        /** In a swap of models events are sent to keep it. */
+        SENDING,
+        /** A swap of models waits until it is left. */
+        WAITING,
+        /** No swap of models is possible in it. */
+        STUCK
     }
 }

@@ -1,0 +1,82 @@
+package org.evoloop.migration;
+
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import org.evoloop.evolution.DecisionTable;
+import org.evoloop.migration.Carried.How;
+import org.evoloop.migration.Carried.Part;
+import org.evoloop.statemachine.State;
+import org.evoloop.statemachine.StateMachine;
+import org.evoloop.statemachine.Transition;
+
+/**
+ * What becomes of the timers and the function of a state.
+ *
+ * <p>Threading: immutable.
+ */
+final class Belongings {
+    private final DecisionTable running;
+    private final DecisionTable next;
+    private final Mapping mapping;
+
+    Belongings(DecisionTable running, DecisionTable next, Mapping mapping) {
+        this.running = running;
+        this.next = next;
+        this.mapping = mapping;
+    }
+
+    /** Timers first, those of {@code from} before those that only {@code to} has. */
+    List<Carried> carried(State from, State to) {
+        List<Carried> all = new ArrayList<>();
+        Set<String> begun = new LinkedHashSet<>(timers(next.models().evolved(), to));
+        for (String timer : timers(running.models().evolved(), from)) {
+            Mapping.TimerOf key = new Mapping.TimerOf(plain(from), timer);
+            String becomes = mapping.timers().getOrDefault(key, timer);
+            boolean goesOn = begun.remove(becomes);
+            How how = !goesOn ? How.ENDED : mapping.restartedTimers().contains(key) ? How.RESTARTED : How.KEPT;
+            all.add(new Carried(Part.TIMER, timer, goesOn ? becomes : timer, how));
+        }
+        begun.forEach(timer -> all.add(new Carried(Part.TIMER, timer, timer, How.STARTED)));
+        functions(from, to, all);
+        return all;
+    }
+
+    private void functions(State from, State to, List<Carried> all) {
+        String before = running.isNew(from) ? function(running.models().evolved(), from) : "";
+        String after = next.isNew(to) ? function(next.models().evolved(), to) : "";
+        boolean same = !before.isEmpty()
+                && !after.isEmpty()
+                && (before.equals(after) || mapping.keptFunctions().contains(plain(from)));
+        if (same) {
+            boolean anew = mapping.restartedFunctions().contains(plain(from));
+            all.add(new Carried(Part.FUNCTION, before, after, anew ? How.RESTARTED : How.KEPT));
+            return;
+        }
+        if (!before.isEmpty()) {
+            all.add(new Carried(Part.FUNCTION, before, before, How.ENDED));
+        }
+        if (!after.isEmpty()) {
+            all.add(new Carried(Part.FUNCTION, after, after, How.STARTED));
+        }
+    }
+
+    private State plain(State from) {
+        return running.models().evolved().withoutMemory(from);
+    }
+
+    private static List<String> timers(StateMachine machine, State state) {
+        return machine.transitionsFrom(state).stream()
+                .map(Transition::event)
+                .filter(event -> event.timeTrigger().isPresent())
+                .map(event -> event.trigger().name())
+                .distinct()
+                .toList();
+    }
+
+    private static String function(StateMachine machine, State state) {
+        List<String> activities = machine.activities(state);
+        return activities.isEmpty() ? machine.withoutMemory(state).name() : String.join(", ", activities);
+    }
+}

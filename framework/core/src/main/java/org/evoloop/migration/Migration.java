@@ -1,0 +1,109 @@
+package org.evoloop.migration;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.evoloop.evolution.Configuration;
+import org.evoloop.evolution.Decision;
+import org.evoloop.evolution.DecisionTable;
+import org.evoloop.evolution.Turn;
+import org.evoloop.statemachine.Event;
+
+/**
+ * The plan of a swap: what becomes of every pair of states that the running models can reach. Where a pair can stand, and
+ * what has to be sent to get there, the next models' decision table says.
+ *
+ * <p>Threading: immutable.
+ *
+ * @param lines one for each pair of states, in the order in which they are reached
+ * @since 0.1
+ */
+public record Migration(List<Line> lines) {
+    public Migration {
+        lines = List.copyOf(lines);
+    }
+
+    /** What becomes of one pair of states. */
+    public record Line(Configuration at, Fate fate) {}
+
+    /** Whether no pair of states is stuck. */
+    public boolean isPossible() {
+        return lines.stream().noneMatch(line -> line.fate() instanceof Fate.Stuck);
+    }
+
+    /**
+     * The plan of a swap from the models of {@code running} to those of {@code next}.
+     *
+     * @param mapping of states that both have
+     */
+    public static Migration plan(DecisionTable running, DecisionTable next, Mapping mapping) {
+        Placement placement = new Placement(running, next, mapping);
+        Map<Configuration, Fate> fates = new LinkedHashMap<>();
+        running.configurations().forEach(at -> fates.put(at, placement.fate(at)));
+        Map<Configuration, Integer> distances = distances(running, fates);
+        List<Line> lines = new ArrayList<>();
+        fates.forEach((at, fate) -> lines.add(new Line(at, wait(running, at, fate, distances))));
+        return new Migration(lines);
+    }
+
+    /** How many events lead from each pair of states to the nearest in which a swap is possible; none for the others. */
+    private static Map<Configuration, Integer> distances(DecisionTable running, Map<Configuration, Fate> fates) {
+        Map<Configuration, Set<Configuration>> comingFrom = new HashMap<>();
+        Map<Configuration, Integer> distances = new HashMap<>();
+        Deque<Configuration> next = new ArrayDeque<>();
+        fates.forEach((at, fate) -> {
+            turns(running, at)
+                    .forEach(turn -> comingFrom
+                            .computeIfAbsent(turn.decision().after(), key -> new LinkedHashSet<>())
+                            .add(at));
+            if (fate instanceof Fate.Maps) {
+                distances.put(at, 0);
+                next.add(at);
+            }
+        });
+        while (!next.isEmpty()) {
+            Configuration reached = next.remove();
+            int further = distances.getOrDefault(reached, 0) + 1;
+            for (Configuration from : comingFrom.getOrDefault(reached, Set.of())) {
+                if (distances.putIfAbsent(from, further) == null) {
+                    next.add(from);
+                }
+            }
+        }
+        return distances;
+    }
+
+    /** What can happen there and leads elsewhere. */
+    private static List<Turn> turns(DecisionTable running, Configuration at) {
+        List<Turn> turns = new ArrayList<>(running.expected(at));
+        turns.addAll(running.interference(at));
+        turns.removeIf(turn -> turn.decision() instanceof Decision.Impossible
+                || turn.decision().after().equals(at));
+        return turns;
+    }
+
+    private static Fate wait(
+            DecisionTable running, Configuration at, Fate fate, Map<Configuration, Integer> distances) {
+        Integer distance = distances.get(at);
+        if (!(fate instanceof Fate.Stuck stuck) || distance == null) {
+            return fate;
+        }
+        Set<Event> exits = new LinkedHashSet<>();
+        for (Turn turn : turns(running, at)) {
+            Integer left = distances.get(turn.decision().after());
+            if (left != null && left < distance) {
+                exits.add(turn.event());
+            }
+        }
+        List<Event> uncertain = exits.stream()
+                .filter(exit -> exit.timeTrigger().isEmpty() || !exit.guards().isEmpty())
+                .toList();
+        return new Fate.Waits(stuck.because(), List.copyOf(exits), uncertain);
+    }
+}

@@ -1,0 +1,33 @@
+package org.evoloop.models;
+
+import java.io.IOException;
+import java.nio.charset.CharacterCodingException;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import org.evoloop.statemachine.ModelException;
+
+/** Reads what people write by hand. */
+final class TextFile {
+    private TextFile() {}
+
+    /**
+     * The text of a file.
+     *
+     * @param what it should hold, for messages: {@code properties}
+     * @throws ModelException if it is no file of text
+     * @throws IOException if it cannot be read for another reason
+     */
+    static String read(Path file, String what) throws IOException {
+        if (Files.exists(file) && !Files.isRegularFile(file)) {
+            throw new ModelException(file + ": is no file; name a file of " + what);
+        }
+        try {
+            return Files.readString(file);
+        } catch (NoSuchFileException missing) {
+            throw new ModelException(file + ": does not exist; correct the path", missing);
+        } catch (CharacterCodingException notText) {
+            throw new ModelException(file + ": holds bytes that are no text in UTF-8; save it in UTF-8", notText);
+        }
+    }
+}
