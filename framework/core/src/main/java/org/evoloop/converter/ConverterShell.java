@@ -178,7 +178,7 @@ final class ConverterShell implements LoopListener<Occurrence> {
 
     @Override
     public void failed(Failure<Occurrence> failure) {
-        ends(failure, false);
+        ends(failure, failure.cause() instanceof UnknownEffectException);
     }
 
     /**
@@ -222,10 +222,11 @@ final class ConverterShell implements LoopListener<Occurrence> {
         }
     }
 
-    private void ends(Failure<Occurrence> failure, boolean givenUp) {
+    /** @param unknown whether nobody knows if a step that was being sent had its effect */
+    private void ends(Failure<Occurrence> failure, boolean unknown) {
         report(failure);
         if (failure.occurrence() != null) {
-            driver.failed(failure.toString(), givenUp);
+            driver.failed(failure.toString(), unknown);
             carrier.carryOut();
         }
     }

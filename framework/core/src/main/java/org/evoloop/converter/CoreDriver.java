@@ -233,14 +233,18 @@ final class CoreDriver implements Intake<Occurrence> {
 
     // What goes wrong, and what goes on beside the loop
 
-    /** The occurrence in progress has failed; what follows from that is the turn of whoever calls. */
-    synchronized void failed(String reason, boolean givenUp) {
+    /**
+     * The occurrence in progress has failed; what follows from that is the turn of whoever calls.
+     *
+     * @param unknown whether nobody knows if a step that was being sent had its effect
+     */
+    synchronized void failed(String reason, boolean unknown) {
         Pending pending = outputs.begun;
         if (pending != null && core.isBusy()) {
             outputs.agenda.end();
             outputs.agenda = new Agenda();
             long now = clock.nanoTime();
-            if (givenUp) {
+            if (unknown) {
                 inputs.givenUp(pending.number(), reason, now);
             } else {
                 inputs.failed(pending.number(), reason, now);

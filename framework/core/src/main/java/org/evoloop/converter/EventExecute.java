@@ -56,7 +56,9 @@ public abstract class EventExecute extends Execute<ChangePlan> {
      * taken to have had its effect, and the original model moves to the step's target.
      *
      * @throws InterruptedException if the thread is told to stop while it waits
-     * @throws Exception any failure: the original model stays where it is, and the rest of the plan is not carried out
+     * @throws UnknownEffectException if nobody knows whether it had its effect: the device is asked, see {@link #locate}
+     * @throws Exception any other failure: it had none; the original model stays where it is, and the rest of the plan is not
+     *     carried out
      */
     protected abstract void send(Step step) throws Exception;
 
@@ -83,9 +85,9 @@ public abstract class EventExecute extends Execute<ChangePlan> {
     }
 
     /**
-     * Asks the device where it is, after something has left the record in doubt: a component was given up while it sent, or
-     * the device acted by itself while a step was on its way. Events wait meanwhile, for as long as the loop's step limit
-     * lets this take.
+     * Asks the device where it is, after something has left the record in doubt: a component was given up while it sent, or does
+     * not know whether what it has sent had its effect ({@link UnknownEffectException}), or the device acted by itself while a
+     * step was on its way. Events wait meanwhile, for as long as the loop's step limit lets this take.
      *
      * <p>The answer must be newer than everything that was reported before. A step that was given up is expected to have had its effect
      * by then, or never to have it, unless its component still reports it: in order, that counts as having come after the

@@ -147,7 +147,7 @@ public sealed interface Input {
         }
     }
 
-    /** A component was given up with it; whether a step that was being sent had its effect, nobody knows. */
+    /** A component was given up with it, or has failed; whether a step that was being sent had its effect, nobody knows. */
     record GivenUp(long number, String reason, long atNanos) implements Input {
         @Override
         public void applyTo(Inputs told) {

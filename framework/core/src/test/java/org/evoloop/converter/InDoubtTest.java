@@ -49,6 +49,38 @@ class InDoubtTest {
         assertThat(player.states().original()).isEqualTo(player.state);
     }
 
+    private void playWithoutAnAnswer() {
+        player.after = () -> {
+            player.after = () -> {};
+            throw new UnknownEffectException("play was not answered within 2 s");
+        };
+        player.press("play");
+        player.settle();
+    }
+
+    @Test
+    void aDeviceThatHasNotAnsweredIsAskedWhereItIs() {
+        player.device.canBeAsked = true;
+        playWithoutAnAnswer();
+        assertThat(player.outcomes()).containsExactly("play FAILED", "in doubt HANDLED");
+        assertThat(player.doubt()).isEmpty();
+        assertThat(player.states()).isEqualTo(at("Playing", "Playing"));
+        assertThat(player.sent).containsExactly("play");
+    }
+
+    @Test
+    void whatHasNotBeenAnsweredIsTakenToHaveHadNoEffectUntilTheDeviceIsFound() {
+        playWithoutAnAnswer();
+        assertThat(player.doubt())
+                .isEqualTo(
+                        "nobody knows whether play had its effect: Device.execute: play was not answered within 2 s");
+        assertThat(player.states()).isEqualTo(at("Stopped", "Stopped"));
+        player.found();
+        player.settle();
+        assertThat(player.doubt()).isEmpty();
+        assertThat(player.states()).isEqualTo(at("Playing", "Playing"));
+    }
+
     @Test
     void whereTheOrderMakesNoDifferenceThereIsNoDoubt() {
         player.acts("play");

@@ -51,9 +51,14 @@ final class Player implements AutoCloseable {
     State state = new State("Stopped");
 
     /** What happens while a step is on its way, before and after it has had its effect. */
-    Runnable before = () -> {};
+    Incident before = () -> {};
 
-    Runnable after = () -> {};
+    Incident after = () -> {};
+
+    /** Something that happens, or goes wrong. */
+    interface Incident {
+        void run() throws Exception;
+    }
 
     Player(NewFunction fading) {
         this(fading, new EventAnalyze());
@@ -110,7 +115,7 @@ final class Player implements AutoCloseable {
         }
 
         @Override
-        protected void send(Step step) {
+        protected void send(Step step) throws Exception {
             before.run();
             take(step.trigger());
             sent.add(step.trigger() + (values().isEmpty() ? "" : " " + values()));

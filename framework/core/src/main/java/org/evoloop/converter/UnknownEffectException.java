@@ -1,0 +1,23 @@
+package org.evoloop.converter;
+
+import java.io.IOException;
+
+/**
+ * Thrown by {@link EventExecute#send} when nobody knows whether the step has had its effect, such as when an answer did not come
+ * in time. The event fails, the record is in doubt, and the device is asked where it is before anything else begins.
+ *
+ * @since 0.1
+ */
+public class UnknownEffectException extends IOException {
+    private static final long serialVersionUID = 1;
+
+    /** @param message for people: what was sent, and what is missing */
+    public UnknownEffectException(String message) {
+        super(message);
+    }
+
+    /** @param message for people: what was sent, and what is missing */
+    public UnknownEffectException(String message, Throwable cause) {
+        super(message, cause);
+    }
+}
