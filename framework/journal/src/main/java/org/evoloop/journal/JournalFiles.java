@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Consumer;
+import java.util.function.Function;
 
 /**
  * A journal as it lies in its directory, for whoever wants to see what is in it. Nothing is written and no lock is taken: the
@@ -68,24 +69,29 @@ public final class JournalFiles {
      */
     public List<SegmentInfo> read(Consumer<JournalRecord> reader) {
         List<SegmentInfo> read = new ArrayList<>();
+        each(file -> new SegmentRecords(file, new SegmentReader(file)), segment -> {
+            segment.records().forEach(reader);
+            read.add(segment.info());
+        });
+        return read;
+    }
+
+    /** Has every segment read, the oldest first, none of which is told before it is known to be whole. */
+    <T> void each(Function<Path, T> reading, Consumer<T> reader) {
         List<Path> files = Directory.segments(directory);
         for (Path file : files) {
             boolean newest = file.equals(files.get(files.size() - 1));
             if (!(newest && SegmentReader.writtenBytes(file) == 0)) {
-                SegmentRecords segment = whole(file, newest);
-                segment.records().forEach(reader);
-                read.add(segment.info());
+                reader.accept(whole(file, newest, reading));
             }
         }
-        return read;
     }
 
-    /** The segment, none of which is told before it is known to be whole. */
-    private SegmentRecords whole(Path file, boolean mayGrow) {
+    private static <T> T whole(Path file, boolean mayGrow, Function<Path, T> reading) {
         int looks = mayGrow ? LOOKS : 1;
         while (true) {
             try {
-                return new SegmentRecords(file, new SegmentReader(file));
+                return reading.apply(file);
             } catch (JournalException wrong) {
                 looks--;
                 if (looks == 0 || !wrong.isDamage()) {

@@ -9,7 +9,12 @@ import picocli.CommandLine.Spec;
 @Command(
         name = "journal",
         description = "Looks into the journal that a converter keeps with --journal DIR, also while it is in use.",
-        subcommands = {JournalShowCommand.class, JournalVerifyCommand.class, JournalExportCommand.class},
+        subcommands = {
+            JournalShowCommand.class,
+            JournalVerifyCommand.class,
+            JournalExportCommand.class,
+            JournalReplayCommand.class
+        },
         mixinStandardHelpOptions = true)
 final class JournalCommand implements Runnable {
     @Spec

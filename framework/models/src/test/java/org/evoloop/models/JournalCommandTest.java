@@ -6,6 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.sql.DriverManager;
 import java.sql.ResultSet;
+import java.util.Arrays;
 import java.util.Set;
 import org.evoloop.converter.EventExecute;
 import org.evoloop.converter.StateKnowledge;
@@ -77,6 +78,50 @@ class JournalCommandTest {
 
     private String directory() {
         return folder.resolve("journal").toString();
+    }
+
+    @Test
+    void replayTellsWhereOtherModelsWouldHaveDecidedOtherwise() throws Exception {
+        String lamp = Path.of(System.getProperty("evoloop.root"), "models", "light-bulb.xml")
+                .toString();
+        Tool same =
+                Tool.run("journal", "replay", directory(), "--original", lamp + "#original", "--new", lamp + "#new");
+        assertThat(same.err()).isEmpty();
+        assertThat(same.status()).isZero();
+        assertThat(same.out()).isEqualTo("1 events, 0 decided otherwise\n");
+
+        Path other = Files.writeString(folder.resolve("other.scxml"), """
+                        <scxml xmlns="http://www.w3.org/2005/07/scxml" version="1.0" initial="off" name="other">
+                          <state id="off"><transition event="switch" target="party"/></state>
+                          <state id="on"><transition event="switch" target="off"/></state>
+                          <state id="party"><transition event="switch" target="on"/></state>
+                        </scxml>
+                        """);
+        String[] replay = {"journal", "replay", directory(), "--original", lamp + "#original", "--new", other + "#other"
+        };
+        assertThat(Tool.run(replay).out())
+                .contains("switch (controller, by=a \"visitor\")\n")
+                .contains("  then  (off, off) -> (on, on), sends switch: existing-function\n")
+                .contains("  now   (off, off) -> (off, party): new-function\n")
+                .endsWith("1 events, 1 decided otherwise\n");
+        String[] json = Arrays.copyOf(replay, replay.length + 2);
+        json[replay.length] = "--format";
+        json[replay.length + 1] = "json";
+        JsonNode told = new ObjectMapper().readTree(Tool.run(json).out());
+        JsonNode difference = told.path("differences").get(0);
+        assertThat(difference.path("then").path("sent").get(0).asString()).isEqualTo("switch");
+        assertThat(difference.path("now").path("after").path("new").asString()).isEqualTo("party");
+
+        assertThat(Tool.run(
+                        "journal",
+                        "replay",
+                        folder.toString(),
+                        "--original",
+                        lamp + "#original",
+                        "--new",
+                        lamp + "#new"))
+                .satisfies(none -> assertThat(none.status()).isEqualTo(2))
+                .satisfies(none -> assertThat(none.err()).contains("is no journal"));
     }
 
     @Test

@@ -7,8 +7,7 @@ import org.evoloop.journal.JournalRecord;
 
 /** Records for people, one line each. */
 public final class RecordText {
-    private static final DateTimeFormatter TIME =
-            DateTimeFormatter.ofPattern("uuuu-MM-dd HH:mm:ss.SSSSSS", Locale.ROOT);
+    static final DateTimeFormatter TIME = DateTimeFormatter.ofPattern("uuuu-MM-dd HH:mm:ss.SSSSSS", Locale.ROOT);
 
     private RecordText() {}
 

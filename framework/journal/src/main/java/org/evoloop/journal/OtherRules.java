@@ -1,0 +1,73 @@
+package org.evoloop.journal;
+
+import java.time.Duration;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Set;
+import org.evoloop.core.Rules;
+import org.evoloop.evolution.Configuration;
+import org.evoloop.evolution.DecisionTable;
+import org.evoloop.evolution.DeviceEvents;
+import org.evoloop.evolution.ModelPair;
+import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.State;
+
+/** Other models under the conditions of a recorded converter: what can be sent, timers, and the room in the queue. */
+final class OtherRules {
+    private final ModelPair models;
+
+    OtherRules(ModelPair models) {
+        this.models = models;
+    }
+
+    Rules like(Head head) {
+        DecisionTable table = DecisionTable.compile(models, device(head.device(), head.models()));
+        Map<State, Map<Event, Duration>> timers = new HashMap<>();
+        models.evolved().states().forEach(state -> timers.put(state, timers(state, head)));
+        return new Rules(table, state -> timers.getOrDefault(state, Map.of()), head.queueCapacity());
+    }
+
+    /** What only the other device knows can be sent, unless it is the device's own. */
+    private DeviceEvents device(DeviceEvents then, ModelPair recorded) {
+        Set<Event> triggers = models.original().triggers();
+        Set<Event> sendable = new HashSet<>(triggers);
+        sendable.removeIf(event -> recorded.original().triggers().contains(event)
+                ? !then.sendable().contains(event)
+                : event.timeTrigger().isPresent()
+                        || models.original().spontaneous().contains(event));
+        Set<Event> spontaneous = new HashSet<>(then.spontaneous());
+        spontaneous.retainAll(triggers);
+        return new DeviceEvents(sendable, spontaneous)
+                .withCosts(then.costs())
+                .withDoNotPass(then.doNotPass())
+                .withBoundGuards(models.original().guards());
+    }
+
+    /** Those that are drawn, and those that code had registered for a state of the same name. */
+    private Map<Event, Duration> timers(State state, Head head) {
+        Map<Event, Duration> timers = new LinkedHashMap<>();
+        head.timers().getOrDefault(state, Map.of()).forEach((event, delay) -> {
+            if (event.timeTrigger().isEmpty() && models.evolved().hasTrigger(state, event)) {
+                timers.put(event, delay);
+            }
+        });
+        models.evolved().transitionsFrom(state).forEach(transition -> {
+            Event trigger = transition.event().trigger();
+            trigger.timeTrigger().ifPresent(delay -> timers.put(trigger, delay));
+        });
+        return timers;
+    }
+
+    /** Where the other models begin when the recorded ones were at {@code then}. */
+    Configuration placed(Configuration then) {
+        State device = models.original().hasState(then.original())
+                ? then.original()
+                : models.original().initial();
+        if (models.evolved().hasState(then.evolved())) {
+            return new Configuration(device, then.evolved());
+        }
+        return new Configuration(device, models.evolvedStates(device).get(0));
+    }
+}

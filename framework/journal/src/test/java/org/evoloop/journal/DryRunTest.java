@@ -1,0 +1,173 @@
+package org.evoloop.journal;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.List;
+import java.util.Set;
+import org.evoloop.converter.EventExecute;
+import org.evoloop.converter.PushMonitor;
+import org.evoloop.converter.StateKnowledge;
+import org.evoloop.converter.SystemEventConverter;
+import org.evoloop.core.Outcome;
+import org.evoloop.evolution.ModelPair;
+import org.evoloop.evolution.Step;
+import org.evoloop.function.NewFunction;
+import org.evoloop.journal.DryRun.Difference;
+import org.evoloop.loop.LoopConfig;
+import org.evoloop.statemachine.StateMachine;
+import org.evoloop.statemachine.StateMachineBuilder;
+import org.evoloop.time.ManualClock;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Yesterday's events of a music player, told to the evolution that its owner has drawn today. */
+class DryRunTest {
+    private static final StateMachine DEVICE = player("device").build();
+    private static final ModelPair YESTERDAY = fading("tm(2s)", "Stopped");
+
+    @TempDir
+    private Path directory;
+
+    private final ManualClock clock = new ManualClock();
+    private boolean broken;
+
+    private static StateMachineBuilder player(String name) {
+        return StateMachine.named(name)
+                .initial("Stopped")
+                .transition("Stopped", "play", "Playing")
+                .transition("Playing", "stop", "Stopped")
+                .transition("Playing", "pause", "Paused")
+                .transition("Paused", "play", "Playing");
+    }
+
+    /** Fading ends after some time in a state. */
+    private static ModelPair fading(String timer, String end) {
+        return new ModelPair(
+                DEVICE,
+                player("new")
+                        .transition("Playing", "fade", "Fading")
+                        .transition("Fading", timer, end)
+                        .transition("Fading", "faded", "Stopped")
+                        .build());
+    }
+
+    private final class Buttons extends PushMonitor {
+        @Override
+        protected Set<String> spontaneousEvents() {
+            return Set.of("stop");
+        }
+
+        private void acted(String event) {
+            push(fromPanel(event, true));
+        }
+    }
+
+    /** One process; it presses, {@code !} for the device's own buttons, and waits so many milliseconds after a number. */
+    private void live(NewFunction function, String... deeds) throws InterruptedException {
+        Buttons buttons = new Buttons();
+        SystemEventConverter converter =
+                new SystemEventConverter(LoopConfig.defaults("player", clock).withoutThreads());
+        converter.addMonitor(buttons);
+        converter.addExecute(new EventExecute("Device") {
+            @Override
+            protected Set<String> sendableEvents() {
+                return Set.of("play", "stop", "pause");
+            }
+
+            @Override
+            protected void send(Step step) throws IOException {
+                if (broken) {
+                    throw new IOException("the cable is out");
+                }
+            }
+        });
+        converter.addKnowledge(new StateKnowledge(YESTERDAY) {
+            @Override
+            protected void registerNewFunctions() {
+                function("Fading", function);
+            }
+        });
+        converter.journal(Journal.in(directory).withForcing(Forcing.NEVER));
+        converter.build();
+        converter.start();
+        for (String deed : deeds) {
+            clock.advance(Duration.ofMillis(1));
+            if (Character.isDigit(deed.charAt(0))) {
+                clock.advance(Duration.ofMillis(Long.parseLong(deed)));
+            } else if (deed.startsWith("!")) {
+                buttons.acted(deed.substring(1));
+            } else {
+                buttons.press(deed);
+            }
+            converter.observe(buttons);
+            while (converter.step()) {
+                // All that waits.
+            }
+        }
+        converter.close();
+    }
+
+    private List<String> told(ModelPair models) {
+        return DryRun.of(directory, models).differences().stream()
+                .map(each -> each.occurrence().label() + " | " + each.recorded() + " | " + each.other())
+                .toList();
+    }
+
+    @Test
+    void theSameModelsDecideTheSame() throws InterruptedException {
+        live(NewFunction.none(), "play", "fade", "2500", "play", "!stop", "fade", "play", "pause", "play", "stop");
+        broken = true;
+        live(NewFunction.none(), "play");
+        broken = false;
+        live(visit -> visit.finishAfter(Duration.ofMillis(700), "faded"), "play", "fade", "900", "play");
+        DryRun.Result result = DryRun.of(directory, YESTERDAY);
+        assertThat(result.differences()).isEmpty();
+        assertThat(result.events()).isEqualTo(15);
+    }
+
+    @Test
+    void whatIsDecidedOtherwiseIsToldWithBothReasons() throws InterruptedException {
+        live(NewFunction.none(), "play", "fade", "2500", "stop");
+        assertThat(told(fading("tm(2s)", "Paused")))
+                .containsExactly(
+                        "tm(2s) | (Playing, Fading) -> (Stopped, Stopped), sends stop: existing-function"
+                                + " | (Playing, Fading) -> (Paused, Paused), sends pause: existing-function",
+                        "stop | stays in (Stopped, Stopped): not-acceptable | stays in (Paused, Paused): not-acceptable");
+    }
+
+    @Test
+    void timersAreDueWhenTheOtherModelsHaveThem() throws InterruptedException {
+        live(NewFunction.none(), "play", "fade", "2500", "5000", "play");
+        List<Difference> differences =
+                DryRun.of(directory, fading("tm(4s)", "Stopped")).differences();
+        assertThat(differences).hasSize(2);
+        assertThat(differences.get(0).occurrence().label()).isEqualTo("tm(2s)");
+        assertThat(differences.get(0).other()).isNull();
+        assertThat(differences.get(1).occurrence().label()).isEqualTo("tm(4s)");
+        assertThat(differences.get(1).recorded()).isNull();
+        assertThat(Duration.between(differences.get(0).at(), differences.get(1).at()))
+                .isEqualTo(Duration.ofSeconds(2));
+    }
+
+    @Test
+    void whatAFunctionRaisedHappensOnlyWhereItRuns() throws InterruptedException {
+        live(visit -> visit.finishAfter(Duration.ofMillis(700), "faded"), "play", "fade", "900");
+        ModelPair without = new ModelPair(
+                DEVICE, player("new").transition("Playing", "fade", "Paused").build());
+        List<Difference> differences = DryRun.of(directory, without).differences();
+        assertThat(differences).extracting(each -> each.occurrence().label()).containsExactly("fade", "faded");
+        assertThat(differences.get(1).other()).isNull();
+        assertThat(differences.get(1).recorded()).extracting(Verdict::outcome).isEqualTo(Outcome.HANDLED);
+    }
+
+    @Test
+    void aJournalThatIsNotThereIsNamed() {
+        assertThatThrownBy(() -> DryRun.of(directory.resolve("nowhere"), YESTERDAY))
+                .isInstanceOf(JournalException.class)
+                .hasMessageContaining("nowhere does not exist");
+    }
+}
