@@ -26,6 +26,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /**
  * Whatever people do to the robot and to its cable: once things are quiet, the converter's original model is in the state
@@ -126,6 +127,13 @@ class TruthTest {
     @CsvSource({"PAPER, 300", "HOME, 200", "GUEST, 50"})
     void isKnownAfterSomeRandomSequences(Evolution evolution, int sequences) {
         search(evolution, 20_261_121, sequences);
+    }
+
+    /** Sequences that are rare: in one of a thousand half a command, a press and a cable that blinks meet like this. */
+    @ParameterizedTest
+    @ValueSource(longs = {6_485, 11_837, 14_356, 70_369, 70_376, 91_325})
+    void isKnownAfterRareSequences(long seed) {
+        search(Evolution.HOME, seed, 1);
     }
 
     @ParameterizedTest

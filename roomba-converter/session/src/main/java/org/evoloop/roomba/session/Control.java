@@ -50,6 +50,7 @@ final class Control {
     private volatile boolean wanted;
     private volatile boolean regaining;
     private @Nullable Command unconfirmed;
+    private boolean halted;
     private @Nullable Command again;
     private int againFrames;
     private boolean outOfSight;
@@ -113,6 +114,7 @@ final class Control {
             mayHaveMissed = false;
         }
         unconfirmed = null;
+        halted = false;
         again = null;
         if (command.opcode().endsControl()) {
             unconfirmed = underControl ? command : null;
@@ -177,7 +179,13 @@ final class Control {
      * robot is at work, or it has not received it.
      */
     private void confirm(Command command) {
-        if (estimate.isAtWork()) {
+        if (estimate.isAtWork() && !halted) {
+            // It may drive by what commands have become of which a part was lost. One that works by itself takes no notice.
+            halted = true;
+            framesWith = 0;
+            connection.completeWhateverIsPending();
+            connection.trySend(new ActuatorCommand.DriveDirect(0, 0));
+        } else if (estimate.isAtWork() && framesWith >= CONFIRM_FRAMES) {
             unconfirmed = null;
             LOG.warn(
                     "{}: the robot works by itself, but its mode says that it is under control. It may report its mode one "
