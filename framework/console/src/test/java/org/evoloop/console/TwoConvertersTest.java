@@ -148,7 +148,7 @@ class TwoConvertersTest {
 
     @Test
     void oneConsoleControlsBothEachByItsName() {
-        String lines = "lower start\nlower status\nstart\nstatus\nupper status\nlower stop now\n";
+        String lines = "lower start\nlower status\nstart\nstatus\nupper status\nlowr start\nlower stop now\n";
         Captured out = new Captured();
         Captured err = new Captured();
         Console console = new Console(
@@ -157,11 +157,15 @@ class TwoConvertersTest {
         console.run();
 
         assertThat(out.lines())
+                .contains("running: original Off, new Off; lower watch shows what happens")
                 .contains("converter   lower, running", "converter   upper, running")
                 .filteredOn(line -> line.startsWith("converter"))
                 .hasSize(2);
         assertThat(err.lines())
-                .containsExactly("error: unknown command 'upper'; help lists the commands", "error: usage: stop");
+                .containsExactly(
+                        "error: unknown command 'upper'; help lists the commands",
+                        "error: unknown command 'lowr'; did you mean lower?",
+                        "error: usage: stop");
         assertThat(List.of(lower.status().loop(), upper.status().loop())).containsOnly(LoopState.EXITED);
     }
 }
