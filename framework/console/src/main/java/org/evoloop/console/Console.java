@@ -56,9 +56,8 @@ public final class Console {
 
     private final Reader reader = new Reader() {
         @Override
-        public int width() {
-            // A terminal breaks lines by itself, as narrow as it is.
-            return terminal() == null ? Wrapping.USUAL_WIDTH : Integer.MAX_VALUE;
+        public boolean isAtTerminal() {
+            return terminal() != null;
         }
 
         @Override

@@ -69,7 +69,8 @@ final class ConverterCommands {
         forPeople(
                 out,
                 text -> text.println((running ? "already running: " : "running: ")
-                        + StatusText.states(converter.status()) + "; " + next.get()));
+                        + StatusText.states(converter.status())
+                        + (reader.isAtTerminal() ? "; " + next.get() : "")));
     }
 
     private void stop(List<String> arguments, PrintStream out) {
@@ -168,7 +169,8 @@ final class ConverterCommands {
 
     /** Prints what {@code text} is given, its lines broken for whoever reads them. */
     private void forPeople(PrintStream out, Consumer<PrintStream> text) {
-        out.print(Wrapping.wrap(text(text), reader.width()));
+        String lines = text(text);
+        out.print(reader.isAtTerminal() ? lines : Wrapping.wrap(lines, Wrapping.USUAL_WIDTH));
     }
 
     /** What {@code text} is given. */

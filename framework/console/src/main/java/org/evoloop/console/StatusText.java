@@ -35,7 +35,8 @@ final class StatusText {
         line(out, "now", now(status));
         ConverterStatus.LinkStatus link = status.link();
         if (link != null) {
-            if (!link.readings().isEmpty()) {
+            // What was read from a device that is gone may no longer be so.
+            if (link.up() && !link.readings().isEmpty()) {
                 line(out, "device", readings(link.readings()));
             }
             line(out, "link", (link.up() ? "up" : "down") + (link.text().isEmpty() ? "" : ", " + link.text()));
@@ -88,6 +89,9 @@ final class StatusText {
         }
         ConverterStatus.RunningFunction function = status.function();
         if (function.state().isEmpty()) {
+            if (status.link() != null && !status.link().up()) {
+                return "waiting for the device";
+            }
             int waiting = status.queue().depth();
             return waiting == 0 ? "waiting for an event" : counted(waiting, "event") + " waiting to be converted";
         }

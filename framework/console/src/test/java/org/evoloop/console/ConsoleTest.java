@@ -53,7 +53,7 @@ class ConsoleTest {
                 .containsOnly("error: the converter lamp is stopped, so switch is refused; start it first")
                 .hasSize(2);
         assertThat(out.text().replaceAll("since [-0-9]+ [:0-9]+", "since then")).isEqualTo("""
-                        running: original off, new off; type switch
+                        running: original off, new off
                         stopped: events are refused until start
                         converter   lamp, stopped
                         states      original on, new on; last known, since then
@@ -146,15 +146,15 @@ class ConsoleTest {
     }
 
     @Test
-    void startAndStopSayWhatHappenedAndWhatCanBeTypedNext() {
+    void startAndStopSayWhatHappened() {
         run("start", "start", "switch", "switch", "stop", "start");
 
         assertThat(out.text().replaceAll("since [-0-9]+ [:0-9]+", "since then").lines())
                 .containsExactly(
-                        "running: original off, new off; type switch",
-                        "already running: original off, new off; type switch",
+                        "running: original off, new off",
+                        "already running: original off, new off",
                         "stopped: events are refused until start",
-                        "running: original on, new wait; type switch");
+                        "running: original on, new wait");
     }
 
     @Test
@@ -187,7 +187,7 @@ class ConsoleTest {
                 "  \t ",
                 "start");
 
-        assertThat(out.lines()).containsExactly("running: original off, new off; type switch");
+        assertThat(out.lines()).containsExactly("running: original off, new off");
         assertThat(err.lines())
                 .containsExactly(
                         "error: unknown command 'dance'; help lists the commands",

@@ -134,6 +134,29 @@ class StatusFormatTest {
     }
 
     @Test
+    void whatWasReadFromADeviceThatIsGoneIsNotTold() {
+        Captured out = new Captured();
+        ConverterStatus gone = new ConverterStatus(
+                BUSY.name(),
+                LoopState.RUNNING,
+                BUSY.states(),
+                "",
+                Optional.empty(),
+                BUSY.queue(),
+                BUSY.events(),
+                BUSY.conversionTime(),
+                List.of(),
+                ConverterStatus.RunningFunction.NONE,
+                List.of(),
+                new ConverterStatus.LinkStatus(false, "no cable", BUSY.link().readings()));
+
+        StatusText.brief(gone, out.stream);
+
+        assertThat(out.lines()).contains("now         waiting for the device", "link        down, no cable");
+        assertThat(out.text()).doesNotContain("battery");
+    }
+
+    @Test
     void durationsHaveTheUnitThatFits() {
         assertThat(StatusText.duration(0)).isEqualTo("0 us");
         assertThat(StatusText.duration(999_499)).isEqualTo("999 us");

@@ -157,7 +157,7 @@ class TwoConvertersTest {
         console.run();
 
         assertThat(out.lines())
-                .contains("running: original Off, new Off; lower watch shows what happens")
+                .contains("running: original Off, new Off")
                 .contains("converter   lower, running", "converter   upper, running")
                 .filteredOn(line -> line.startsWith("converter"))
                 .hasSize(2);
