@@ -38,6 +38,8 @@ class ArchitectureTest {
             .definedBy("org.evoloop.statemachine..")
             .layer("time")
             .definedBy("org.evoloop.time..")
+            .layer("flight")
+            .definedBy("org.evoloop.flight..")
             .layer("evolution")
             .definedBy("org.evoloop.evolution..")
             .layer("core")
@@ -52,16 +54,18 @@ class ArchitectureTest {
             .mayNotAccessAnyLayer()
             .whereLayer("time")
             .mayNotAccessAnyLayer()
+            .whereLayer("flight")
+            .mayNotAccessAnyLayer()
             .whereLayer("evolution")
             .mayOnlyAccessLayers("statemachine")
             .whereLayer("core")
             .mayOnlyAccessLayers("evolution", "statemachine")
             .whereLayer("loop")
-            .mayOnlyAccessLayers("time")
+            .mayOnlyAccessLayers("time", "flight")
             .whereLayer("function")
             .mayOnlyAccessLayers("loop", "time", "statemachine")
             .whereLayer("converter")
-            .mayOnlyAccessLayers("core", "loop", "function", "evolution", "time", "statemachine");
+            .mayOnlyAccessLayers("core", "loop", "function", "flight", "evolution", "time", "statemachine");
 
     @ArchTest
     static final ArchRule noRoomsLeadInACircle =

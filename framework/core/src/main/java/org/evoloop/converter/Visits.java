@@ -6,6 +6,7 @@ import org.evoloop.core.Output;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Source;
 import org.evoloop.evolution.Values;
+import org.evoloop.flight.WorkEvent;
 import org.evoloop.function.NewFunction;
 import org.evoloop.function.Visit;
 import org.evoloop.function.visit.FunctionRunner;
@@ -34,6 +35,7 @@ final class Visits implements VisitHost {
     private @Nullable MapeLoop<Occurrence, ?, ?> loop;
     private @Nullable Visit current;
     private NewFunction function = NewFunction.none();
+    private volatile @Nullable WorkEvent recorded;
 
     Visits(LoopConfig config, StateKnowledge knowledge, Transcript transcript, FailureLog failures) {
         this.config = config;
@@ -76,13 +78,20 @@ final class Visits implements VisitHost {
     synchronized void start(long visit) {
         Visit entered = current;
         if (entered != null && entered.number() == visit) {
+            recorded = WorkEvent.begun();
             functions.run(function);
         }
     }
 
     /** Ends what runs in the current visit, whose state will be left. */
     void leave() {
+        Visit left = functions.running();
+        WorkEvent ended = recorded;
         functions.end();
+        if (left != null && ended != null) {
+            WorkEvent.ended(ended, config.name(), WorkEvent.Kind.FUNCTION, left.state());
+            recorded = null;
+        }
     }
 
     boolean ownsCurrentThread() {
