@@ -147,6 +147,25 @@ class TwoConvertersTest {
     }
 
     @Test
+    void theFirstScreenShowsBothAndWhichIsToBeStarted() {
+        assertThat(firstScreen())
+                .contains("converter   upper, stopped", "converter   lower, stopped")
+                .endsWith("Type start to convert events; help lists all commands.");
+        upper.start();
+        assertThat(firstScreen()).endsWith("Type lower start to convert events; help lists all commands.");
+        lower.start();
+        assertThat(firstScreen()).endsWith("Type press party; help lists all commands.");
+    }
+
+    private List<String> firstScreen() {
+        ConsoleCommand press = ConsoleCommand.of("press EVENT", "", (arguments, out) -> {})
+                .completing(before -> List.of("boost", "party"));
+        return ConverterCommands.text(out -> FirstScreen.show(List.of(upper, lower), List.of(press), out))
+                .lines()
+                .toList();
+    }
+
+    @Test
     void oneConsoleControlsBothEachByItsName() {
         String lines = "lower start\nlower status\nstart\nstatus\nupper status\nlowr start\nlower stop now\n";
         Captured out = new Captured();
