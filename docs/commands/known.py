@@ -76,6 +76,12 @@ KNOWN = [
     Known("./evoloop test --stress", why_not="takes some minutes of both processors; a test run of its own"),
     typed("./evoloop lightbulb", input="start\nswitch\nstatus\nexit\n", shows="switch"),
     typed("./evoloop lightbulb --help", shows="--models"),
+    Known(
+        "java -XX:StartFlightRecording=filename=lamp.jfr -jar lightbulb-example.jar",
+        run="java -XX:StartFlightRecording=filename=target/lamp.jfr -jar lightbulb-example/target/lightbulb-example.jar",
+        input="start\nswitch\nexit\n",
+        shows="switch",
+    ),
     Known("./evoloop lightbulb --page 8080", run="./evoloop lightbulb --page 0", input="start\nswitch\nexit\n", shows="switch"),
     Known(
         "./evoloop lightbulb --start --mqtt mqtt://homeassistant.local",

@@ -18,7 +18,4 @@ module org.evoloop.roomba {
 
     opens org.evoloop.roomba to
             info.picocli;
-
-    provides ch.qos.logback.classic.spi.Configurator with
-            org.evoloop.roomba.ProgramLog;
 }

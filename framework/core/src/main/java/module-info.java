@@ -4,6 +4,7 @@
  */
 module org.evoloop.core {
     requires static org.jspecify;
+    requires jdk.jfr;
     requires org.slf4j;
 
     exports org.evoloop.converter;

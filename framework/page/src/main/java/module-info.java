@@ -6,4 +6,6 @@ module org.evoloop.page {
     requires org.slf4j;
 
     exports org.evoloop.page;
+
+    uses org.evoloop.page.Document;
 }

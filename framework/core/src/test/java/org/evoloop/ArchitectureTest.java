@@ -38,6 +38,8 @@ class ArchitectureTest {
             .definedBy("org.evoloop.statemachine..")
             .layer("time")
             .definedBy("org.evoloop.time..")
+            .layer("flight")
+            .definedBy("org.evoloop.flight..")
             .layer("evolution")
             .definedBy("org.evoloop.evolution..")
             .layer("migration")
@@ -54,6 +56,8 @@ class ArchitectureTest {
             .mayNotAccessAnyLayer()
             .whereLayer("time")
             .mayNotAccessAnyLayer()
+            .whereLayer("flight")
+            .mayNotAccessAnyLayer()
             .whereLayer("evolution")
             .mayOnlyAccessLayers("statemachine")
             .whereLayer("migration")
@@ -61,11 +65,11 @@ class ArchitectureTest {
             .whereLayer("core")
             .mayOnlyAccessLayers("evolution", "statemachine")
             .whereLayer("loop")
-            .mayOnlyAccessLayers("time")
+            .mayOnlyAccessLayers("time", "flight")
             .whereLayer("function")
             .mayOnlyAccessLayers("loop", "time", "statemachine")
             .whereLayer("converter")
-            .mayOnlyAccessLayers("core", "loop", "function", "evolution", "time", "statemachine");
+            .mayOnlyAccessLayers("core", "loop", "function", "flight", "evolution", "time", "statemachine");
 
     @ArchTest
     static final ArchRule noRoomsLeadInACircle =

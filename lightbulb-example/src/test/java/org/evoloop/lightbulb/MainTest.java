@@ -68,6 +68,7 @@ class MainTest {
             keyboard.flush();
             assertThat(readTo(screen, " new_current_state: on"))
                     .containsExactly(
+                            "running: original off, new off",
                             // The lamp itself is first: its event is told when it has been dealt with.
                             "(*) daylight",
                             "----   button_event : switch   -----",

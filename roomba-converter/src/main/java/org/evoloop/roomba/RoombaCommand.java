@@ -24,6 +24,7 @@ import org.evoloop.roomba.session.SessionOptions;
 import org.evoloop.roomba.simulator.SimulatorServer;
 import org.evoloop.roomba.simulator.WorldCommands;
 import org.evoloop.service.Service;
+import org.evoloop.statemachine.Names;
 import org.evoloop.time.Clock;
 import org.evoloop.time.SystemClock;
 import org.jspecify.annotations.Nullable;
@@ -203,10 +204,16 @@ final class RoombaCommand implements Callable<Integer> {
 
     private static String event(RobotModels models, String button) {
         List<String> known = models.buttons();
+        String meant = Names.meant(button, known).toLowerCase(Locale.ROOT);
         return known.stream()
                 .filter(name -> name.equalsIgnoreCase(button))
                 .findFirst()
-                .orElseThrow(() -> new IllegalArgumentException("the controller has no button " + button + "; it has "
-                        + String.join(", ", known).toLowerCase(Locale.ROOT).replaceFirst(", (?=[^,]*$)", " and ")));
+                .orElseThrow(() -> new IllegalArgumentException("the controller has no button " + button
+                        + (meant.isEmpty()
+                                ? "; it has "
+                                        + String.join(", ", known)
+                                                .toLowerCase(Locale.ROOT)
+                                                .replaceFirst(", (?=[^,]*$)", " and ")
+                                : meant)));
     }
 }

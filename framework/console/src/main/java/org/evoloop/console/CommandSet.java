@@ -7,7 +7,10 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
+import java.util.stream.Collectors;
+import org.evoloop.statemachine.Names;
 
 /**
  * The commands of a console by name, and how a line calls one of them.
@@ -36,9 +39,17 @@ final class CommandSet {
     ConsoleCommand require(String name) {
         ConsoleCommand command = commands.get(name);
         if (command == null) {
-            throw new IllegalArgumentException("unknown command '" + name + "'; help lists the commands");
+            throw new IllegalArgumentException("unknown command '" + Names.shown(name) + "'" + meant(name));
         }
         return command;
+    }
+
+    private String meant(String name) {
+        String begun = names().stream()
+                .filter(known -> name.length() > 1 && known.startsWith(name.toLowerCase(Locale.ROOT)))
+                .collect(Collectors.joining(" or "));
+        String near = begun.isEmpty() ? Names.meant(name, names()) : "; did you mean " + begun + "?";
+        return near.isEmpty() ? "; help lists the commands" : near;
     }
 
     /** The words that may stand after {@code before}. */

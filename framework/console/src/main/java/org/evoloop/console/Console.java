@@ -3,6 +3,7 @@ package org.evoloop.console;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.PrintStream;
+import java.time.Duration;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -11,20 +12,21 @@ import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import org.evoloop.converter.SystemEventConverter;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Controls a converter by lines of text: {@code start}, {@code stop}, {@code status}, {@code list}, {@code exchange},
- * {@code history}, {@code help}, {@code exit}, and the commands that the application adds.
+ * Controls a converter by lines of text: {@code start}, {@code stop}, {@code status}, {@code watch}, {@code list}, {@code
+ * exchange}, {@code history}, {@code help}, {@code exit}, and the commands that the application adds.
  *
- * <p>On a terminal lines are edited, completed and remembered, provided that JLine is on the class path. From a pipe each
- * line is a command, without prompt and echo. Results go to the output; a command that fails prints one line {@code error:
+ * <p>A terminal shows first where the system stands and what can be typed next; its lines are edited, completed and
+ * remembered, provided that JLine is on the class path. From a pipe each line is a command, without prompt and echo. Results go to the output; a command that fails prints one line {@code error:
  * ...} to the error output, and the console goes on.
  *
- * <p>Lifecycle: {@link #run} reads commands until {@code exit}, the end of the input, Ctrl-C, one of the signals TERM and
+ * <p>Lifecycle: {@link #run} reads commands until {@code exit}, the end of the input, Ctrl-C on an empty line, one of the signals TERM and
  * HUP, an interrupt of its thread, or {@link #end}, then closes the converter and leaves terminal and signals as it found
  * them. One that {@link #outliveInput outlives its input} ends neither with that nor by HUP.
  *
@@ -42,11 +44,38 @@ public final class Console {
     private final PrintStream out;
     private final PrintStream err;
     private final CommandSet commands = new CommandSet();
+
+    /** The terminal of the thread that converses through one; null if none does. */
+    private volatile @Nullable Person person;
+
     private final List<ConsoleCommand> added = new CopyOnWriteArrayList<>();
     private final ReentrantLock turn = new ReentrantLock(true);
     private final List<Consumer<String>> endListeners = new ArrayList<>();
     private final Ending ending = new Ending();
     private boolean outlivesInput;
+
+    private final Reader reader = new Reader() {
+        @Override
+        public boolean isAtTerminal() {
+            return terminal() != null;
+        }
+
+        @Override
+        public void watch(Supplier<String> text, Duration period) throws InterruptedException {
+            ConsoleIo io = terminal();
+            if (io == null) {
+                throw new IllegalStateException("watch needs a terminal; status prints the same once");
+            }
+            io.watch(text, period);
+        }
+
+        private @Nullable ConsoleIo terminal() {
+            Person here = person;
+            return here == null || here.thread() != Thread.currentThread() ? null : here.terminal();
+        }
+    };
+
+    private record Person(Thread thread, ConsoleIo terminal) {}
 
     /**
      * @param converter built; the console closes it
@@ -60,10 +89,10 @@ public final class Console {
         this.in = in;
         this.out = out;
         this.err = err;
-        ConverterCommands.addTo(commands, converter);
+        ConverterCommands.addTo(commands, converter, reader, () -> NextStep.after(converter, "", added));
         commands.add(ConsoleCommand.of(
                 "exit",
-                "ends the program; so does Ctrl-C, and the end of the input unless it was started with --start",
+                "ends the program; so do Ctrl-C on an empty line, and the end of the input unless it was started with --start",
                 (arguments, ignored) -> ending.ask("exit", 0)));
     }
 
@@ -77,7 +106,7 @@ public final class Console {
     public void addConverter(SystemEventConverter other) {
         String name = other.status().name();
         CommandSet own = new CommandSet();
-        ConverterCommands.addTo(own, other);
+        ConverterCommands.addTo(own, other, reader, () -> NextStep.after(other, name + " ", List.of()));
         commands.add(ConsoleCommand.of(
                         name + " COMMAND [ARGUMENT] [ARGUMENT]",
                         "controls the converter " + name + ": " + String.join(", ", own.names()),
@@ -223,10 +252,12 @@ public final class Console {
         ending.begin();
         try {
             if (io.isTerminal()) {
-                io.out().println(converter.status().name() + ": type help to see the commands");
+                io.out().print(ConverterCommands.text(text -> FirstScreen.show(converters(), added, text)));
+                person = new Person(Thread.currentThread(), io);
             }
             converse(io);
         } finally {
+            person = null;
             ending.over();
             endListeners.forEach(listener -> listener.accept(ending.reason()));
             others.forEach(SystemEventConverter::close);

@@ -2,6 +2,8 @@ package org.evoloop.console;
 
 import java.io.IOException;
 import java.io.PrintStream;
+import java.time.Duration;
+import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
 /** Where a console's lines come from and go to. */
@@ -24,6 +26,14 @@ interface ConsoleIo extends AutoCloseable {
 
     /** Whether a person sits there. */
     boolean isTerminal();
+
+    /**
+     * Shows what {@code text} says, again and again in the same place, until a key is pressed.
+     *
+     * @throws InterruptedException if the thread is interrupted meanwhile
+     * @throws IllegalStateException if this is no terminal
+     */
+    void watch(Supplier<String> text, Duration period) throws InterruptedException;
 
     /** Leaves everything as it was found. */
     @Override

@@ -1,39 +1,58 @@
 package org.evoloop.console;
 
+import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.time.Duration;
+import java.util.Collection;
 import java.util.List;
 import java.util.Locale;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.loop.ComponentStatus;
+import org.evoloop.loop.LoopState;
+import org.evoloop.statemachine.Names;
 
 /** The commands that every converter has. */
 final class ConverterCommands {
     private static final int EVENTS_LISTED = 10;
+    private static final List<String> STATUS_OPTIONS = List.of("--all", "--json");
 
     private final SystemEventConverter converter;
     private final CommandSet commands;
+    private final Reader reader;
+    private final Supplier<String> next;
 
-    private ConverterCommands(SystemEventConverter converter, CommandSet commands) {
+    private ConverterCommands(
+            SystemEventConverter converter, CommandSet commands, Reader reader, Supplier<String> next) {
         this.converter = converter;
         this.commands = commands;
+        this.reader = reader;
+        this.next = next;
     }
 
-    static void addTo(CommandSet commands, SystemEventConverter converter) {
-        ConverterCommands own = new ConverterCommands(converter, commands);
-        commands.add(ConsoleCommand.of(
-                "start", "opens the loop: events are converted from now on", (arguments, out) -> converter.start()));
+    /** @param next what to type next, see {@link NextStep} */
+    static void addTo(CommandSet commands, SystemEventConverter converter, Reader reader, Supplier<String> next) {
+        ConverterCommands own = new ConverterCommands(converter, commands, reader, next);
+        commands.add(ConsoleCommand.of("start", "opens the loop: events are converted from now on", own::start));
         commands.add(ConsoleCommand.of("stop", "closes the loop: events are refused until the next start", own::stop));
         commands.add(ConsoleCommand.of(
-                        "status [--json]",
-                        "shows states, queue, events, times and components; --json prints one line for programs",
+                        "status [--all|--json]",
+                        "shows states, device and what is going on; --all adds queue, events, times and components; "
+                                + "--json prints all in one line for programs",
                         own::status)
-                .completing(before -> before.isEmpty() ? List.of("--json") : List.of()));
+                .completing(before -> before.isEmpty() ? STATUS_OPTIONS : List.of()));
+        commands.add(ConsoleCommand.of(
+                "watch [SECONDS]",
+                "shows the status again every second, or as often as told, until a key is pressed",
+                own::watch));
         commands.add(ConsoleCommand.of("list", "lists the components, and the spares for exchange", own::list));
         commands.add(ConsoleCommand.of(
                         "exchange COMPONENT SPARE",
                         "puts a spare in the place of a component, between two events",
-                        (arguments, out) -> converter.exchange(arguments.get(0), arguments.get(1)))
+                        own::exchange)
                 .completing(own::exchangeable));
         commands.add(ConsoleCommand.of(
                 "history [N]",
@@ -44,8 +63,20 @@ final class ConverterCommands {
                 .completing(before -> before.isEmpty() ? commands.names() : List.of()));
     }
 
+    private void start(List<String> arguments, PrintStream out) {
+        boolean running = converter.status().loop() == LoopState.RUNNING;
+        converter.start();
+        forPeople(
+                out,
+                text -> text.println((running ? "already running: " : "running: ")
+                        + StatusText.states(converter.status())
+                        + (reader.isAtTerminal() ? "; " + next.get() : "")));
+    }
+
     private void stop(List<String> arguments, PrintStream out) {
-        if (!converter.stop()) {
+        if (converter.stop()) {
+            out.println("stopped: events are refused until start");
+        } else {
             String busy = converter.status().components().stream()
                     .filter(component -> component.activity() != ComponentStatus.Activity.WAITING)
                     .map(component -> component.name() + " in its thread " + component.thread())
@@ -55,19 +86,46 @@ final class ConverterCommands {
         }
     }
 
-    private void status(List<String> arguments, PrintStream out) {
-        if (arguments.isEmpty()) {
-            StatusText.status(converter.status(), out);
-        } else if (arguments.get(0).equals("--json")) {
-            out.println(StatusJson.of(converter.status()));
-        } else {
-            throw new IllegalArgumentException("status takes --json or nothing, not '" + arguments.get(0) + "'");
+    private void exchange(List<String> arguments, PrintStream out) {
+        requireKnown("component", arguments.get(0), exchangeable(List.of()));
+        requireKnown("spare", arguments.get(1), converter.spares());
+        converter.exchange(arguments.get(0), arguments.get(1));
+        out.println("the spare " + arguments.get(1) + " is in the place of " + arguments.get(0));
+    }
+
+    private static void requireKnown(String what, String name, Collection<String> known) {
+        if (!known.contains(name)) {
+            String meant = Names.meant(name, known);
+            throw new IllegalArgumentException("no " + what + " is named " + Names.shown(name)
+                    + (!meant.isEmpty()
+                            ? meant
+                            : "; there are " + (known.isEmpty() ? "none" : String.join(", ", known))));
         }
     }
 
+    private void status(List<String> arguments, PrintStream out) {
+        String option = arguments.isEmpty() ? "" : arguments.get(0);
+        switch (option) {
+            case "" -> forPeople(out, text -> StatusText.brief(converter.status(), text));
+            case "--all" -> forPeople(out, text -> StatusText.all(converter.status(), text));
+            case "--json" -> out.println(StatusJson.of(converter.status()));
+            default ->
+                throw new IllegalArgumentException("status takes --all, --json or nothing, not '" + option + "'"
+                        + Names.meant(option, STATUS_OPTIONS));
+        }
+    }
+
+    private void watch(List<String> arguments, PrintStream out) throws InterruptedException {
+        Duration period = Duration.ofSeconds(arguments.isEmpty() ? 1 : count("watch", arguments.get(0), 4));
+        reader.watch(() -> text(drawn -> StatusText.brief(converter.status(), drawn)), period);
+    }
+
     private void list(List<String> arguments, PrintStream out) {
-        StatusText.components(converter.status().components(), out);
-        out.println("spares      " + (converter.spares().isEmpty() ? "none" : String.join(", ", converter.spares())));
+        forPeople(out, text -> {
+            StatusText.components(converter.status().components(), text);
+            text.println(
+                    "spares      " + (converter.spares().isEmpty() ? "none" : String.join(", ", converter.spares())));
+        });
     }
 
     private List<String> exchangeable(List<String> before) {
@@ -82,27 +140,45 @@ final class ConverterCommands {
     }
 
     private void history(List<String> arguments, PrintStream out) {
-        int wanted = arguments.isEmpty() ? EVENTS_LISTED : count(arguments.get(0));
+        int wanted = arguments.isEmpty() ? EVENTS_LISTED : count("history", arguments.get(0), 9);
         StatusText.history(converter.history(wanted), out);
     }
 
-    private static int count(String text) {
-        if (!text.matches("[1-9][0-9]{0,8}")) {
-            throw new IllegalArgumentException("history takes a number from 1 on, not '" + text + "'");
+    private static int count(String command, String text, int digits) {
+        if (!text.matches("[1-9][0-9]{0," + (digits - 1) + "}")) {
+            throw new IllegalArgumentException(
+                    command + " takes a number from 1 to " + "9".repeat(digits) + ", not '" + Names.shown(text) + "'");
         }
         return Integer.parseInt(text);
     }
 
     private void help(List<String> arguments, PrintStream out) {
-        if (arguments.isEmpty()) {
-            for (ConsoleCommand command : commands.all()) {
-                String[] lines = command.help().split("\n", 2);
-                out.println(String.format(Locale.ROOT, "  %-26s%s", command.usage(), lines[0]));
+        forPeople(out, text -> {
+            if (arguments.isEmpty()) {
+                for (ConsoleCommand command : commands.all()) {
+                    String[] lines = command.help().split("\n", 2);
+                    text.println(String.format(Locale.ROOT, "  %-24s  %s", command.usage(), lines[0]));
+                }
+            } else {
+                ConsoleCommand command = commands.require(arguments.get(0));
+                text.println(command.usage());
+                text.println("  " + command.help().replace("\n", "\n  "));
             }
-        } else {
-            ConsoleCommand command = commands.require(arguments.get(0));
-            out.println(command.usage());
-            out.println("  " + command.help().replace("\n", "\n  "));
+        });
+    }
+
+    /** Prints what {@code text} is given, its lines broken for whoever reads them. */
+    private void forPeople(PrintStream out, Consumer<PrintStream> text) {
+        String lines = text(text);
+        out.print(reader.isAtTerminal() ? lines : Wrapping.wrap(lines, Wrapping.USUAL_WIDTH));
+    }
+
+    /** What {@code text} is given. */
+    static String text(Consumer<PrintStream> text) {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        try (PrintStream lines = new PrintStream(bytes, false, StandardCharsets.UTF_8)) {
+            text.accept(lines);
         }
+        return bytes.toString(StandardCharsets.UTF_8);
     }
 }

@@ -7,7 +7,8 @@ import java.nio.charset.Charset;
 import java.util.function.Consumer;
 
 /**
- * Collects what is printed and hands it on in whole lines, so that it can be shown above a line that is being edited.
+ * Collects what is printed and hands it on in whole lines, so that it can be shown above a line that is being edited. What
+ * is printed at once stays together.
  *
  * <p>Threading: used through its {@link #printer}, which is thread-safe.
  */
@@ -15,14 +16,14 @@ final class LineStream extends OutputStream {
     // What the loggers write is in this encoding.
     private static final Charset CHARSET = Charset.defaultCharset();
 
-    private final ByteArrayOutputStream line = new ByteArrayOutputStream();
+    private final ByteArrayOutputStream lines = new ByteArrayOutputStream();
     private final Consumer<String> sink;
 
     private LineStream(Consumer<String> sink) {
         this.sink = sink;
     }
 
-    /** A stream whose lines go to {@code sink}, without their ends; closing it hands on what is left. */
+    /** A stream whose lines go to {@code sink}, without the last one's end; closing it hands on what is left. */
     static PrintStream printer(Consumer<String> sink) {
         return new PrintStream(new LineStream(sink), true, CHARSET);
     }
@@ -32,20 +33,34 @@ final class LineStream extends OutputStream {
         if (next == '\n') {
             handOn();
         } else {
-            line.write(next);
+            lines.write(next);
         }
+    }
+
+    /** Whole lines that come at once are handed on at once. */
+    @Override
+    public void write(byte[] bytes, int offset, int length) {
+        int end = offset + length - 1;
+        while (end >= offset && bytes[end] != '\n') {
+            end--;
+        }
+        if (end >= offset) {
+            lines.write(bytes, offset, end - offset);
+            handOn();
+        }
+        lines.write(bytes, Math.max(offset, end + 1), offset + length - Math.max(offset, end + 1));
     }
 
     @Override
     public void close() {
-        if (line.size() > 0) {
+        if (lines.size() > 0) {
             handOn();
         }
     }
 
     private void handOn() {
-        String text = line.toString(CHARSET);
-        line.reset();
+        String text = lines.toString(CHARSET).replace("\r\n", "\n");
+        lines.reset();
         sink.accept(text.endsWith("\r") ? text.substring(0, text.length() - 1) : text);
     }
 }

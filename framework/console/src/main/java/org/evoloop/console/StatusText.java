@@ -5,15 +5,17 @@ import static org.evoloop.console.StatusJson.lowerCase;
 import java.io.PrintStream;
 import java.time.ZoneId;
 import java.time.format.DateTimeFormatter;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.evoloop.converter.ConverterStatus;
 import org.evoloop.converter.ConverterStatus.ConversionTime;
 import org.evoloop.converter.HistoryEntry;
 import org.evoloop.function.Reading;
 import org.evoloop.loop.ComponentStatus;
-import org.jspecify.annotations.Nullable;
+import org.evoloop.loop.LoopState;
 
 /** What a converter tells of itself, for people. */
 final class StatusText {
@@ -23,19 +25,33 @@ final class StatusText {
 
     private StatusText() {}
 
-    static void status(ConverterStatus status, PrintStream out) {
+    /** What a person looks for first: the states, what is going on, the device, and whether something is wrong. */
+    static void brief(ConverterStatus status, PrintStream out) {
         line(out, "converter", status.name() + ", " + lowerCase(status.loop()));
-        line(
-                out,
-                "states",
-                "original " + status.states().original() + ", new "
-                        + status.states().evolved()
-                        + status.lastKnownSince()
-                                .map(since ->
-                                        "; last known, since " + SECOND.format(since.atZone(ZoneId.systemDefault())))
-                                .orElse(""));
+        line(out, "states", states(status));
         if (!status.doubt().isEmpty()) {
             line(out, "in doubt", status.doubt());
+        }
+        line(out, "now", now(status));
+        ConverterStatus.LinkStatus link = status.link();
+        if (link != null) {
+            // What was read from a device that is gone may no longer be so.
+            if (link.up() && !link.readings().isEmpty()) {
+                line(out, "device", readings(link.readings()));
+            }
+            line(out, "link", (link.up() ? "up" : "down") + (link.text().isEmpty() ? "" : ", " + link.text()));
+        }
+        String trouble = trouble(status);
+        if (!trouble.isEmpty()) {
+            line(out, "trouble", trouble);
+        }
+    }
+
+    /** The same, and all that is behind it. */
+    static void all(ConverterStatus status, PrintStream out) {
+        brief(status, out);
+        if (!status.function().thread().isEmpty()) {
+            line(out, "function", "thread " + status.function().thread());
         }
         line(
                 out,
@@ -52,18 +68,84 @@ final class StatusText {
                         + status.events().stale() + " stale, "
                         + status.events().failed() + " failed");
         line(out, "conversion", conversionTime(status.conversionTime()));
-        line(out, "function", function(status.function()));
-        line(out, "link", link(status.link()));
-        if (status.link() != null && !status.link().readings().isEmpty()) {
-            line(
-                    out,
-                    "device",
-                    status.link().readings().stream().map(Reading::toString).collect(Collectors.joining(", ")));
-        }
         components(status.components(), out);
         for (ConverterStatus.Fault fault : status.faults()) {
             line(out, "fault", fault.part() + failures("  ", fault.failures(), fault.lastFailure()));
         }
+    }
+
+    /** In one line: the current states, and since when they are only the last known ones. */
+    static String states(ConverterStatus status) {
+        return "original " + status.states().original() + ", new "
+                + status.states().evolved()
+                + status.lastKnownSince()
+                        .map(since -> "; last known, since " + SECOND.format(since.atZone(ZoneId.systemDefault())))
+                        .orElse("");
+    }
+
+    private static String now(ConverterStatus status) {
+        if (status.loop() != LoopState.RUNNING) {
+            return "events are refused until start";
+        }
+        ConverterStatus.RunningFunction function = status.function();
+        if (function.state().isEmpty()) {
+            if (status.link() != null && !status.link().up()) {
+                return "waiting for the device";
+            }
+            int waiting = status.queue().depth();
+            return waiting == 0 ? "waiting for an event" : counted(waiting, "event") + " waiting to be converted";
+        }
+        String readings = readings(function.readings());
+        String words = Stream.of(function.progress(), readings)
+                .filter(text -> !text.isEmpty())
+                .collect(Collectors.joining(", "));
+        return function.state() + (words.isEmpty() ? " is running" : ": " + words);
+    }
+
+    /** What is so in full, and what is not in a few words: {@code battery 93 %, docked; not lifted or stuck}. */
+    private static String readings(List<Reading> readings) {
+        List<String> so = new ArrayList<>();
+        List<String> not = new ArrayList<>();
+        for (Reading reading : readings) {
+            if (Boolean.FALSE.equals(reading.value())) {
+                not.add(Reading.of(reading.name(), true).toString());
+            } else if (!"none".equals(reading.value())) {
+                so.add(reading.toString());
+            }
+        }
+        String denied = String.join(", ", not).replaceFirst(", (?=[^,]*$)", " or ");
+        return Stream.of(String.join(", ", so), denied.isEmpty() ? "" : "not " + denied)
+                .filter(text -> !text.isEmpty())
+                .collect(Collectors.joining("; "));
+    }
+
+    private static String trouble(ConverterStatus status) {
+        List<String> found = new ArrayList<>();
+        for (ComponentStatus component : status.components()) {
+            if (component.activity() == ComponentStatus.Activity.STUCK) {
+                found.add(component.name() + " is stuck");
+            }
+        }
+        long failures = status.components().stream()
+                        .mapToLong(ComponentStatus::failures)
+                        .sum()
+                + status.faults().stream()
+                        .mapToLong(ConverterStatus.Fault::failures)
+                        .sum();
+        if (failures > 0) {
+            found.add(counted(failures, "failure"));
+        }
+        if (status.events().failed() > 0) {
+            found.add(counted(status.events().failed(), "event") + " failed");
+        }
+        if (status.queue().dropped() > 0) {
+            found.add(counted(status.queue().dropped(), "event") + " dropped");
+        }
+        return found.isEmpty() ? "" : String.join(", ", found) + "; see status --all and history";
+    }
+
+    private static String counted(long count, String what) {
+        return count + " " + what + (count == 1 ? "" : "s");
     }
 
     private static String failures(String before, long count, String last) {
@@ -89,22 +171,6 @@ final class StatusText {
                 : micros < 999_500
                         ? String.format(Locale.ROOT, "%.1f ms", micros / 1e3)
                         : String.format(Locale.ROOT, "%.1f s", micros / 1e6);
-    }
-
-    private static String function(ConverterStatus.RunningFunction function) {
-        if (function.state().isEmpty()) {
-            return "none";
-        }
-        return function.state()
-                + (function.thread().isEmpty() ? ", no thread" : ", thread " + function.thread())
-                + (function.describe().isEmpty() ? "" : ": " + function.describe());
-    }
-
-    private static String link(ConverterStatus.@Nullable LinkStatus link) {
-        if (link == null) {
-            return "none";
-        }
-        return (link.up() ? "up" : "down") + (link.text().isEmpty() ? "" : ", " + link.text());
     }
 
     /** A line a component. */

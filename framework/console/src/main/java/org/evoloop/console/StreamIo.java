@@ -6,9 +6,11 @@ import java.io.InputStream;
 import java.io.InputStreamReader;
 import java.io.PrintStream;
 import java.nio.charset.Charset;
+import java.time.Duration;
 import java.util.Objects;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
+import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
 /** Plain lines: no prompt, no echo. */
@@ -51,6 +53,11 @@ final class StreamIo implements ConsoleIo {
     @Override
     public boolean isTerminal() {
         return false;
+    }
+
+    @Override
+    public void watch(Supplier<String> text, Duration period) {
+        throw new IllegalStateException("a pipe cannot be drawn on");
     }
 
     @Override

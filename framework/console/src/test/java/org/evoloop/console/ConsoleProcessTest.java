@@ -77,6 +77,7 @@ class ConsoleProcessTest {
     @DisabledOnOs(OS.WINDOWS)
     void theSignalTermIsAnExit() throws Exception {
         type("start");
+        assertThat(screen.readLine()).isEqualTo("running: original off, new off");
         type("jline");
         assertThat(screen.readLine()).isEqualTo("no JLine");
 

@@ -47,19 +47,20 @@ class ConsoleTest {
 
     @Test
     void startAndStopOpenAndCloseTheLoopAndWhoeverPressesMeanwhileIsTold() {
-        run("switch", "start", "switch", "stop", "switch", "status");
+        run("switch", "start", "switch", "stop", "switch", "status --all");
 
         assertThat(err.lines())
                 .containsOnly("error: the converter lamp is stopped, so switch is refused; start it first")
                 .hasSize(2);
         assertThat(out.text().replaceAll("since [-0-9]+ [:0-9]+", "since then")).isEqualTo("""
+                        running: original off, new off
+                        stopped: events are refused until start
                         converter   lamp, stopped
                         states      original on, new on; last known, since then
+                        now         events are refused until start
                         queue       0 of 8 waiting, highest 1; 0 dropped, 2 refused
                         events      1 handled, 0 ignored, 0 stale, 0 failed
                         conversion  last 0 us, median 0 us, 99th percentile 0 us
-                        function    none
-                        link        none
                         """ + FRESH_COMPONENTS);
     }
 
@@ -70,8 +71,8 @@ class ConsoleTest {
         String component = "{\"name\":\"%s\",\"role\":\"%s\",\"thread\":\"\",\"activity\":\"ended\","
                 + "\"failures\":0,\"lastFailure\":\"\"}";
         assertThat(out.text())
-                .isEqualTo(
-                        "{\"name\":\"lamp\",\"loop\":\"running\",\"originalState\":\"off\",\"newState\":\"off\",\"doubt\":\"\",\"lastKnownSince\":null,"
+                .endsWith(
+                        "\n{\"name\":\"lamp\",\"loop\":\"running\",\"originalState\":\"off\",\"newState\":\"off\",\"doubt\":\"\",\"lastKnownSince\":null,"
                                 + "\"queue\":{\"depth\":0,\"capacity\":8,\"highest\":0,"
                                 + "\"taken\":0,\"dropped\":0,\"refused\":0},"
                                 + "\"events\":{\"handled\":0,\"ignored\":0,\"stale\":0,\"failed\":0},"
@@ -98,7 +99,9 @@ class ConsoleTest {
         run("start", "exchange WallSwitch spareSwitch", "list");
 
         assertThat(err.text()).isEmpty();
-        assertThat(out.text()).contains("SpareSwitch").doesNotContain("WallSwitch");
+        assertThat(out.lines())
+                .contains("the spare spareSwitch is in the place of WallSwitch")
+                .contains("monitor     SpareSwitch   ended    no thread");
     }
 
     @Test
@@ -115,7 +118,7 @@ class ConsoleTest {
     void historyShowsTheLastEventsAndWhatBecameOfThem() {
         run("start", "switch", "switch", "switch", "history 2", "history");
 
-        List<String> lines = out.lines();
+        List<String> lines = out.lines().subList(1, out.lines().size());
         assertThat(lines).hasSize(5);
         assertThat(lines.get(0))
                 .matches("2  \\d\\d:\\d\\d:00.000  switch \\(controller\\)  \\(on, on\\) -> \\(on, wait\\)  handled: "
@@ -131,20 +134,52 @@ class ConsoleTest {
         run("help", "help switch");
 
         assertThat(out.text())
-                .contains("  start  ", "  stop  ", "  status [--json]  ", "  list  ", "  exchange COMPONENT SPARE  ")
+                .contains(
+                        "  start  ",
+                        "  stop  ",
+                        "  status [--all|--json]  ",
+                        "  list  ",
+                        "  exchange COMPONENT SPARE  ")
                 .contains("  history [N]  ", "  help [COMMAND]  ", "  exit  ")
                 .contains("  switch                    operates the wall switch\n")
                 .endsWith("switch\n  operates the wall switch\n  like a finger\n");
     }
 
     @Test
+    void startAndStopSayWhatHappened() {
+        run("start", "start", "switch", "switch", "stop", "start");
+
+        assertThat(out.text().replaceAll("since [-0-9]+ [:0-9]+", "since then").lines())
+                .containsExactly(
+                        "running: original off, new off",
+                        "already running: original off, new off",
+                        "stopped: events are refused until start",
+                        "running: original on, new wait");
+    }
+
+    @Test
+    void whatIsForPeopleIsAtMostEightyColumnsWideInAPipe() {
+        run("help", "help status", "status --all", "list");
+
+        assertThat(out.lines()).allMatch(line -> line.length() <= 80);
+        assertThat(out.text())
+                .contains("  status [--all|--json]     shows states, device and what is going on; --all\n"
+                        + " ".repeat(28) + "adds queue, events, times and components; --json\n");
+    }
+
+    @Test
     void aMistakeIsOneLineOfErrorAndTheConsoleGoesOn() {
         run(
-                "swich",
+                "dance",
                 "help swich",
+                "STA",
+                "exchange WallSwich otherSwitch",
+                "exchange WallSwitch otherSwich",
                 "exchange WallSwitch",
                 "exit now",
-                "status --xml",
+                "status --jsn",
+                "watch",
+                "watch soon",
                 "history none",
                 "history 0",
                 "switch \"wall",
@@ -152,16 +187,21 @@ class ConsoleTest {
                 "  \t ",
                 "start");
 
-        assertThat(out.text()).isEmpty();
+        assertThat(out.lines()).containsExactly("running: original off, new off");
         assertThat(err.lines())
                 .containsExactly(
-                        "error: unknown command 'swich'; help lists the commands",
-                        "error: unknown command 'swich'; help lists the commands",
+                        "error: unknown command 'dance'; help lists the commands",
+                        "error: unknown command 'swich'; did you mean switch?",
+                        "error: unknown command 'STA'; did you mean start or status?",
+                        "error: no component is named WallSwich; did you mean WallSwitch?",
+                        "error: no spare is named otherSwich; did you mean otherSwitch?",
                         "error: usage: exchange COMPONENT SPARE",
                         "error: usage: exit",
-                        "error: status takes --json or nothing, not '--xml'",
-                        "error: history takes a number from 1 on, not 'none'",
-                        "error: history takes a number from 1 on, not '0'",
+                        "error: status takes --all, --json or nothing, not '--jsn'; did you mean --json?",
+                        "error: watch needs a terminal; status prints the same once",
+                        "error: watch takes a number from 1 to 9999, not 'soon'",
+                        "error: history takes a number from 1 to 999999999, not 'none'",
+                        "error: history takes a number from 1 to 999999999, not '0'",
                         "error: the quote \" is not closed");
     }
 
@@ -204,7 +244,7 @@ class ConsoleTest {
     void exitEndsTheConsoleAndClosesTheConverter() {
         assertThat(run("start", "exit", "status")).isZero();
 
-        assertThat(out.text()).isEmpty();
+        assertThat(out.lines()).hasSize(1);
         assertThat(lamp.converter.status().loop()).isEqualTo(LoopState.EXITED);
     }
 

@@ -53,21 +53,35 @@ class StatusFormatTest {
                             Reading.of("chargingSource", "home \"base\""))));
 
     @Test
-    void asText() {
+    void asTextInBrief() {
         Captured out = new Captured();
 
-        StatusText.status(BUSY, out.stream);
+        StatusText.brief(BUSY, out.stream);
 
         assertThat(out.lines())
-                .startsWith(
+                .containsExactly(
                         "converter   robot, running",
                         "states      original On, new Move",
+                        "now         Move: driving there, distance 1.2 m",
+                        "device      battery 93 %, charging source home \"base\"; not docked",
+                        "link        up, /dev/ttyUSB0",
+                        "trouble     Motors is stuck, 3 failures, 1 event failed, 1 event dropped; "
+                                + "see status --all and history");
+    }
+
+    @Test
+    void asTextWithAllThatIsBehindIt() {
+        Captured out = new Captured();
+
+        StatusText.all(BUSY, out.stream);
+
+        assertThat(out.lines())
+                .startsWith("converter   robot, running", "states      original On, new Move")
+                .containsSubsequence(
+                        "function    thread function-Move-7",
                         "queue       2 of 8 waiting, highest 5; 1 dropped, 3 refused",
                         "events      30 handled, 4 ignored, 2 stale, 1 failed",
                         "conversion  last 180 us, median 999 us, 99th percentile 12.3 ms",
-                        "function    Move, thread function-Move-7: driving there, distance 1.2 m",
-                        "link        up, /dev/ttyUSB0",
-                        "device      battery 93 %, not docked, charging source home \"base\"",
                         "monitor     Panel   waiting  mapek-robot-monitor-Panel")
                 .anyMatch(line -> line.startsWith("execute     Motors  stuck    mapek-robot-execute-Motors"
                         + "  2 failures, the last: Motors.execute: \"no\\answer\""))
@@ -112,11 +126,34 @@ class StatusFormatTest {
                 BUSY.faults(),
                 BUSY.link());
 
-        StatusText.status(stopped, out.stream);
+        StatusText.brief(stopped, out.stream);
 
         assertThat(out.lines().get(1))
                 .matches("states {6}original On, new Move; last known, since 2026-11-2\\d \\d\\d:\\d\\d:05");
         assertThat(StatusJson.of(stopped)).contains("\"lastKnownSince\":\"2026-11-22T15:04:05.123Z\"");
+    }
+
+    @Test
+    void whatWasReadFromADeviceThatIsGoneIsNotTold() {
+        Captured out = new Captured();
+        ConverterStatus gone = new ConverterStatus(
+                BUSY.name(),
+                LoopState.RUNNING,
+                BUSY.states(),
+                "",
+                Optional.empty(),
+                BUSY.queue(),
+                BUSY.events(),
+                BUSY.conversionTime(),
+                List.of(),
+                ConverterStatus.RunningFunction.NONE,
+                List.of(),
+                new ConverterStatus.LinkStatus(false, "no cable", BUSY.link().readings()));
+
+        StatusText.brief(gone, out.stream);
+
+        assertThat(out.lines()).contains("now         waiting for the device", "link        down, no cable");
+        assertThat(out.text()).doesNotContain("battery");
     }
 
     @Test

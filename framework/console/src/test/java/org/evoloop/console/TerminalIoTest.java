@@ -14,6 +14,7 @@ import java.util.concurrent.TimeUnit;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.loop.LoopState;
 import org.evoloop.time.ManualClock;
+import org.jline.terminal.Size;
 import org.jline.terminal.impl.ExternalTerminal;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -23,6 +24,8 @@ import org.junit.jupiter.api.Timeout;
 /** The console on a terminal of JLine, key by key. */
 @Timeout(60)
 class TerminalIoTest {
+    private static final String UP_AND_ERASE = "\r\033[%dA\033[J";
+
     private final LampConverter lamp =
             new LampConverter(LoopConfig.defaults("lamp", new ManualClock()).withoutThreads());
     private final Console console = new Console(lamp.converter, System.in, System.out, System.err);
@@ -36,6 +39,7 @@ class TerminalIoTest {
     private int converse() throws IOException {
         ExternalTerminal terminal =
                 new ExternalTerminal("test", "ansi", new PipedInputStream(keyboard), screen, StandardCharsets.UTF_8);
+        terminal.setSize(Size.of(60, 24));
         try (TerminalIo io = new TerminalIo(
                 terminal,
                 true,
@@ -47,8 +51,10 @@ class TerminalIoTest {
 
     @BeforeEach
     void open() throws InterruptedException {
+        console.addCommand(lamp.switchCommand());
         thread.start();
-        screen.await("lamp: type help to see the commands");
+        screen.await("converter   lamp, stopped");
+        screen.await("Type start to convert events; help lists all commands.");
         screen.await("evoloop> ");
     }
 
@@ -93,7 +99,7 @@ class TerminalIoTest {
     @Test
     void aMistakeIsShownAndTheNextPromptFollows() throws Exception {
         type("swich\r");
-        screen.await("error: unknown command 'swich'; help lists the commands");
+        screen.await("error: unknown command 'swich'; did you mean switch?");
         screen.await("evoloop> ");
     }
 
@@ -104,11 +110,67 @@ class TerminalIoTest {
     }
 
     @Test
-    void controlCEndsTheConsoleInTheMiddleOfALine() throws Exception {
+    void controlCClearsALineAndEndsTheConsoleOnAnEmptyOne() throws Exception {
         type("stat");
         screen.await("stat");
         type("\003");
+        screen.await("evoloop> ");
+        type("start\r");
+        screen.await("running: original off, new off; type switch");
+        screen.await("evoloop> ");
+        type("\003");
         running.get(20, TimeUnit.SECONDS);
+    }
+
+    @Test
+    void linesAreBrokenBetweenWords() throws Exception {
+        System.out.println("a line of the transcript that is longer than the terminal is wide");
+        screen.await("a line of the transcript that is longer than the terminal is");
+        screen.await("\nwide");
+    }
+
+    @Test
+    void watchDrawsTheStatusAgainBelowWhatOthersPrintUntilAKeyIsPressed() throws Exception {
+        type("watch\r");
+        screen.await("now         events are refused until start");
+        screen.await("(any key ends it)");
+        lamp.converter.start();
+        screen.await(UP_AND_ERASE.formatted(5));
+        screen.await("now         waiting for an event");
+        screen.await("(any key ends it)");
+
+        System.out.println("from elsewhere");
+        screen.await(UP_AND_ERASE.formatted(5) + "from elsewhere");
+        screen.await("converter   lamp, running");
+
+        type("\033[A");
+        screen.await(UP_AND_ERASE.formatted(5));
+        screen.await("evoloop> ");
+        type("stop\r");
+        screen.await("stopped: events are refused until start");
+    }
+
+    @Test
+    void controlCEndsWatchAndNotTheConsole() throws Exception {
+        type("watch 9\r");
+        screen.await("(any key ends it)");
+        type("\003");
+        screen.await("evoloop> ");
+    }
+
+    @Test
+    void anInterruptEndsTheConsoleWhileItWatches() throws Exception {
+        type("watch 9\r");
+        screen.await("(any key ends it)");
+        thread.interrupt();
+        running.get(20, TimeUnit.SECONDS);
+    }
+
+    @Test
+    void nobodyElseCanHaveTheTerminalDrawn() throws Exception {
+        Captured errors = new Captured();
+        assertThat(console.perform("watch", errors.stream, errors.stream)).isEqualTo(1);
+        assertThat(errors.lines()).containsExactly("error: watch needs a terminal; status prints the same once");
     }
 
     @Test

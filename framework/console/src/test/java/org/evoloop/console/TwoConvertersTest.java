@@ -147,8 +147,27 @@ class TwoConvertersTest {
     }
 
     @Test
+    void theFirstScreenShowsBothAndWhichIsToBeStarted() {
+        assertThat(firstScreen())
+                .contains("converter   upper, stopped", "converter   lower, stopped")
+                .endsWith("Type start to convert events; help lists all commands.");
+        upper.start();
+        assertThat(firstScreen()).endsWith("Type lower start to convert events; help lists all commands.");
+        lower.start();
+        assertThat(firstScreen()).endsWith("Type press party; help lists all commands.");
+    }
+
+    private List<String> firstScreen() {
+        ConsoleCommand press = ConsoleCommand.of("press EVENT", "", (arguments, out) -> {})
+                .completing(before -> List.of("boost", "party"));
+        return ConverterCommands.text(out -> FirstScreen.show(List.of(upper, lower), List.of(press), out))
+                .lines()
+                .toList();
+    }
+
+    @Test
     void oneConsoleControlsBothEachByItsName() {
-        String lines = "lower start\nlower status\nstart\nstatus\nupper status\nlower stop now\n";
+        String lines = "lower start\nlower status\nstart\nstatus\nupper status\nlowr start\nlower stop now\n";
         Captured out = new Captured();
         Captured err = new Captured();
         Console console = new Console(
@@ -157,11 +176,15 @@ class TwoConvertersTest {
         console.run();
 
         assertThat(out.lines())
+                .contains("running: original Off, new Off")
                 .contains("converter   lower, running", "converter   upper, running")
                 .filteredOn(line -> line.startsWith("converter"))
                 .hasSize(2);
         assertThat(err.lines())
-                .containsExactly("error: unknown command 'upper'; help lists the commands", "error: usage: stop");
+                .containsExactly(
+                        "error: unknown command 'upper'; help lists the commands",
+                        "error: unknown command 'lowr'; did you mean lower?",
+                        "error: usage: stop");
         assertThat(List.of(lower.status().loop(), upper.status().loop())).containsOnly(LoopState.EXITED);
     }
 }

@@ -5,7 +5,7 @@ import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.loop.Failure;
-import org.evoloop.time.Clock;
+import org.evoloop.loop.LoopConfig;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -13,10 +13,22 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>Threading: as it stands with each of them.
  */
-record Books(Transcript transcript, FailureLog failures, History history, LatencyWindow latency, Listeners listeners) {
+record Books(
+        Transcript transcript,
+        FailureLog failures,
+        History history,
+        LatencyWindow latency,
+        FlightLog flight,
+        Listeners listeners) {
 
-    Books(Clock clock, FailureLog failures, Listeners listeners) {
-        this(new Transcript(), failures, new History(clock), new LatencyWindow(), listeners);
+    Books(LoopConfig config, FailureLog failures, Listeners listeners) {
+        this(
+                new Transcript(),
+                failures,
+                new History(config.clock()),
+                new LatencyWindow(),
+                new FlightLog(config.name()),
+                listeners);
     }
 
     /** An occurrence has come to its end. */
@@ -28,6 +40,7 @@ record Books(Transcript transcript, FailureLog failures, History history, Latenc
             @Nullable Decision decision,
             String detail) {
         history.record(occurrence, before, after, outcome, decision, detail);
+        flight.ended(occurrence, before, after, outcome, detail);
         listeners.ended(history);
     }
 

@@ -7,6 +7,7 @@ import org.evoloop.core.Output;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Step;
 import org.evoloop.evolution.Values;
+import org.evoloop.flight.WorkEvent;
 import org.evoloop.loop.Execute;
 import org.evoloop.loop.Failure;
 import org.evoloop.statemachine.Event;
@@ -152,6 +153,15 @@ final class Carrier {
     }
 
     private void send(long number, Step step, Values values, EventExecute execute) throws Exception {
+        WorkEvent work = WorkEvent.begun();
+        try {
+            performWhenReady(number, step, values, execute);
+        } finally {
+            WorkEvent.ended(work, books.flight().converter(), WorkEvent.Kind.SEND, step);
+        }
+    }
+
+    private void performWhenReady(long number, Step step, Values values, EventExecute execute) throws Exception {
         execute.awaitReady(step);
         if (!driver.rules().table().isOpen(step, bindings.with(values))) {
             throw new IllegalStateException("the guards of the original model do not let " + step + " be taken now");
@@ -164,6 +174,7 @@ final class Carrier {
     /** Returns what went wrong; the device has obeyed, so nothing keeps the other effects from being run. */
     private String run(String effect, Occurrence occurrence, EventExecute execute) throws InterruptedException {
         runningEffect = effect;
+        WorkEvent work = WorkEvent.begun();
         try {
             bindings.run(effect, occurrence.values());
             return "";
@@ -174,6 +185,7 @@ final class Carrier {
             books.failures().fault("effect " + effect, failure);
             return failure.toString();
         } finally {
+            WorkEvent.ended(work, books.flight().converter(), WorkEvent.Kind.EFFECT, effect);
             runningEffect = "";
         }
     }

@@ -48,7 +48,7 @@ final class ConverterShell implements LoopListener<Occurrence> {
             @Nullable ConverterJournal journal) {
         this.config = config;
         this.knowledge = knowledge;
-        this.books = new Books(config.clock(), failures, listeners);
+        this.books = new Books(config, failures, listeners);
         this.hooks = new Hooks(config, closing);
         this.visits = new Visits(config, knowledge, books.transcript(), books.failures());
         this.driver = new CoreDriver(

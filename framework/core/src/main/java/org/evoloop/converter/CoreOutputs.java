@@ -68,6 +68,7 @@ final class CoreOutputs implements Outputs {
     @Override
     public void begin(Pending pending) {
         begun = pending;
+        books.flight().begun(pending.occurrence());
         books.transcript().observed(pending.occurrence());
     }
 
@@ -80,23 +81,27 @@ final class CoreOutputs implements Outputs {
     @Override
     public void queued(Occurrence occurrence) {
         // It counts as taken unless something else is said.
+        books.flight().observed(occurrence, "queued");
     }
 
     @Override
     public void dropped(Occurrence occurrence, boolean first) {
         admission = first ? Admission.FIRST_DROPPED : Admission.DROPPED;
+        books.flight().observed(occurrence, "dropped");
         books.record(occurrence, at, at, Outcome.DROPPED, null, "the queue was full");
     }
 
     @Override
     public void refused(Occurrence occurrence) {
         admission = Admission.REFUSED;
+        books.flight().observed(occurrence, "refused");
     }
 
     @Override
     public void decided(Pending pending, Decision decision, long waitedNanos) {
         books.transcript().decided(decision);
         books.latency().record(waitedNanos);
+        books.flight().decided(waitedNanos);
     }
 
     @Override

@@ -6,6 +6,7 @@ import org.evoloop.core.Output;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Source;
 import org.evoloop.evolution.Values;
+import org.evoloop.flight.WorkEvent;
 import org.evoloop.function.NewFunction;
 import org.evoloop.function.Visit;
 import org.evoloop.function.visit.FunctionRunner;
@@ -40,6 +41,7 @@ final class Visits implements VisitHost {
     private @Nullable HostedVisit current;
     private NewFunction function = NewFunction.none();
     private int retries;
+    private volatile @Nullable WorkEvent recorded;
 
     Visits(LoopConfig config, StateKnowledge knowledge, Transcript transcript, FailureLog failures) {
         this.config = config;
@@ -89,7 +91,7 @@ final class Visits implements VisitHost {
         }
         retries = start.again() ? retries + 1 : 0;
         if (retries <= 1) {
-            functions.run(function);
+            run();
         } else {
             int doublings = Math.min(retries - 2, MOST_DOUBLINGS);
             entered.onClock(FIRST_PAUSE.multipliedBy(1L << doublings), () -> startLate(entered));
@@ -98,13 +100,24 @@ final class Visits implements VisitHost {
 
     private synchronized void startLate(Visit entered) {
         if (entered == current) {
-            functions.run(function);
+            run();
         }
+    }
+
+    private void run() {
+        recorded = WorkEvent.begun();
+        functions.run(function);
     }
 
     /** Ends what runs in the current visit, whose state will be left. */
     void leave() {
+        Visit left = functions.running();
+        WorkEvent ended = recorded;
         functions.end();
+        if (left != null && ended != null) {
+            WorkEvent.ended(ended, config.name(), WorkEvent.Kind.FUNCTION, left.state());
+            recorded = null;
+        }
     }
 
     boolean ownsCurrentThread() {

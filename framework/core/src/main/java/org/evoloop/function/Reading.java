@@ -18,6 +18,9 @@ import java.util.Locale;
  */
 public record Reading(String name, Object value, String unit) {
 
+    /** Longer times are shown in minutes, too. */
+    private static final int SHOWN_IN_SECONDS = 120;
+
     /** @throws IllegalArgumentException if the name is empty, or the value of another type or not finite */
     public Reading {
         requireNonNull(unit, "the unit is null");
@@ -54,12 +57,19 @@ public record Reading(String name, Object value, String unit) {
         return new Reading(name, value, unit);
     }
 
-    /** For people, such as {@code distance 1.25 m}, {@code docked}, {@code not docked} or {@code error stuck}. */
+    /**
+     * For people, such as {@code distance 1.25 m}, {@code time left 4 min 30 s}, {@code docked}, {@code not docked} or {@code error
+     * stuck}.
+     */
     @Override
     public String toString() {
         String words = name.replaceAll("(?<=[a-z])(?=[A-Z])", " ").toLowerCase(Locale.ROOT);
         if (value instanceof Boolean holds) {
             return holds ? words : "not " + words;
+        }
+        if (value instanceof Number seconds && unit.equals("s") && seconds.doubleValue() >= SHOWN_IN_SECONDS) {
+            long whole = Math.round(seconds.doubleValue());
+            return words + " " + whole / 60 + " min " + whole % 60 + " s";
         }
         String number = value instanceof Double exact
                 ? BigDecimal.valueOf(exact)

@@ -2,6 +2,7 @@ package org.evoloop.loop;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.evoloop.flight.PhaseEvent;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -11,28 +12,54 @@ import org.jspecify.annotations.Nullable;
  * <p>Threading: walked by one thread at a time; changed only between two occurrences.
  */
 final class Passage<O, A, P> {
+    private final String loop;
     private final Dispatch<P> dispatch;
     private final Sequencer<O> sequencer;
     private volatile @Nullable StageWorker<A> plan;
     private volatile List<StageWorker<P>> executes = List.of();
     private volatile List<Execute<P>> executeOrder = List.of();
 
-    Passage(Dispatch<P> dispatch, Sequencer<O> sequencer) {
+    /** @param loop its name, for recordings */
+    Passage(String loop, Dispatch<P> dispatch, Sequencer<O> sequencer) {
+        this.loop = loop;
         this.dispatch = dispatch;
         this.sequencer = sequencer;
     }
 
     StageWorker.Work<O> through(Analyze<O, A> analyze) {
-        return (by, occurrence) -> sequencer.passOn(by, analyze.analyze(occurrence), plan);
+        return (by, occurrence) -> {
+            PhaseEvent phase = PhaseEvent.begun();
+            A analysis;
+            try {
+                analysis = analyze.analyze(occurrence);
+            } finally {
+                PhaseEvent.ended(phase, loop, "analyze", analyze.name(), occurrence);
+            }
+            return sequencer.passOn(by, analysis, plan);
+        };
     }
 
     StageWorker.Work<A> through(Plan<A, P> planning) {
-        return (by, analysis) -> dispatch(by, planning.plan(analysis), null);
+        return (by, analysis) -> {
+            PhaseEvent phase = PhaseEvent.begun();
+            P planned;
+            try {
+                planned = planning.plan(analysis);
+            } finally {
+                PhaseEvent.ended(phase, loop, "plan", planning.name(), analysis);
+            }
+            return dispatch(by, planned, null);
+        };
     }
 
     StageWorker.Work<P> through(Execute<P> execute) {
         return (by, planned) -> {
-            execute.execute(planned);
+            PhaseEvent phase = PhaseEvent.begun();
+            try {
+                execute.execute(planned);
+            } finally {
+                PhaseEvent.ended(phase, loop, "execute", execute.name(), planned);
+            }
             return dispatch(by, planned, execute);
         };
     }

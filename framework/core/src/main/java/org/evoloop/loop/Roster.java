@@ -22,7 +22,7 @@ final class Roster<O, A, P> {
 
     Roster(LoopConfig config, Dispatch<P> dispatch, Sequencer<O> sequencer) {
         this.config = config;
-        this.passage = new Passage<>(dispatch, sequencer);
+        this.passage = new Passage<>(config.name(), dispatch, sequencer);
         this.sequencer = sequencer;
         this.crew = new Crew(config);
     }

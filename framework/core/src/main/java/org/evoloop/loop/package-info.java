@@ -4,7 +4,7 @@
  * org.evoloop.loop.Knowledge}, and the {@link org.evoloop.loop.MapeLoop} that hands their results on, supervises them and
  * lets them be exchanged while it runs.
  *
- * <p>This package may use {@code org.evoloop.time} only; it knows nothing of state machines. All threads of the framework
+ * <p>This package may use {@code org.evoloop.time} and {@code org.evoloop.flight} only; it knows nothing of state machines. All threads of the framework
  * but those of new functions live here.
  */
 @NullMarked

@@ -30,14 +30,20 @@ public final class Names {
      * @param known what there is
      */
     public static String hint(String wrong, Collection<?> known) {
-        List<String> near = nearest(wrong, known.stream().map(Object::toString));
-        if (!near.isEmpty()) {
-            return "; did you mean " + String.join(" or ", near) + "?";
+        String meant = meant(wrong, known);
+        if (!meant.isEmpty()) {
+            return meant;
         }
         List<String> listed =
                 known.stream().map(Object::toString).sorted().limit(LISTED).toList();
         return "; there is " + (listed.isEmpty() ? "none" : String.join(", ", listed))
                 + (known.size() > LISTED ? " and " + (known.size() - LISTED) + " more" : "");
+    }
+
+    /** For messages: {@code "; did you mean Clean?"}; empty if no name is near. */
+    public static String meant(String wrong, Collection<?> known) {
+        List<String> near = nearest(wrong, known.stream().map(Object::toString));
+        return near.isEmpty() ? "" : "; did you mean " + String.join(" or ", near) + "?";
     }
 
     /** Those that differ by few letters, or only in capitals, blanks, hyphens and the like; the nearest first. */

@@ -94,6 +94,7 @@ public final class Page implements AutoCloseable {
         to.on("GET", "/controls", exchange -> controls(to, exchange));
         to.on("POST", "/session", exchange -> session(to, exchange));
         to.on("POST", "/command", exchange -> command(to, exchange));
+        Documents.serve(to, console.converters());
         to.start();
     }
 

@@ -239,7 +239,7 @@ async function perform(line) {
     const answer = await fetch('/command', { method: 'POST', body: line });
     if (answer.ok) {
       const told = await answer.json();
-      $('answer').textContent = told.error ? `${line}: ${told.error}` : `${line}: done${told.output ? `. ${told.output}` : ''}`;
+      $('answer').textContent = `${line}: ${told.error || told.output || 'done'}`;
       $('answer').className = told.error ? 'bad' : 'good';
     } else {
       $('answer').textContent = await answer.text();

@@ -10,10 +10,15 @@ import java.nio.channels.Channels;
 import java.nio.channels.SocketChannel;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
+import org.evoloop.console.Console;
+import org.evoloop.statemachine.Names;
+import org.evoloop.time.Clock;
+import org.evoloop.time.SystemClock;
 
 /**
  * {@code ctl NAME COMMAND [ARGUMENT ...]}: gives a command to a running instance; without a name, lists those that run.
@@ -27,20 +32,28 @@ public final class Ctl {
             Gives a command of the console to the running converter that was started with --name NAME, such as:
 
               ctl lamp status --json
+              ctl lamp watch           # on a terminal: shows the status every second
               ctl lamp help            # lists its commands
               ctl                      # lists the instances that run
 
             Exit status: 0 success, 1 the command failed, 2 wrong usage, or no such instance.
             """;
 
+    /** {@code watch [SECONDS]}; whatever else there is of it is refused by who is asked. */
+    private static final String WATCH = "watch( [1-9][0-9]{0,3})?";
+
     private final Instances instances;
     private final PrintStream out;
     private final PrintStream err;
 
-    Ctl(Instances instances, PrintStream out, PrintStream err) {
+    private final boolean onTerminal;
+
+    /** @param onTerminal whether {@code out} is a terminal */
+    Ctl(Instances instances, PrintStream out, PrintStream err, boolean onTerminal) {
         this.instances = instances;
         this.out = out;
         this.err = err;
+        this.onTerminal = onTerminal;
     }
 
     /** Runs the client, and ends the program with its exit status. */
@@ -50,7 +63,7 @@ public final class Ctl {
 
     /** Runs the client. @return the exit status */
     public static int run(List<String> arguments) {
-        return new Ctl(new Instances(System.getenv()), System.out, System.err).call(arguments);
+        return new Ctl(new Instances(System.getenv()), System.out, System.err, Console.isOnTerminal()).call(arguments);
     }
 
     int call(List<String> arguments) {
@@ -69,13 +82,22 @@ public final class Ctl {
                 throw new IllegalArgumentException(
                         "say what " + name + " shall do: ctl " + name + " help lists its commands");
             }
-            return command(name, line(arguments.subList(1, arguments.size())));
+            String line = line(arguments.subList(1, arguments.size()));
+            return onTerminal && line.matches(WATCH) ? watch(name, line) : command(name, line, out);
         } catch (IllegalArgumentException mistake) {
             err.println("error: " + mistake.getMessage());
             return 2;
         } catch (IOException failure) {
             err.println("error: " + name + " does not answer: " + failure.getMessage());
             return 1;
+        }
+    }
+
+    private int watch(String name, String line) throws IOException {
+        String seconds = line.replaceAll("\\D", "");
+        Duration period = Duration.ofSeconds(seconds.isEmpty() ? 1 : Integer.parseInt(seconds));
+        try (Clock clock = new SystemClock()) {
+            return new Watch(out, clock).run(results -> command(name, "status", results), period);
         }
     }
 
@@ -121,12 +143,12 @@ public final class Ctl {
         }
     }
 
-    private int command(String name, String line) throws IOException {
+    private int command(String name, String line, PrintStream results) throws IOException {
         Map<String, Path> running = running();
         Path socket = running.get(name);
         if (socket == null) {
-            throw new IllegalArgumentException("no instance named " + name + " is running; "
-                    + (running.isEmpty() ? "none is" : "there are " + String.join(", ", running.keySet())));
+            throw new IllegalArgumentException("no instance named " + name + " is running"
+                    + (running.isEmpty() ? "; none is" : Names.hint(name, running.keySet())));
         }
         try (SocketChannel channel = connect(socket)) {
             ByteBuffer request = StandardCharsets.UTF_8.encode(line + "\n");
@@ -135,15 +157,15 @@ public final class Ctl {
             }
             // No further request: the instance closes the connection after its answer, or when it has ended.
             channel.shutdownOutput();
-            return show(new BufferedReader(Channels.newReader(channel, StandardCharsets.UTF_8)));
+            return show(new BufferedReader(Channels.newReader(channel, StandardCharsets.UTF_8)), results);
         }
     }
 
-    private int show(BufferedReader answer) throws IOException {
+    private int show(BufferedReader answer, PrintStream results) throws IOException {
         int status = -1;
         for (String line = answer.readLine(); line != null; line = answer.readLine()) {
             if (line.startsWith(Reply.OUT)) {
-                out.println(line.substring(Reply.OUT.length()));
+                results.println(line.substring(Reply.OUT.length()));
             } else if (line.startsWith(Reply.ERR)) {
                 err.println(line.substring(Reply.ERR.length()));
             } else if (line.startsWith(Reply.END)) {

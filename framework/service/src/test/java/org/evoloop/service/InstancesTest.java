@@ -109,7 +109,7 @@ class InstancesTest {
     void theClientTellsWhichInstancesThereAre() throws Exception {
         ByteArrayOutputStream text = new ByteArrayOutputStream();
         PrintStream all = new PrintStream(text, true, StandardCharsets.UTF_8);
-        Ctl ctl = new Ctl(new Instances(Map.of("XDG_RUNTIME_DIR", runtime.toString())), all, all);
+        Ctl ctl = new Ctl(new Instances(Map.of("XDG_RUNTIME_DIR", runtime.toString())), all, all, false);
         Path directory = Files.createDirectory(runtime.resolve("evoloop"));
         Files.createFile(directory.resolve("dead.sock"));
 
@@ -125,7 +125,7 @@ class InstancesTest {
 
         assertThat(text.toString(StandardCharsets.UTF_8).lines())
                 .contains("lamp", "press 'a b' \"it's\"", "no")
-                .anyMatch(line -> line.startsWith("error: no instance named lump is running; there are lamp"))
+                .anyMatch(line -> line.startsWith("error: no instance named lump is running; did you mean lamp?"))
                 .contains("error: say what lamp shall do: ctl lamp help lists its commands")
                 .doesNotContain("dead");
     }

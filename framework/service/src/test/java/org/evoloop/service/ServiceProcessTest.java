@@ -64,7 +64,8 @@ class ServiceProcessTest {
         PrintStream all = new PrintStream(text, true, StandardCharsets.UTF_8);
         List<String> arguments = new ArrayList<>(List.of("lamp"));
         arguments.addAll(List.of(words));
-        int status = new Ctl(new Instances(Map.of("XDG_RUNTIME_DIR", runtime.toString())), all, all).call(arguments);
+        int status =
+                new Ctl(new Instances(Map.of("XDG_RUNTIME_DIR", runtime.toString())), all, all, false).call(arguments);
         all.println(status);
         return text.toString(StandardCharsets.UTF_8).lines().toList();
     }

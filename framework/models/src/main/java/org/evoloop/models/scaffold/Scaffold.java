@@ -135,7 +135,6 @@ public final class Scaffold {
         content.text(ProjectDirectory.GENERATED + "/" + FUNCTIONS, names.text(javaPackage));
         file("pom.xml", "pom.xml.txt");
         file("README.md", "README.md.txt");
-        file("src/main/resources/logback.xml", "logback.xml.txt");
         for (String name : CLASSES) {
             file(sources + name + ".java", name + ".java.txt");
         }

@@ -1,4 +1,4 @@
-package org.evoloop.roomba;
+package org.evoloop.service;
 
 import ch.qos.logback.classic.ClassicConstants;
 import ch.qos.logback.classic.Level;
@@ -17,11 +17,18 @@ import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Says where the program's log goes: the transcript to stdout, warnings and errors to stderr. Logback finds it as a service;
- * a {@code logback.xml} in front of it wins. Reading one, and knowing patterns before there is anything to say, would take
- * a tenth of the program's start.
+ * Says where a program's log goes: the transcript to stdout, warnings and errors to stderr, in systemd's journal with their
+ * levels. Logback finds it as a service; a {@code logback.xml} in front of it wins. Reading one, and knowing patterns before
+ * there is anything to say, would take a tenth of a program's start.
+ *
+ * <p>Threading: logback's, once.
+ *
+ * @since 0.1
  */
 public final class ProgramLog extends ContextAwareBase implements Configurator {
+    /** For Logback, which finds it as a service. */
+    public ProgramLog() {}
+
     @Override
     public ExecutionStatus configure(LoggerContext context) {
         if (isFileGiven()) {
@@ -31,9 +38,10 @@ public final class ProgramLog extends ContextAwareBase implements Configurator {
         transcript.setLevel(Level.INFO);
         transcript.setAdditive(false);
         transcript.addAppender(appender(ConsoleTarget.SystemOut, new Lines()));
+        boolean inJournal = Journald.reads(Journald.STANDARD_ERROR, System.getenv("JOURNAL_STREAM"));
         Logger root = context.getLogger(org.slf4j.Logger.ROOT_LOGGER_NAME);
         root.setLevel(Level.WARN);
-        root.addAppender(appender(ConsoleTarget.SystemErr, new TimedLines()));
+        root.addAppender(appender(ConsoleTarget.SystemErr, inJournal ? new Journald() : new TimedLines()));
         return ExecutionStatus.DO_NOT_INVOKE_NEXT_IF_ANY;
     }
 

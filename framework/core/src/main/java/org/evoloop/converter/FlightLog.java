@@ -1,0 +1,61 @@
+package org.evoloop.converter;
+
+import java.util.Locale;
+import org.evoloop.core.Outcome;
+import org.evoloop.evolution.Configuration;
+import org.evoloop.evolution.Occurrence;
+import org.evoloop.flight.ConversionEvent;
+import org.evoloop.flight.ObservedEvent;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What a recording of Java Flight Recorder is told of a converter's occurrences.
+ *
+ * <p>Threading: guarded by the lock of the {@link CoreDriver}.
+ */
+final class FlightLog {
+    private final String converter;
+    private @Nullable Occurrence inTheLoop;
+    private @Nullable ConversionEvent conversion;
+
+    FlightLog(String converter) {
+        this.converter = converter;
+    }
+
+    String converter() {
+        return converter;
+    }
+
+    /** @param admission {@code queued}, {@code dropped} or {@code refused} */
+    void observed(Occurrence occurrence, String admission) {
+        ObservedEvent.record(converter, occurrence, admission);
+    }
+
+    /** {@code occurrence} has its turn; one that was overtaken may have it again. */
+    void begun(Occurrence occurrence) {
+        if (inTheLoop != occurrence) {
+            inTheLoop = occurrence;
+            conversion = ConversionEvent.begun();
+        }
+    }
+
+    void decided(long waitedNanos) {
+        if (conversion != null) {
+            conversion.decided(waitedNanos);
+        }
+    }
+
+    /** Of one that never had its turn, too. */
+    void ended(Occurrence occurrence, Configuration before, Configuration after, Outcome outcome, String detail) {
+        boolean hadItsTurn = inTheLoop == occurrence;
+        ConversionEvent event = hadItsTurn ? conversion : ConversionEvent.begun();
+        if (hadItsTurn) {
+            inTheLoop = null;
+            conversion = null;
+        }
+        if (event != null) {
+            ConversionEvent.ended(
+                    event, converter, occurrence, before, after, outcome.name().toLowerCase(Locale.ROOT), detail);
+        }
+    }
+}

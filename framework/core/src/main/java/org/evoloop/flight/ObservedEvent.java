@@ -1,0 +1,46 @@
+package org.evoloop.flight;
+
+import jdk.jfr.Category;
+import jdk.jfr.Description;
+import jdk.jfr.Event;
+import jdk.jfr.FlightRecorder;
+import jdk.jfr.Label;
+import jdk.jfr.Name;
+import jdk.jfr.StackTrace;
+import org.jspecify.annotations.Nullable;
+
+/** A converter has been told of an occurrence. */
+@Name("org.evoloop.Observed")
+@Label("Observed")
+@Description("An occurrence has come to a converter")
+@Category("Evoloop")
+@StackTrace(false)
+public final class ObservedEvent extends Event {
+    @Label("Converter")
+    @Nullable
+    String converter;
+
+    @Label("Occurrence")
+    @Nullable
+    String occurrence;
+
+    @Label("Admission")
+    @Description("queued, dropped or refused")
+    @Nullable
+    String admission;
+
+    private ObservedEvent() {}
+
+    /** Records it, if somebody does. */
+    public static void record(String converter, Object occurrence, String admission) {
+        if (FlightRecorder.isInitialized()) {
+            ObservedEvent event = new ObservedEvent();
+            if (event.shouldCommit()) {
+                event.converter = converter;
+                event.occurrence = occurrence.toString();
+                event.admission = admission;
+                event.commit();
+            }
+        }
+    }
+}

@@ -1,0 +1,175 @@
+package org.evoloop.metrics;
+
+import io.micrometer.core.instrument.FunctionCounter;
+import io.micrometer.core.instrument.Gauge;
+import io.micrometer.core.instrument.MeterRegistry;
+import io.micrometer.core.instrument.MultiGauge;
+import io.micrometer.core.instrument.MultiGauge.Row;
+import io.micrometer.core.instrument.Tags;
+import io.micrometer.core.instrument.TimeGauge;
+import io.micrometer.core.instrument.binder.MeterBinder;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Function;
+import java.util.function.ToDoubleFunction;
+import java.util.function.ToLongFunction;
+import org.evoloop.converter.ConverterStatus;
+import org.evoloop.converter.SystemEventConverter;
+import org.evoloop.function.Reading;
+import org.evoloop.loop.LoopState;
+
+/**
+ * The figures of a converter's status; each has the tag {@code converter}:
+ *
+ * <ul>
+ *   <li>{@code evoloop.events} by {@code outcome}, also {@code dropped} and {@code refused}
+ *   <li>{@code evoloop.queue.depth}, {@code evoloop.queue.capacity}, {@code evoloop.queue.highest}
+ *   <li>{@code evoloop.conversion.time} of the last 1024 events, by {@code percentile}: 50 and 99
+ *   <li>{@code evoloop.failures} by {@code component}: failures since it joined
+ *   <li>{@code evoloop.running}, {@code evoloop.link.up}, {@code evoloop.doubt}: 1 or 0; {@code evoloop.link.up} only of
+ *       a converter with a link
+ *   <li>{@code evoloop.device} and {@code evoloop.function} by {@code reading}: what device and new function tell in numbers,
+ *       and whether something is so as 1 or 0; {@code unit} as they say it, such as {@code %}
+ * </ul>
+ *
+ * <p>They are read when they are asked for; failures, link and readings, which come and go, are those of the last {@link
+ * #refresh}.
+ *
+ * <p>Threading: thread-safe; reading waits for nobody.
+ *
+ * @since 0.1
+ */
+public final class ConverterMetrics implements MeterBinder {
+    private final SystemEventConverter converter;
+    private final Tags tags;
+    private final Map<MultiGauge, Function<ConverterStatus, List<Row<?>>>> rows = new ConcurrentHashMap<>();
+
+    /** @param converter built */
+    public ConverterMetrics(SystemEventConverter converter) {
+        this.converter = converter;
+        this.tags = Tags.of("converter", converter.status().name());
+    }
+
+    @Override
+    public void bindTo(MeterRegistry registry) {
+        events(registry, "handled", status -> status.events().handled());
+        events(registry, "ignored", status -> status.events().ignored());
+        events(registry, "stale", status -> status.events().stale());
+        events(registry, "failed", status -> status.events().failed());
+        events(registry, "dropped", status -> status.queue().dropped());
+        events(registry, "refused", status -> status.queue().refused());
+        gauge(
+                registry,
+                "evoloop.queue.depth",
+                "Events that wait",
+                status -> status.queue().depth());
+        gauge(
+                registry,
+                "evoloop.queue.capacity",
+                "How many may wait",
+                status -> status.queue().capacity());
+        gauge(
+                registry,
+                "evoloop.queue.highest",
+                "The most that have waited",
+                status -> status.queue().highest());
+        gauge(
+                registry,
+                "evoloop.running",
+                "Whether events are converted",
+                status -> truth(status.loop() == LoopState.RUNNING));
+        gauge(
+                registry,
+                "evoloop.doubt",
+                "Whether the record of the device may be wrong",
+                status -> truth(!status.doubt().isEmpty()));
+        time(registry, "50", time -> time.medianNanos());
+        time(registry, "99", time -> time.percentile99Nanos());
+        rows(registry, "evoloop.failures", "Failures of a component", this::failures);
+        rows(registry, "evoloop.link.up", "Whether the device can be reached", this::link);
+        rows(
+                registry,
+                "evoloop.device",
+                "What is known of the device",
+                status -> readings(
+                        status.link() == null || !status.link().up()
+                                ? List.of()
+                                : status.link().readings()));
+        rows(
+                registry,
+                "evoloop.function",
+                "How far the new function is",
+                status -> readings(status.function().readings()));
+        refresh();
+    }
+
+    /** Takes up which components, link and readings there are now; to be called before the registry is read. */
+    public void refresh() {
+        ConverterStatus status = converter.status();
+        rows.forEach((gauge, of) -> gauge.register(of.apply(status), true));
+    }
+
+    private void rows(
+            MeterRegistry registry, String name, String description, Function<ConverterStatus, List<Row<?>>> of) {
+        rows.put(MultiGauge.builder(name).description(description).tags(tags).register(registry), of);
+    }
+
+    private List<Row<?>> failures(ConverterStatus status) {
+        return status.components().stream()
+                .<Row<?>>map(component -> Row.of(Tags.of("component", component.name()), component.failures()))
+                .toList();
+    }
+
+    private List<Row<?>> link(ConverterStatus status) {
+        ConverterStatus.LinkStatus link = status.link();
+        return link == null ? List.of() : List.of(Row.of(Tags.empty(), truth(link.up())));
+    }
+
+    private static List<Row<?>> readings(List<Reading> readings) {
+        List<Row<?>> numbers = new ArrayList<>();
+        for (Reading reading : readings) {
+            Tags named = Tags.of("reading", reading.name(), "unit", reading.unit());
+            if (reading.value() instanceof Boolean holds) {
+                numbers.add(Row.of(named, truth(holds)));
+            } else if (reading.value() instanceof Number number) {
+                numbers.add(Row.of(named, number));
+            }
+        }
+        return numbers;
+    }
+
+    private static int truth(boolean holds) {
+        return holds ? 1 : 0;
+    }
+
+    private void events(MeterRegistry registry, String outcome, ToLongFunction<ConverterStatus> count) {
+        FunctionCounter.builder("evoloop.events", converter, asked -> count.applyAsLong(asked.status()))
+                .description("Events by what became of them")
+                .tags(tags.and("outcome", outcome))
+                .register(registry);
+    }
+
+    private void gauge(
+            MeterRegistry registry, String name, String description, ToDoubleFunction<ConverterStatus> value) {
+        Gauge.builder(name, converter, asked -> value.applyAsDouble(asked.status()))
+                .description(description)
+                .tags(tags)
+                .strongReference(true)
+                .register(registry);
+    }
+
+    private void time(MeterRegistry registry, String percentile, ToLongFunction<ConverterStatus.ConversionTime> nanos) {
+        TimeGauge.builder(
+                        "evoloop.conversion.time",
+                        converter,
+                        TimeUnit.NANOSECONDS,
+                        asked -> nanos.applyAsLong(asked.status().conversionTime()))
+                .description("From an event being observed to its execution beginning")
+                .tags(tags.and("percentile", percentile))
+                .strongReference(true)
+                .register(registry);
+    }
+}

@@ -1,0 +1,27 @@
+package org.evoloop.metrics;
+
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
+
+import com.tngtech.archunit.core.importer.ImportOption;
+import com.tngtech.archunit.junit.AnalyzeClasses;
+import com.tngtech.archunit.junit.ArchTest;
+import com.tngtech.archunit.lang.ArchRule;
+
+/** The figures look at a converter's status, and at nothing behind it. */
+@AnalyzeClasses(packages = "org.evoloop.metrics", importOptions = ImportOption.DoNotIncludeTests.class)
+class ArchitectureTest {
+    @ArchTest
+    static final ArchRule onlyTheStatusIsLookedAt = noClasses()
+            .should()
+            .dependOnClassesThat()
+            .resideInAnyPackage(
+                    "org.evoloop.core..", "org.evoloop.statemachine..", "org.evoloop.evolution..", "java.io..");
+
+    @ArchTest
+    static final ArchRule registriesAreNotKnownToTheFigures = noClasses()
+            .that()
+            .haveSimpleName("ConverterMetrics")
+            .should()
+            .dependOnClassesThat()
+            .resideInAPackage("io.micrometer.prometheusmetrics..");
+}

@@ -1,0 +1,176 @@
+package org.evoloop.metrics;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.PrintStream;
+import java.net.URI;
+import java.net.http.HttpClient;
+import java.net.http.HttpRequest;
+import java.net.http.HttpResponse;
+import java.nio.charset.StandardCharsets;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.evoloop.PaperModels;
+import org.evoloop.console.Console;
+import org.evoloop.converter.DeviceLink;
+import org.evoloop.converter.EventExecute;
+import org.evoloop.converter.PushMonitor;
+import org.evoloop.converter.StateKnowledge;
+import org.evoloop.converter.SystemEventConverter;
+import org.evoloop.evolution.Step;
+import org.evoloop.function.Reading;
+import org.evoloop.loop.LoopConfig;
+import org.evoloop.page.Page;
+import org.evoloop.page.PageOptions;
+import org.evoloop.time.ManualClock;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** What Prometheus is told of the paper's light bulb at its page. */
+@Timeout(60)
+class MetricsTest {
+    private final List<PushMonitor> switches = new ArrayList<>();
+    private final SystemEventConverter lamp = lamp("lamp");
+    private final SystemEventConverter other = lamp("other \"lamp\"");
+    private final Cable cable = new Cable();
+    private final ByteArrayOutputStream announced = new ByteArrayOutputStream();
+    private Page page;
+
+    private SystemEventConverter lamp(String name) {
+        SystemEventConverter converter = new SystemEventConverter(
+                LoopConfig.defaults(name, new ManualClock()).withoutThreads());
+        PushMonitor wallSwitch = new PushMonitor("WallSwitch");
+        switches.add(wallSwitch);
+        converter.addMonitor(wallSwitch);
+        converter.addExecute(new EventExecute("Lamp") {
+            @Override
+            protected Set<String> sendableEvents() {
+                return Set.of("switch");
+            }
+
+            @Override
+            protected void send(Step step) {}
+        });
+        converter.addKnowledge(new StateKnowledge(PaperModels.lightBulb()) {
+            @Override
+            protected void registerNewFunctions() {
+                timer("wait", "timeout", Duration.ofSeconds(2));
+                function(
+                        "incandescentOn",
+                        visit -> visit.progress("warming up", List.of(Reading.of("warmth", 0.5, ""))));
+            }
+        });
+        converter.build();
+        return converter;
+    }
+
+    private static final class Cable implements DeviceLink {
+        private volatile boolean up = true;
+
+        @Override
+        public boolean isUp() {
+            return up;
+        }
+
+        @Override
+        public List<Reading> readings() {
+            return List.of(Reading.of("battery", 93, "%"), Reading.of("docked", true), Reading.of("mode", "safe"));
+        }
+
+        @Override
+        public String describe() {
+            return "a cable";
+        }
+    }
+
+    @BeforeEach
+    void open() throws IOException {
+        lamp.addLink(cable);
+        Console console = new Console(lamp, InputStream.nullInputStream(), System.out, System.err);
+        console.addConverter(other);
+        page = Page.open(
+                PageOptions.takeFrom(new ArrayList<>(List.of("--page", "0"))),
+                console,
+                new PrintStream(announced, true, StandardCharsets.UTF_8));
+    }
+
+    @AfterEach
+    void close() {
+        page.close();
+        lamp.close();
+        other.close();
+    }
+
+    private HttpResponse<String> get(String path) throws IOException, InterruptedException {
+        String address = announced.toString(StandardCharsets.UTF_8).replaceFirst("(?s)page: (\\S+)/ to look.*", "$1");
+        return HttpClient.newHttpClient()
+                .send(HttpRequest.newBuilder(URI.create(address + path)).build(), HttpResponse.BodyHandlers.ofString());
+    }
+
+    private Map<String, Double> scrape() throws IOException, InterruptedException {
+        HttpResponse<String> answer = get("/metrics");
+        assertThat(answer.statusCode()).isEqualTo(200);
+        assertThat(answer.headers().firstValue("Content-Type")).contains("text/plain; version=0.0.4; charset=utf-8");
+        return Scrape.read(answer.body());
+    }
+
+    private void press() throws InterruptedException {
+        switches.get(0).press("switch");
+        lamp.observe(switches.get(0));
+        lamp.step();
+    }
+
+    @Test
+    void eventsQueueAndStatesAreTold() throws Exception {
+        lamp.start();
+        press();
+
+        assertThat(scrape())
+                .containsEntry("evoloop_events_total{converter=\"lamp\",outcome=\"handled\"}", 1.0)
+                .containsEntry("evoloop_events_total{converter=\"lamp\",outcome=\"dropped\"}", 0.0)
+                .containsEntry("evoloop_events_total{converter=\"other \\\"lamp\\\"\",outcome=\"handled\"}", 0.0)
+                .containsEntry("evoloop_queue_capacity{converter=\"lamp\"}", 8.0)
+                .containsEntry("evoloop_running{converter=\"lamp\"}", 1.0)
+                .containsEntry("evoloop_running{converter=\"other \\\"lamp\\\"\"}", 0.0)
+                .containsEntry("evoloop_failures{component=\"Lamp\",converter=\"lamp\"}", 0.0)
+                .containsKey("evoloop_conversion_time_seconds{converter=\"lamp\",percentile=\"99\"}")
+                .containsKey("jvm_threads_live_threads");
+
+        press();
+        assertThat(scrape()).containsEntry("evoloop_events_total{converter=\"lamp\",outcome=\"handled\"}", 2.0);
+    }
+
+    @Test
+    void whatDeviceAndFunctionTellInNumbersComesAndGoes() throws Exception {
+        String battery = "evoloop_device{converter=\"lamp\",reading=\"battery\",unit=\"%\"}";
+        String warmth = "evoloop_function{converter=\"lamp\",reading=\"warmth\",unit=\"\"}";
+        String link = "evoloop_link_up{converter=\"lamp\"}";
+        assertThat(scrape())
+                .containsEntry(battery, 93.0)
+                .containsEntry("evoloop_device{converter=\"lamp\",reading=\"docked\",unit=\"\"}", 1.0)
+                .containsEntry(link, 1.0)
+                .doesNotContainKey(warmth)
+                .doesNotContainKey("evoloop_link_up{converter=\"other \\\"lamp\\\"\"}");
+
+        lamp.start();
+        press();
+        press();
+        press();
+        cable.up = false;
+
+        assertThat(scrape()).containsEntry(warmth, 0.5).containsEntry(link, 0.0).doesNotContainKey(battery);
+    }
+
+    @Test
+    void otherPathsBelowAreNotThere() throws Exception {
+        assertThat(get("/metrics/x").statusCode()).isEqualTo(404);
+    }
+}
