@@ -76,6 +76,21 @@ KNOWN = [
     Known("./evoloop test --stress", why_not="takes some minutes of both processors; a test run of its own"),
     typed("./evoloop lightbulb", input="start\nswitch\nstatus\nexit\n", shows="switch"),
     typed("./evoloop lightbulb --help", shows="--models"),
+    Known(
+        "./evoloop roomba --config roomba.yaml",
+        run="./evoloop roomba --config <(printf 'simulate: true\nspeed: 4\n')",
+        input="start\nexit\n",
+    ),
+    Known(
+        "./evoloop roomba --config roomba.yaml --print-config",
+        run="./evoloop roomba --config <(printf 'simulate: true\nspeed: 4\n') --print-config",
+        shows=":2",
+    ),
+    Known(
+        "./evoloop roomba --config roomba.yaml --simulate",
+        run="./evoloop roomba --config <(printf 'port: /dev/none\n') --simulate",
+        input="start\nexit\n",
+    ),
     Known("./evoloop lightbulb --page 8080", run="./evoloop lightbulb --page 0", input="start\nswitch\nexit\n", shows="switch"),
     Known(
         "./evoloop lightbulb --start --mqtt mqtt://homeassistant.local",
