@@ -33,11 +33,6 @@ public final class Mistakes {
 
     Mistakes() {}
 
-    /** Nothing is known of where options came from. */
-    public static Mistakes none() {
-        return new Mistakes();
-    }
-
     void knows(String option, Origin origin) {
         given.put(option, origin);
     }
@@ -60,7 +55,9 @@ public final class Mistakes {
     /** What is wrong with one option's value: nothing else about this option is told. */
     void in(String option, Origin place, String mistake) {
         faulty.add(option);
-        at(place, mistake.startsWith("--") ? mistake : "--" + option + ": " + mistake);
+        // A value may hold anything.
+        String line = mistake.replaceAll("\\p{Cntrl}", "?");
+        at(place, line.startsWith("--") ? line : "--" + option + ": " + line);
     }
 
     /** Adds a mistake, unless an option that it names has one of its own. */
