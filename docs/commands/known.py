@@ -72,6 +72,8 @@ KNOWN = [
     Known("./evoloop test", why_not=THIS),
     Known("./evoloop test --slow", why_not=THIS),
     Known("./evoloop test --interop", why_not="network: fetches clients from PyPI; a test run of its own"),
+    Known("./evoloop test --package", why_not="root and network: Debians of its own; a test run of its own"),
+    typed("./evoloop package", slow=True, shows="target/evoloop_"),
     Known("./evoloop test --home-assistant", why_not="root and network: a Debian of its own; a test run of its own"),
     Known("./evoloop test --stress", why_not="takes some minutes of both processors; a test run of its own"),
     typed("./evoloop lightbulb", input="start\nswitch\nstatus\nexit\n", shows="switch"),
@@ -81,6 +83,21 @@ KNOWN = [
         run="java -XX:StartFlightRecording=filename=target/lamp.jfr -jar lightbulb-example/target/lightbulb-example.jar",
         input="start\nswitch\nexit\n",
         shows="switch",
+    ),
+    Known(
+        "./evoloop roomba --config roomba.yaml",
+        run="./evoloop roomba --config <(printf 'simulate: true\nspeed: 4\n')",
+        input="start\nexit\n",
+    ),
+    Known(
+        "./evoloop roomba --config roomba.yaml --print-config",
+        run="./evoloop roomba --config <(printf 'simulate: true\nspeed: 4\n') --print-config",
+        shows=":2",
+    ),
+    Known(
+        "./evoloop roomba --config roomba.yaml --simulate",
+        run="./evoloop roomba --config <(printf 'port: /dev/none\n') --simulate",
+        input="start\nexit\n",
     ),
     Known("./evoloop lightbulb --page 8080", run="./evoloop lightbulb --page 0", input="start\nswitch\nexit\n", shows="switch"),
     Known(
@@ -99,7 +116,6 @@ KNOWN = [
     Known("./evoloop ctl lamp switch", run="./evoloop ctl --help", shows="status --json"),
     Known("./evoloop ctl lamp exit", run="./evoloop ctl --help", shows="status --json"),
     Known("java -jar roomba-converter.jar ctl lamp status", run="./evoloop ctl --help", shows="status --json"),
-    Known("java -jar /opt/evoloop/roomba-converter.jar ctl roomba status", run="./evoloop ctl --help", shows="status --json"),
     Known("java -cp fan.jar org.evoloop.service.Ctl fan status", why_not=ELSEWHERE),
     Known("./evoloop ctl NAME COMMAND ...", run="./evoloop ctl --help", shows="status --json"),
     Known("./evoloop journal COMMAND DIR", run="./evoloop journal --help", shows="verify"),

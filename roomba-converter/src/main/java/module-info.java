@@ -4,6 +4,7 @@ module org.evoloop.roomba {
     requires ch.qos.logback.classic;
     requires ch.qos.logback.core;
     requires info.picocli;
+    requires org.evoloop.config;
     requires org.evoloop.console;
     requires org.evoloop.journal;
     requires org.evoloop.mqtt;

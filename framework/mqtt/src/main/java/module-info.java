@@ -2,6 +2,7 @@
 @SuppressWarnings("requires-automatic")
 module org.evoloop.mqtt {
     requires static org.jspecify;
+    requires transitive org.evoloop.config;
     requires transitive org.evoloop.console;
     requires com.hivemq.client.mqtt;
     requires org.slf4j;

@@ -2,6 +2,7 @@
 module org.evoloop.page {
     requires static org.jspecify;
     requires jdk.httpserver;
+    requires transitive org.evoloop.config;
     requires transitive org.evoloop.console;
     requires org.slf4j;
 

@@ -2,6 +2,7 @@
 module org.evoloop.program {
     requires static org.jspecify;
     requires transitive info.picocli;
+    requires transitive org.evoloop.config;
 
     exports org.evoloop.program;
 }

@@ -4,6 +4,7 @@ module org.evoloop.service {
     // Where the log goes, if it is there.
     requires static ch.qos.logback.classic;
     requires static ch.qos.logback.core;
+    requires transitive org.evoloop.config;
     requires transitive org.evoloop.console;
     requires org.slf4j;
 

@@ -2,8 +2,10 @@ package org.evoloop.lightbulb;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
+import org.evoloop.config.Option;
+import org.evoloop.config.Options;
+import org.evoloop.config.Settings;
 import org.evoloop.console.Console;
 import org.evoloop.console.ConsoleCommand;
 import org.evoloop.converter.PushMonitor;
@@ -12,8 +14,8 @@ import org.evoloop.evolution.ModelPair;
 import org.evoloop.journal.Journal;
 import org.evoloop.journal.JournalException;
 import org.evoloop.loop.LoopConfig;
-import org.evoloop.mqtt.BrokerAddress;
 import org.evoloop.mqtt.HomeAssistant;
+import org.evoloop.mqtt.MqttOptions;
 import org.evoloop.page.Page;
 import org.evoloop.page.PageOptions;
 import org.evoloop.service.Service;
@@ -24,31 +26,35 @@ import org.evoloop.time.SystemClock;
 import org.evoloop.xmi.ModelFiles;
 import org.evoloop.xmi.XmiFile;
 
-/** Puts the converter together and runs its console; options: {@code [--models FILE]} those of a service, and the page's. */
+/** Puts the converter together and runs its console. */
 public final class Main {
+    private static final Option<Path> MODELS = Option.file(
+            "models", "FILE", "A file with the machines 'original' and 'new' (default: models/light-bulb.xml).");
+    private static final Options OPTIONS = Options.named(
+                    "lightbulb",
+                    "Runs the converter of a lamp whose firmware knows one event, switch. It reads commands from standard input: type "
+                            + "start, then switch (the wall switch; while the lamp is on, twice within 2 s for the second "
+                            + "light), status, history, exit; help lists all commands.")
+            .and(Options.of(MODELS), ServiceOptions.OPTIONS, PageOptions.OPTIONS, MqttOptions.OPTIONS);
+
     public static void main(String[] arguments) {
         try {
-            System.exit(run(new ArrayList<>(List.of(arguments))));
+            System.exit(run(OPTIONS.read(List.of(arguments), System.getenv())));
         } catch (ModelException | JournalException | IllegalArgumentException | IOException problem) {
             System.err.println("error: " + problem.getMessage());
             System.exit(2);
         }
     }
 
-    private static int run(List<String> arguments) throws IOException {
-        ServiceOptions unattended = ServiceOptions.takeFrom(arguments);
-        PageOptions shown = PageOptions.takeFrom(arguments);
-        boolean modelsNamed = arguments.size() == 2 && arguments.get(0).equals("--models");
-        if (!arguments.isEmpty() && !modelsNamed) {
-            throw new IllegalArgumentException("usage: java -jar lightbulb-example.jar [--models FILE] "
-                    + ServiceOptions.USAGE + " " + PageOptions.USAGE);
+    private static int run(Settings settings) throws IOException {
+        if (settings.answers(System.out)) {
+            return 0;
         }
-        Path file = modelsNamed ? Path.of(arguments.get(1)) : ModelFiles.find("models/light-bulb.xml", Main.class);
+        Path file = settings.get(MODELS).orElseGet(() -> ModelFiles.find("models/light-bulb.xml", Main.class));
+        ServiceOptions unattended = ServiceOptions.of(settings);
         XmiFile machines = XmiFile.read(file);
         ModelPair models = new ModelPair(machines.pick("original"), machines.pick("new"));
 
-        String mqtt = unattended.mqtt();
-        BrokerAddress broker = mqtt == null ? null : BrokerAddress.parse(mqtt, System.getenv());
         Lamp lamp = new Lamp();
         PushMonitor wallSwitch = new PushMonitor("WallSwitch");
         try (Service service = Service.open(unattended);
@@ -67,11 +73,11 @@ public final class Main {
             Console console = new Console(converter, System.in, System.out, System.err);
             console.addCommand(ConsoleCommand.of(
                     "switch", "operates the wall switch", (words, out) -> wallSwitch.press("switch")));
-            Page.open(shown, console, System.err);
-            if (broker != null) {
+            Page.open(PageOptions.of(settings), console, System.err);
+            MqttOptions.broker(settings).ifPresent(broker -> {
                 HomeAssistant home = new HomeAssistant(converter, broker).open();
                 console.onEnd(reason -> home.close());
-            }
+            });
             return service.run(console);
         }
     }

@@ -7,6 +7,7 @@ import java.io.File;
 import java.io.IOException;
 import java.io.Writer;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -122,14 +123,14 @@ class MainTest {
         }
         assertThat(next.waitFor(20, TimeUnit.SECONDS)).isTrue();
         assertThat(next.exitValue()).isZero();
-        assertRefused(program(ROOT, "--journal"), "error: --journal needs a directory");
+        assertRefused(program(ROOT, "--journal"), "error: --journal needs a value: --journal DIR");
         assertRefused(program(ROOT, "--journal", "/dev/null"), "error: the journal /dev/null cannot be written");
     }
 
     @Test
     void modelsThatAreNotThereAreOneLineOfError(@TempDir File elsewhere) throws Exception {
         assertRefused(program(elsewhere), "error: no file models/light-bulb.xml in ");
-        assertRefused(program(elsewhere, "--models", "none.xml"), "error: none.xml");
+        assertRefused(program(elsewhere, "--models", "none.xml"), "error: --models is none.xml, which does not exist");
     }
 
     @Test
@@ -142,14 +143,44 @@ class MainTest {
 
     @Test
     void optionsThatDoNotExistAreOneLineOfError() throws Exception {
-        assertRefused(program(ROOT, "--model"), "error: usage: java -jar lightbulb-example.jar [--models FILE]");
+        assertRefused(program(ROOT, "--model"), "error: there is no option --model; did you mean models?");
     }
 
     @Test
     void aBrokerThatIsNoneIsOneLineOfErrorWithoutItsPassword() throws Exception {
-        assertRefused(program(ROOT, "--mqtt", "broker"), "error: the broker's URL broker names no broker");
+        assertRefused(program(ROOT, "--mqtt", "broker"), "error: --mqtt: the broker's URL broker names no broker");
         assertRefused(
-                program(ROOT, "--mqtt", "mqtt://ha:s3cret@b"), "error: the broker's URL mqtt://ha:***@b contains");
+                program(ROOT, "--mqtt", "mqtt://ha:s3cret@b"),
+                "error: --mqtt: the broker's URL mqtt://ha:***@b contains");
+    }
+
+    @Test
+    void theFrontDoorsHelpIsTheProgramsOwn() throws Exception {
+        Process own = program(ROOT, "--help");
+        Process door = new ProcessBuilder(ROOT + "/evoloop", "lightbulb", "--help").start();
+        assertThat(own.inputReader(StandardCharsets.UTF_8).lines().toList())
+                .isEqualTo(door.inputReader(StandardCharsets.UTF_8).lines().toList());
+        assertThat(own.waitFor()).isZero();
+    }
+
+    @Test
+    void aFileOfOptionsIsGoneBy(@TempDir File folder) throws Exception {
+        File file = new File(folder, "lamp.yaml");
+        Files.writeString(file.toPath(), "models: gone.xml\nstart: yes\nnmae: lamp\n");
+        assertThat(refusal(program(ROOT, "--config", file.toString())))
+                .containsExactly(
+                        "error: the options have 3 mistakes:",
+                        "  " + file + ":1: models is " + folder + "/gone.xml, which does not exist; correct the path",
+                        "  " + file + ":2: start: 'yes' is neither true nor false; write one of them",
+                        "  " + file + ":3: there is no option nmae; did you mean name?");
+
+        Files.writeString(file.toPath(), "program: lightbulb\nmodels: " + ROOT + "/models/light-bulb.xml\n");
+        Process lamp = program(folder, "--config", file.toString());
+        try (Writer keyboard = lamp.outputWriter(StandardCharsets.UTF_8)) {
+            keyboard.write("start\nswitch\nexit\n");
+        }
+        assertThat(lamp.inputReader(StandardCharsets.UTF_8).lines()).contains(" switch command");
+        assertThat(lamp.waitFor()).isZero();
     }
 
     private static void assertRefused(Process lamp, String error) throws Exception {

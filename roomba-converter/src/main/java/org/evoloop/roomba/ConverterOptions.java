@@ -1,5 +1,7 @@
 package org.evoloop.roomba;
 
+import static java.util.Objects.requireNonNull;
+
 import java.net.URI;
 import java.nio.file.Path;
 import java.text.DecimalFormat;
@@ -10,15 +12,16 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Function;
+import org.evoloop.config.Mistakes;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.journal.Journal;
+import org.evoloop.program.CommandOptions;
 import org.evoloop.roomba.camera.CameraException;
 import org.evoloop.roomba.camera.CameraSource;
 import org.evoloop.roomba.camera.tool.CameraOptions;
 import org.evoloop.roomba.move.MoveOptions;
 import org.evoloop.roomba.move.StartPointSensor;
 import org.evoloop.statemachine.Event;
-import org.evoloop.statemachine.ModelException;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.time.Clock;
 import org.evoloop.xmi.ModelFiles;
@@ -101,14 +104,6 @@ final class ConverterOptions {
     private List<String> functions = List.of();
 
     @Option(
-            names = "--journal",
-            paramLabel = "DIR",
-            description =
-                    "Keeps what the converter is told in this directory, and goes on where the process before this "
-                            + "one has ended (default: nothing is kept).")
-    private @Nullable Path journal;
-
-    @Option(
             names = "--clean-at",
             paramLabel = "[DAYS ]TIME",
             description =
@@ -122,59 +117,106 @@ final class ConverterOptions {
             description = "When the function QuietHours has what the timetable begins wait, such as 22:00-07:00.")
     private @Nullable String quietHours;
 
+    private @Nullable RobotModels read;
+
+    /** Says which values these options take beyond their types, which of them are paths, and which exclude each other. */
+    static CommandOptions refined(CommandOptions options) {
+        return options.check("time-unit", ModelReference::unit)
+                .check("search-limit", text -> requireWithin("--search-limit", Double.parseDouble(text), 1, 3600))
+                .check("spot-wait", text -> requireWithin("--spot-wait", Double.parseDouble(text), 0.1, 3600))
+                .check("camera", CameraSource::parse)
+                .check("clean-at", Timetable::parse)
+                .check("quiet-hours", QuietHours::parse)
+                .placed("original", CommandOptions::resolved)
+                .placed("new", CommandOptions::resolved)
+                .placed("camera", (folder, text) -> isFile(text) ? CommandOptions.resolved(folder, text) : text)
+                .alternatives("camera", "start-point")
+                .alternatives("calibration", "field-of-view")
+                .alternatives("models", "original")
+                .alternatives("models", "new");
+    }
+
+    private static boolean isFile(String camera) {
+        try {
+            CameraSource.Kind kind = CameraSource.parse(camera).kind();
+            return kind == CameraSource.Kind.FILE || kind == CameraSource.Kind.IMAGE_SEQUENCE;
+        } catch (CameraException noCamera) {
+            // Told by the option's check.
+            return false;
+        }
+    }
+
     /** Whether the camera is the simulated robot's own. */
     boolean wantsSimulatedCamera() {
         return CameraSource.SIMULATED.equals(camera);
     }
 
     /**
-     * The options, with the models read.
+     * Reads the models, and checks what must hold of options together.
+     *
+     * @param simulate whether the robot is simulated
+     */
+    void check(boolean simulate, Mistakes mistakes) {
+        checkStartPoint(simulate, mistakes);
+        ModelPair pair = pair(mistakes);
+        read = pair == null
+                ? null
+                : mistakes.tried("function", Main::isUsersMistake, () -> RobotModels.of(pair, functions));
+        if (read != null) {
+            checkWith(read, mistakes);
+        }
+    }
+
+    private void checkWith(RobotModels models, Mistakes mistakes) {
+        if (spotWaitSeconds != null && !models.hasSpotWait()) {
+            mistakes.add("--spot-wait says how long SpotWait lasts, but no state of the new model is left by timeout; "
+                    + "leave the option out, a time trigger such as tm(2s) is in the model");
+        }
+        if (quietHours != null && !models.functions().containsValue(RobotFunction.QUIET_HOURS)) {
+            mistakes.add("--quiet-hours says when QuietHours waits, but it runs in no state of the new "
+                    + "model; leave the option out, or draw a state that is left by " + RobotEvents.QUIET_OVER);
+        }
+        if (!cleanAt.isEmpty() && !models.pair().evolved().triggers().contains(new Event(RobotEvents.SCHEDULE))) {
+            mistakes.add("--clean-at raises " + RobotEvents.SCHEDULE
+                    + ", which the new model does not know; leave the option out, or draw a transition for it");
+        }
+    }
+
+    private void checkStartPoint(boolean simulate, Mistakes mistakes) {
+        String wanted = camera;
+        double[] point = startPoint;
+        if (wanted != null) {
+            if (point != null) {
+                mistakes.add("--camera and --start-point both say where the starting point is; give one of them");
+            }
+            if (wantsSimulatedCamera() && !simulate) {
+                mistakes.add("--camera sim goes with --simulate; a real robot has a real camera");
+            }
+            mistakes.tried("camera", Main::isUsersMistake, () -> cameraOptions.read(CameraSource.parse(wanted)));
+        }
+        if (point != null && (point.length != 2 || !Double.isFinite(point[0]) || !Double.isFinite(point[1]))) {
+            mistakes.add("--start-point takes two numbers, X,Y in mm, for example 1000,500");
+        }
+    }
+
+    /**
+     * The options, once they have been checked.
      *
      * @param pace how many times as fast as real time the robot lives
      * @param simulatedCamera where the simulated robot's camera is, if it has one
-     * @throws ModelException if a model cannot be used
-     * @throws CameraException if there is a camera and no OpenCV, or its options make no sense
-     * @throws IllegalArgumentException if options are out of range or contradict each other
+     * @param journal where the converter keeps what it is told; null if it keeps nothing
      */
-    RoombaOptions read(double pace, Optional<URI> simulatedCamera) {
+    RoombaOptions read(double pace, Optional<URI> simulatedCamera, @Nullable Path journal) {
         Double spotWait = spotWaitSeconds;
-        requireWithin("--spot-wait", spotWait == null ? USUAL_SPOT_WAIT_SECONDS : spotWait, 0.1, 3600);
-        requireWithin("--search-limit", searchLimitSeconds, 1, 3600);
-        RobotModels read = RobotModels.of(pair(), functions);
-        if (spotWait != null && !read.hasSpotWait()) {
-            throw new IllegalArgumentException(
-                    "--spot-wait says how long SpotWait lasts, but no state of the new model is left by timeout; "
-                            + "leave the option out, a time trigger such as tm(2s) is in the model");
-        }
-        return RoombaOptions.of(read, startPoint(pace, simulatedCamera))
+        String quiet = quietHours;
+        return RoombaOptions.of(requireNonNull(read), startPoint(pace, simulatedCamera))
                 .withMove(MoveOptions.defaults()
                         .withLimit(seconds(searchLimitSeconds))
                         .atPace(pace))
                 .withSpotWait(seconds(spotWait == null ? USUAL_SPOT_WAIT_SECONDS : spotWait))
-                .withQuietHours(quietHours(read))
-                .withTimetable(timetable(read))
+                .withQuietHours(quiet == null ? QuietHours.none() : QuietHours.parse(quiet))
+                .withTimetable(cleanAt.stream().map(Timetable::parse).toList())
                 .withJournal(journal == null ? null : Journal.in(journal));
-    }
-
-    private QuietHours quietHours(RobotModels read) {
-        String given = quietHours;
-        if (given == null) {
-            return QuietHours.none();
-        }
-        if (!read.functions().containsValue(RobotFunction.QUIET_HOURS)) {
-            throw new IllegalArgumentException(
-                    "--quiet-hours says when QuietHours waits, but it runs in no state of the new "
-                            + "model; leave the option out, or draw a state that is left by " + RobotEvents.QUIET_OVER);
-        }
-        return QuietHours.parse(given);
-    }
-
-    private List<Timetable> timetable(RobotModels read) {
-        if (!cleanAt.isEmpty() && !read.pair().evolved().triggers().contains(new Event(RobotEvents.SCHEDULE))) {
-            throw new IllegalArgumentException("--clean-at raises " + RobotEvents.SCHEDULE
-                    + ", which the new model does not know; leave the option out, or draw a transition for it");
-        }
-        return cleanAt.stream().map(Timetable::parse).toList();
     }
 
     private static void requireWithin(String option, double value, double least, double most) {
@@ -193,42 +235,43 @@ final class ConverterOptions {
         String wanted = camera;
         double[] point = startPoint;
         if (wanted != null) {
-            if (point != null) {
-                throw new IllegalArgumentException(
-                        "--camera and --start-point both say where the starting point is; give one of them");
-            }
             CameraSource source =
                     CameraSource.parse(simulatedCamera.map(URI::toString).orElse(wanted));
-            if (source.kind() == CameraSource.Kind.SIMULATED) {
-                throw new IllegalArgumentException("--camera sim goes with --simulate; a real robot has a real camera");
-            }
             return Eyes.through(cameraOptions.read(source), pace);
         }
         double[] known = point == null ? new double[] {Scenario.START_X_MM, Scenario.START_Y_MM} : point;
-        if (known.length != 2 || !Double.isFinite(known[0]) || !Double.isFinite(known[1])) {
-            throw new IllegalArgumentException("--start-point takes two numbers, X,Y in mm, for example 1000,500");
-        }
         return clock -> StartPointSensor.byWheels(known[0], known[1]);
     }
 
-    private ModelPair pair() {
-        String originalReference = original;
-        String evolvedReference = evolved;
+    private @Nullable ModelPair pair(Mistakes mistakes) {
+        String from = original;
+        String to = evolved;
         Path named = models;
         Optional<ChronoUnit> unit = Optional.ofNullable(timeUnit).map(ModelReference::unit);
-        if (originalReference == null && evolvedReference == null) {
-            Path file = named == null ? ModelFiles.find("models/cleaning-robot.xml", ConverterOptions.class) : named;
-            XmiFile whole = XmiFile.read(file);
-            XmiFile read = unit.map(whole::withTimeUnit).orElse(whole);
-            return new ModelPair(named(read.pick("original"), file), named(read.pick("new"), file));
+        if (from == null && to == null) {
+            return mistakes.tried("models", Main::isUsersMistake, () -> {
+                Path file =
+                        named == null ? ModelFiles.find("models/cleaning-robot.xml", ConverterOptions.class) : named;
+                XmiFile whole = XmiFile.read(file);
+                XmiFile machines = unit.map(whole::withTimeUnit).orElse(whole);
+                return new ModelPair(named(machines.pick("original"), file), named(machines.pick("new"), file));
+            });
         }
-        if (originalReference == null || evolvedReference == null || named != null) {
-            throw new IllegalArgumentException(
-                    "--original and --new go together, and not with --models; give both or neither");
+        if (from == null || to == null || named != null) {
+            mistakes.add("--original and --new go together, and not with --models; give both or neither");
+            return null;
         }
-        ModelReference from = ModelReference.parse(originalReference).withTimeUnit(unit);
-        ModelReference to = ModelReference.parse(evolvedReference).withTimeUnit(unit);
-        return new ModelPair(named(from.load(), from.file()), named(to.load(), to.file()));
+        StateMachine device = machine("original", from, unit, mistakes);
+        StateMachine wanted = machine("new", to, unit, mistakes);
+        return device == null || wanted == null ? null : new ModelPair(device, wanted);
+    }
+
+    private static @Nullable StateMachine machine(
+            String option, String reference, Optional<ChronoUnit> unit, Mistakes mistakes) {
+        return mistakes.tried(option, Main::isUsersMistake, () -> {
+            ModelReference machine = ModelReference.parse(reference).withTimeUnit(unit);
+            return named(machine.load(), machine.file());
+        });
     }
 
     /** The machine under a name that tells its file as well, for messages. */

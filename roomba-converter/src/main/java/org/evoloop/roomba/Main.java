@@ -1,7 +1,10 @@
 package org.evoloop.roomba;
 
 import java.io.IOException;
+import java.util.Collections;
 import java.util.List;
+import org.evoloop.config.ConfigException;
+import org.evoloop.config.Settings;
 import org.evoloop.journal.JournalException;
 import org.evoloop.program.UsersMistakes;
 import org.evoloop.roomba.camera.CameraException;
@@ -19,6 +22,8 @@ import picocli.CommandLine;
 
 /** Runs the command line; what its user can mend is one line and exit status 2. */
 public final class Main {
+    private static final List<String> HELP = List.of("-h", "--help", "-V", "--version");
+
     private Main() {}
 
     public static void main(String[] arguments) {
@@ -31,24 +36,41 @@ public final class Main {
             // It needs none of what takes so long to load, and its options are those of the commands that it hands on.
             return Ctl.run(List.of(arguments).subList(1, arguments.length));
         }
-        boolean plain = arguments.length > 0 && arguments[0].startsWith("-");
-        return (plain ? converterAlone() : everything()).execute(arguments);
+        boolean plain = arguments.length == 0 || arguments[0].startsWith("-");
+        return plain && Collections.disjoint(List.of(arguments), HELP)
+                ? converterAlone(arguments)
+                : everything().execute(arguments);
     }
 
     /**
      * The converter without the commands beside it, whose options take longer to find than a converter needs to start; they
-     * are asked when it does not understand what it is told, or shall help.
+     * are asked when it does not understand what it is told.
      */
-    private static CommandLine converterAlone() {
+    private static int converterAlone(String... arguments) {
         Thread loading = new Thread(Main::loadWhatTakesLong, "roomba-loading");
         loading.setDaemon(true);
         loading.start();
-        CommandLine converter = withHandlers(new CommandLine(new RoombaCommand()));
-        return converter
-                .setParameterExceptionHandler((mistake, given) -> everything().execute(given))
-                .setExecutionStrategy(parsed -> parsed.isUsageHelpRequested()
-                        ? everything().execute(parsed.originalArgs().toArray(String[]::new))
-                        : new CommandLine.RunLast().execute(parsed));
+        RoombaCommand command = new RoombaCommand();
+        CommandLine line = withHandlers(RoombaCommand.line(command));
+        Settings settings;
+        try {
+            settings = command.configure(line, List.of(arguments));
+        } catch (ConfigException mistakes) {
+            if (namesACommand(arguments)) {
+                return everything().execute(arguments);
+            }
+            line.getErr().println("error: " + mistakes.getMessage());
+            return CommandLine.ExitCode.USAGE;
+        }
+        return settings.answers(System.out)
+                ? CommandLine.ExitCode.OK
+                : line.execute(settings.asArguments().toArray(String[]::new));
+    }
+
+    private static boolean namesACommand(String... arguments) {
+        CommandLine all = everything();
+        all.getCommandSpec().parser().collectErrors(true);
+        return all.parseArgs(arguments).hasSubcommand();
     }
 
     /** Beside the reading of the options, which takes as long. */
@@ -62,7 +84,7 @@ public final class Main {
     }
 
     private static CommandLine everything() {
-        return withHandlers(new CommandLine(new RoombaCommand())
+        return withHandlers(RoombaCommand.line(new RoombaCommand())
                 .addSubcommand(new SimulatorCommand())
                 .addSubcommand(new DemoCommand())
                 .addSubcommand(new CameraCommand())
@@ -74,7 +96,8 @@ public final class Main {
         return UsersMistakes.toldBy(commandLine.setCaseInsensitiveEnumValuesAllowed(true), Main::isUsersMistake);
     }
 
-    private static boolean isUsersMistake(Exception failure) {
+    /** Whether whoever runs the program can mend it. */
+    static boolean isUsersMistake(Exception failure) {
         return failure instanceof ModelException
                 || failure instanceof LinkException
                 || failure instanceof RobotException

@@ -2,21 +2,27 @@ package org.evoloop.roomba;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.function.IntFunction;
+import org.evoloop.config.Mistakes;
+import org.evoloop.config.Options;
+import org.evoloop.config.Settings;
 import org.evoloop.console.Console;
 import org.evoloop.console.ConsoleCommand;
 import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.loop.LoopConfig;
-import org.evoloop.mqtt.BrokerAddress;
 import org.evoloop.mqtt.HomeAssistant;
+import org.evoloop.mqtt.MqttOptions;
 import org.evoloop.page.Page;
 import org.evoloop.page.PageOptions;
 import org.evoloop.page.Picture;
+import org.evoloop.program.CommandOptions;
 import org.evoloop.roomba.link.Link;
 import org.evoloop.roomba.link.SerialLink;
 import org.evoloop.roomba.link.SerialSettings;
@@ -24,10 +30,12 @@ import org.evoloop.roomba.session.SessionOptions;
 import org.evoloop.roomba.simulator.SimulatorServer;
 import org.evoloop.roomba.simulator.WorldCommands;
 import org.evoloop.service.Service;
+import org.evoloop.service.ServiceOptions;
 import org.evoloop.statemachine.Names;
 import org.evoloop.time.Clock;
 import org.evoloop.time.SystemClock;
 import org.jspecify.annotations.Nullable;
+import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -39,11 +47,12 @@ import picocli.CommandLine.Option;
         footer = "%nctl NAME COMMAND gives a command to the one that was started with --name NAME (ctl --help).",
         mixinStandardHelpOptions = true)
 final class RoombaCommand implements Callable<Integer> {
-    @Mixin
-    private final ConverterOptions options = new ConverterOptions();
+    /** Those that are declared where they are carried out. */
+    private static final Options OPTIONS =
+            Options.of().and(ServiceOptions.OPTIONS, PageOptions.OPTIONS, MqttOptions.OPTIONS);
 
     @Mixin
-    private final Unattended unattended = new Unattended();
+    private final ConverterOptions options = new ConverterOptions();
 
     @Option(names = "--port", paramLabel = "PATH", description = "The robot's serial port, such as /dev/ttyUSB0.")
     private @Nullable String port;
@@ -71,37 +80,61 @@ final class RoombaCommand implements Callable<Integer> {
                             + "still. A simulated robot has none.")
     private boolean noGuard;
 
-    private @Nullable BrokerAddress broker;
+    private Settings settings = OPTIONS.read(List.of(), Map.of());
+
+    /** The command, whose help and parser know all of its options. */
+    static CommandLine line(RoombaCommand command) {
+        return CommandOptions.show(new CommandLine(command), OPTIONS);
+    }
+
+    /**
+     * Reads and checks what the command is told, from wherever.
+     *
+     * @param line the command's own, which has its options afterwards
+     * @throws org.evoloop.config.ConfigException if there are mistakes
+     */
+    Settings configure(CommandLine line, List<String> arguments) {
+        CommandOptions own = ConverterOptions.refined(new CommandOptions(line, Main::isUsersMistake))
+                .check("speed", text -> requireSpeed(Double.parseDouble(text)))
+                .placed("port", (folder, text) -> text.contains("/") ? CommandOptions.resolved(folder, text) : text)
+                .alternatives("port", "simulate");
+        settings = Options.named("roomba", "")
+                .and(own.and(OPTIONS))
+                .checking((given, mistakes) -> {
+                    line.parseArgs(given.asArguments().toArray(String[]::new));
+                    check(given.isOnlyShown(), mistakes);
+                })
+                .read(arguments, System.getenv());
+        return settings;
+    }
+
+    private void check(boolean onlyShown, Mistakes mistakes) {
+        boolean undecided = port == null && !simulate;
+        if ((port == null) != simulate && !(undecided && onlyShown)) {
+            mistakes.add("say which robot: --port PATH or --simulate");
+        }
+        Double wanted = speed;
+        if (wanted != null && wanted != 1 && port != null && !simulate) {
+            mistakes.add("--speed goes with --simulate; a real robot has its own pace");
+        }
+        options.check(simulate || undecided, mistakes);
+    }
 
     @Override
     public Integer call() throws IOException, InterruptedException {
-        double pace = checkedSpeed();
-        PageOptions shown = unattended.page();
-        broker = unattended.broker();
-        try (Service service = Service.open(unattended.options())) {
+        double pace = speed == null ? 1 : speed;
+        ServiceOptions unattended = ServiceOptions.of(settings);
+        Path journal = unattended.journal();
+        try (Service service = Service.open(unattended)) {
             String robotPort = port;
             if (robotPort != null) {
-                return converse(service, shown, robotPort, options.read(pace, Optional.empty()), pace, null);
+                return converse(service, robotPort, options.read(pace, Optional.empty(), journal), pace, null);
             }
             try (SimulatedWorld world = SimulatedWorld.inThisProcess(pace, options.wantsSimulatedCamera())) {
                 return converse(
-                        service, shown, world.port().toString(), options.read(pace, world.camera()), pace, world);
+                        service, world.port().toString(), options.read(pace, world.camera(), journal), pace, world);
             }
         }
-    }
-
-    private double checkedSpeed() {
-        if ((port == null) != simulate) {
-            throw new IllegalArgumentException("say which robot: --port PATH or --simulate");
-        }
-        Double wanted = speed;
-        if (wanted == null) {
-            return 1;
-        }
-        if (!simulate) {
-            throw new IllegalArgumentException("--speed goes with --simulate; a real robot has its own pace");
-        }
-        return requireSpeed(wanted);
     }
 
     /** Refuses a speed that clocks and simulator do not have. */
@@ -114,20 +147,12 @@ final class RoombaCommand implements Callable<Integer> {
     }
 
     private int converse(
-            Service service,
-            PageOptions shown,
-            String robotPort,
-            RoombaOptions read,
-            double pace,
-            @Nullable SimulatedWorld world)
+            Service service, String robotPort, RoombaOptions read, double pace, @Nullable SimulatedWorld world)
             throws IOException, InterruptedException {
         try (Clock clock = new SystemClock(pace);
                 RobotGuard guard = world == null && !noGuard ? new RobotGuard(robotPort) : null;
-                RoombaConverter roomba = RoombaConverter.connect(
-                        guard == null ? cable(robotPort) : guard.cable(cable(robotPort)),
-                        config(clock, pace),
-                        robotOptions(pace),
-                        read)) {
+                RoombaConverter roomba = connect(
+                        guard == null ? cable(robotPort) : guard.cable(cable(robotPort)), config(clock, pace), read)) {
             if (guard != null) {
                 roomba.converter().addLink(guard.watch(roomba.session()));
             }
@@ -147,10 +172,19 @@ final class RoombaCommand implements Callable<Integer> {
                                 (arguments, out) -> out.println(world.execute(String.join(" ", arguments))))
                         .completing(before -> before.isEmpty() ? WorldCommands.NAMES : WorldCommands.BUTTON_NAMES));
             }
-            Page.open(shown, console, System.err, world == null ? List.of() : pictures(world));
+            Page.open(PageOptions.of(settings), console, System.err, world == null ? List.of() : pictures(world));
             showAtHome(roomba, console);
             return service.run(console);
         }
+    }
+
+    /** Whoever is there to see it learns at once that there is no robot; a service waits for it. */
+    private RoombaConverter connect(IntFunction<Link> robot, LoopConfig config, RoombaOptions read)
+            throws InterruptedException {
+        SessionOptions how = robotOptions(speed == null ? 1 : speed);
+        return ServiceOptions.of(settings).start()
+                ? RoombaConverter.connectPatiently(robot, config, how, read)
+                : RoombaConverter.connect(robot, config, how, read);
     }
 
     /** What can be seen of a simulated robot, from above and with its own eye. */
@@ -166,15 +200,14 @@ final class RoombaCommand implements Callable<Integer> {
     }
 
     private void showAtHome(RoombaConverter roomba, Console console) {
-        BrokerAddress address = broker;
-        if (address != null) {
+        MqttOptions.broker(settings).ifPresent(broker -> {
             SystemEventConverter converter = roomba.converter();
-            HomeAssistant home = new HomeAssistant(converter, address);
+            HomeAssistant home = new HomeAssistant(converter, broker);
             home.vacuum(new RoombaVacuum(
                     home, roomba.session(), converter.knowledge().models()));
             home.open();
             console.onEnd(reason -> home.close());
-        }
+        });
     }
 
     private SessionOptions robotOptions(double pace) {

@@ -1,5 +1,6 @@
 package org.evoloop.roomba;
 
+import java.util.List;
 import java.util.Map;
 import java.util.function.IntFunction;
 import org.evoloop.converter.EventMonitor;
@@ -72,6 +73,29 @@ public record RoombaConverter(
         return new RoombaConverter(session, robot, controller, converter);
     }
 
+    /**
+     * Builds a converter for the robot at the cable's other end. It waits for a robot that is not there yet, as it does for one that
+     * was unplugged.
+     */
+    static RoombaConverter connectPatiently(
+            IntFunction<Link> cable, LoopConfig config, SessionOptions sessionOptions, RoombaOptions options)
+            throws InterruptedException {
+        RoombaSession session = new RoombaSession(cable, config.clock(), sessionOptions);
+        RoombaConverter built = build(config, session, options);
+        try {
+            session.openPatiently(greeting(options));
+            return built;
+        } catch (RuntimeException | InterruptedException failure) {
+            built.close();
+            throw failure;
+        }
+    }
+
+    /** The converter's timetable takes the place of the robot's own. */
+    private static List<Command> greeting(RoombaOptions options) {
+        return options.timetable().isEmpty() ? List.of() : List.of(new Command.Schedule(Map.of()));
+    }
+
     /** Builds a converter for the robot at the cable's other end, and waits for the robot to answer. */
     public static RoombaConverter connect(
             IntFunction<Link> cable, LoopConfig config, SessionOptions sessionOptions, RoombaOptions options)
@@ -82,10 +106,7 @@ public record RoombaConverter(
         try {
             session.open();
             session.awaitRobot();
-            if (!options.timetable().isEmpty()) {
-                // The converter's timetable takes the place of the robot's own.
-                session.send(new Command.Schedule(Map.of()));
-            }
+            greeting(options).forEach(session::send);
             return built;
         } catch (RuntimeException | InterruptedException failure) {
             built.close();

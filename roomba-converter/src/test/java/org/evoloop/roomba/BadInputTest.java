@@ -50,8 +50,7 @@ class BadInputTest {
                 "--simulate --port /dev/x | error: say which robot: --port PATH or --simulate",
                 "--speed 2 --port /dev/x | error: --speed goes with --simulate; a real robot has its own pace",
                 "--simulate --speed 0 | error: --speed is 0.0, allowed is 0.01 to 1000.0 times real time",
-                "--simulate --speed fast | error: Invalid value for option '--speed': 'fast' is not a double "
-                        + "(see roomba --help)",
+                "--simulate --speed fast | error: --speed: 'fast' is not a number",
                 "--simulate --start-point 1 | error: --start-point takes two numbers, X,Y in mm, for example 1000,500",
                 "--simulate --start-point 0,NaN | error: --start-point takes two numbers, X,Y in mm, for example "
                         + "1000,500",
@@ -63,7 +62,7 @@ class BadInputTest {
                 "--simulate --camera sim --record-limit 9 | error: --record-limit goes with --record; give both or neither",
                 "--simulate --new models.xml | error: --original and --new go together, and not with --models; "
                         + "give both or neither",
-                "--nonsense | error: Unknown option: '--nonsense' (see roomba --help)",
+                "--simulate --nonsense | error: there is no option --nonsense; see roomba --help",
                 "demo --speed 0 | error: --speed is 0.0, allowed is 0.01 to 1000.0 times real time",
                 "demo --scenario dance | error: there is no scenario dance; there are remote-start, spot-from-clean, "
                         + "own-button, timeout",

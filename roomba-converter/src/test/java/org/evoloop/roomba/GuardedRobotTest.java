@@ -9,8 +9,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Random;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import org.evoloop.roomba.OtherRobot.Truth;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -35,6 +33,10 @@ class GuardedRobotTest {
 
     /** Its wheels count on when the robot is carried back, so no Move must arrive. */
     private static final String FAR_AWAY = "100000,0";
+
+    /** What the unit runs when the service has ended. */
+    private static final Path MAKE_SAFE =
+            Path.of(System.getProperty("evoloop.root"), "framework/package/root/usr/lib/evoloop/make-safe");
 
     private final Random random = new Random(20_261_123);
     private OtherRobot robot;
@@ -179,19 +181,12 @@ class GuardedRobotTest {
         assertThat(later.drives()).isTrue();
         assertThat(log()).contains("link        up").doesNotContain("guarded");
 
-        Process stopPost = new ProcessBuilder("sh", "-c", execStopPost())
+        Path options = Files.writeString(
+                folder.resolve("roomba.yaml"), "program: roomba\nport: '" + robot.port() + "' # the robot's\n");
+        Process stopPost = new ProcessBuilder("sh", MAKE_SAFE.toString(), options.toString())
                 .redirectErrorStream(true)
                 .start();
-        assertThat(stopPost.waitFor()).as(execStopPost()).isZero();
+        assertThat(stopPost.waitFor()).isZero();
         assertMadeSafe(robot.truth());
-    }
-
-    /** What the documented unit runs when the service has ended, as systemd reads it. */
-    private String execStopPost() throws IOException {
-        String guide = Files.readString(Path.of(System.getProperty("evoloop.root"), "docs", "service.md"));
-        Matcher unit =
-                Pattern.compile("ExecStopPost=-sh -c '(.*?)'\n", Pattern.DOTALL).matcher(guide);
-        assertThat(unit.find()).isTrue();
-        return unit.group(1).replaceAll("\\\\\n *", " ").replace("\\\\", "\\").replace("/dev/ttyUSB0", robot.port());
     }
 }

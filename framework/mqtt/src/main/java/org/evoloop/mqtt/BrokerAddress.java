@@ -1,9 +1,7 @@
 package org.evoloop.mqtt;
 
-import java.io.IOException;
 import java.net.URI;
 import java.net.URISyntaxException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
@@ -17,8 +15,6 @@ import org.jspecify.annotations.Nullable;
  *
  * <ul>
  *   <li>{@code id=ID}: what the converter is called at the broker (default: its name)
- *   <li>{@code password-file=FILE}: a file that holds the user's password; else it is in the environment, see {@value
- *       #PASSWORD}
  *   <li>{@code ca=FILE}: with TLS, the certificates, in PEM, that the broker's is signed with (default: those that Java trusts)
  *   <li>{@code discovery=PREFIX}: where Home Assistant looks for devices (default: {@code homeassistant})
  * </ul>
@@ -28,10 +24,7 @@ import org.jspecify.annotations.Nullable;
  * @since 0.1
  */
 public final class BrokerAddress {
-    /** The environment variable that holds the password. */
-    public static final String PASSWORD = "EVOLOOP_MQTT_PASSWORD";
-
-    private static final Set<String> PARAMETERS = Set.of("id", "password-file", "ca", "discovery");
+    private static final Set<String> PARAMETERS = Set.of("id", "ca", "discovery");
     private static final String EXAMPLE = "give it as mqtt://HOST, mqtt://USER@HOST:1883 or mqtts://USER@HOST";
 
     private final boolean tls;
@@ -42,7 +35,10 @@ public final class BrokerAddress {
     private final @Nullable TrustManagerFactory trust;
     private final Map<String, String> parameters;
 
+    private final URI uri;
+
     private BrokerAddress(URI uri, Map<String, String> parameters, @Nullable String password) {
+        this.uri = uri;
         this.tls = "mqtts".equals(uri.getScheme());
         this.host = uri.getHost();
         this.port = uri.getPort() >= 0 ? uri.getPort() : tls ? 8883 : 1883;
@@ -56,10 +52,9 @@ public final class BrokerAddress {
     /**
      * Reads an address.
      *
-     * @param environment where the password may be
      * @throws IllegalArgumentException if it is none, or names a file that cannot be read; the message says what is wrong and shows no password
      */
-    public static BrokerAddress parse(String url, Map<String, String> environment) {
+    public static BrokerAddress parse(String url) {
         URI uri;
         try {
             uri = new URI(url);
@@ -79,11 +74,23 @@ public final class BrokerAddress {
         String user = uri.getUserInfo();
         if (user != null && user.contains(":")) {
             throw new IllegalArgumentException("the broker's URL " + masked(url)
-                    + " contains a password, which everybody on this computer can see; leave it out, and put it into the "
-                    + "environment as " + PASSWORD + " or into a file, with ?password-file=FILE");
+                    + " contains a password, which everybody on this computer can see; leave it out, and put it into a file, "
+                    + "with --mqtt-password-file FILE, or into the environment as " + MqttOptions.PASSWORD.variable());
         }
-        Map<String, String> parameters = parameters(uri);
-        return new BrokerAddress(uri, parameters, password(user, parameters, environment));
+        return new BrokerAddress(uri, parameters(uri), null);
+    }
+
+    /**
+     * The same with the user's password.
+     *
+     * @throws IllegalArgumentException if the address has no user
+     */
+    public BrokerAddress withPassword(String secret) {
+        if (user == null) {
+            throw new IllegalArgumentException("the broker's URL " + this
+                    + " names no user whose password this could be; write the user before the host: mqtt://USER@HOST");
+        }
+        return new BrokerAddress(uri, parameters, secret);
     }
 
     private static Map<String, String> parameters(URI uri) {
@@ -92,9 +99,8 @@ public final class BrokerAddress {
         for (String each : query == null ? new String[0] : query.split("&")) {
             String[] parts = each.split("=", 2);
             if (!PARAMETERS.contains(parts[0]) || parts.length < 2 || parts[1].isEmpty()) {
-                throw new IllegalArgumentException(
-                        "the broker's URL " + masked(uri.toString()) + " has '" + parts[0]
-                                + "' after its question mark; there are id=ID, password-file=FILE, ca=FILE and discovery=PREFIX");
+                throw new IllegalArgumentException("the broker's URL " + masked(uri.toString()) + " has '" + parts[0]
+                        + "' after its question mark; there are id=ID, ca=FILE and discovery=PREFIX");
             }
             found.put(parts[0], parts[1]);
         }
@@ -111,24 +117,6 @@ public final class BrokerAddress {
         if (value != null && !value.matches(pattern)) {
             throw new IllegalArgumentException(
                     "the broker's URL has " + name + "=" + value + "; allowed are " + allowed);
-        }
-    }
-
-    private static @Nullable String password(
-            @Nullable String user, Map<String, String> parameters, Map<String, String> environment) {
-        String file = parameters.get("password-file");
-        if (file == null) {
-            return user == null ? null : environment.get(PASSWORD);
-        }
-        if (user == null) {
-            throw new IllegalArgumentException(
-                    "the broker's URL names a password-file, but no user; write the user before the host: mqtt://USER@HOST");
-        }
-        try {
-            return Files.readString(Path.of(file)).strip();
-        } catch (IOException unreadable) {
-            throw new IllegalArgumentException("the file with the broker's password cannot be read: " + file
-                    + "; check that it is there, and that this user may read it");
         }
     }
 

@@ -79,8 +79,8 @@ final class BrokerFailure {
         return switch (code) {
             case BAD_USER_NAME_OR_PASSWORD, NOT_AUTHORIZED ->
                 address + " refuses the login of " + user(address)
-                        + "; check the user in the URL, and the password in " + BrokerAddress.PASSWORD
-                        + " or the password-file";
+                        + "; check the user in the URL, and the password in --mqtt-password-file or "
+                        + MqttOptions.PASSWORD.variable();
             case UNSUPPORTED_PROTOCOL_VERSION ->
                 address + " does not know MQTT 5; a newer broker does, such as Mosquitto from 1.6 on";
             default -> address + " refuses the connection: " + code;

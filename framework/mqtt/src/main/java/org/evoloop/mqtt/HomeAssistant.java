@@ -30,7 +30,7 @@ import org.slf4j.LoggerFactory;
  * and what became of them, buttons for what a controller may raise, what is known of the device, and how the converter fares.
  *
  * <pre>{@code
- * try (HomeAssistant home = new HomeAssistant(converter, BrokerAddress.parse("mqtt://ha@broker", System.getenv()))) {
+ * try (HomeAssistant home = new HomeAssistant(converter, BrokerAddress.parse("mqtt://ha@broker"))) {
  *     home.open();
  *     return service.run(console);
  * }

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -13,8 +14,6 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class BrokerAddressTest {
-    private static final Map<String, String> SECRET = Map.of(BrokerAddress.PASSWORD, "s3cret");
-
     @TempDir
     private Path directory;
 
@@ -27,24 +26,42 @@ class BrokerAddressTest {
         "mqtts://192.168.1.2?id=hall&discovery=ha, mqtts://192.168.1.2:8883"
     })
     void whereTheBrokerIs(String url, String read) {
-        assertThat(BrokerAddress.parse(url, Map.of())).hasToString(read);
+        assertThat(BrokerAddress.parse(url)).hasToString(read);
     }
 
     @Test
     void theIdIsTheConvertersNameUnlessTheAddressHasOne() {
-        assertThat(BrokerAddress.parse("mqtt://b", Map.of()).id("my lamp")).isEqualTo("my_lamp");
-        assertThat(BrokerAddress.parse("mqtt://b?id=hall", Map.of()).id("lamp")).isEqualTo("hall");
+        assertThat(BrokerAddress.parse("mqtt://b").id("my lamp")).isEqualTo("my_lamp");
+        assertThat(BrokerAddress.parse("mqtt://b?id=hall").id("lamp")).isEqualTo("hall");
     }
 
     @Test
     void thePasswordComesFromTheEnvironmentOrAFile() throws Exception {
-        assertThat(BrokerAddress.parse("mqtt://ha@b", SECRET).password()).isEqualTo("s3cret");
-        assertThat(BrokerAddress.parse("mqtt://b", SECRET).password()).isNull();
+        Map<String, String> environment = Map.of("EVOLOOP_MQTT_PASSWORD", "s3cret");
+        assertThat(told(environment, "--mqtt", "mqtt://ha@b").password()).isEqualTo("s3cret");
+        assertThat(told(environment, "--mqtt", "mqtt://b").password()).isNull();
         Path file = Files.writeString(directory.resolve("password"), "other\n");
-        assertThat(BrokerAddress.parse("mqtt://ha@b?password-file=" + file, SECRET)
+        assertThat(told(environment, "--mqtt", "mqtt://ha@b", "--mqtt-password-file", file.toString())
                         .password())
                 .isEqualTo("other");
-        assertThat(BrokerAddress.parse("mqtt://ha@b", SECRET).toString()).doesNotContain("s3cret");
+        assertThat(told(environment, "--mqtt", "mqtt://ha@b").toString()).doesNotContain("s3cret");
+        assertThatThrownBy(() -> told(environment, "--mqtt", "mqtt://b", "--mqtt-password-file", file.toString()))
+                .hasMessageContaining("mqtt://USER@HOST");
+        assertThatThrownBy(() -> BrokerAddress.parse("mqtt://b").withPassword("s3cret"))
+                .hasMessageContaining("mqtt://USER@HOST")
+                .hasMessageNotContaining("s3cret");
+    }
+
+    private static BrokerAddress told(Map<String, String> environment, String... arguments) {
+        return MqttOptions.broker(MqttOptions.OPTIONS.read(List.of(arguments), environment))
+                .orElseThrow();
+    }
+
+    @Test
+    void certificatesLieBesideTheFileThatNamesThem() throws Exception {
+        Path file = Files.writeString(directory.resolve("lamp.yaml"), "mqtt: mqtts://b?ca=gone.pem&id=hall\n");
+        assertThatThrownBy(() -> told(Map.of(), "--config", file.toString()))
+                .hasMessageContaining(directory.resolve("gone.pem").toString());
     }
 
     @ParameterizedTest
@@ -61,7 +78,7 @@ class BrokerAddressTest {
                 "mqtt://broker#x"
             })
     void whatNamesNoBrokerIsRefusedWithAnExample(String url) {
-        assertThatThrownBy(() -> BrokerAddress.parse(url, Map.of()))
+        assertThatThrownBy(() -> BrokerAddress.parse(url))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining(url)
                 .hasMessageContaining("mqtt://HOST");
@@ -70,7 +87,7 @@ class BrokerAddressTest {
     @ParameterizedTest
     @ValueSource(strings = {"mqtt://ha:s3cret@b", "mqtt://ha:s3cret@b ad", "mqtt://ha:s3@cret@b", "http://ha:s3cret@b"})
     void aPasswordInTheUrlIsRefusedAndNotShown(String url) {
-        assertThatThrownBy(() -> BrokerAddress.parse(url, Map.of()))
+        assertThatThrownBy(() -> BrokerAddress.parse(url))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageNotContaining("cret");
     }
@@ -82,11 +99,10 @@ class BrokerAddressTest {
         "mqtt://b?id=a/b, id=a/b",
         "mqtt://b?discovery=a%23, discovery",
         "mqtt://b?ca=/x, mqtts://",
-        "mqtt://b?password-file=/x, USER@HOST",
-        "mqtt://ha@b?password-file=/no/such, /no/such"
+        "mqtt://ha@b?password-file=/x, 'password-file'"
     })
     void whatFollowsTheQuestionMarkIsChecked(String url, String named) {
-        assertThatThrownBy(() -> BrokerAddress.parse(url, Map.of()))
+        assertThatThrownBy(() -> BrokerAddress.parse(url))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining(named);
     }

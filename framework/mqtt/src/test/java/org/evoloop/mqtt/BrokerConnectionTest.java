@@ -8,7 +8,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
-import java.util.Map;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -29,7 +28,7 @@ class BrokerConnectionTest {
     }
 
     private static BrokerConnection connection(String url) {
-        return new BrokerConnection(BrokerAddress.parse(url, Map.of()), "test");
+        return new BrokerConnection(BrokerAddress.parse(url), "test");
     }
 
     @Test
@@ -107,12 +106,12 @@ class BrokerConnectionTest {
                         .with("user root", "allow_anonymous false", "password_file " + passwords)
                         .start();
                 BrokerConnection wrong = new BrokerConnection(
-                        BrokerAddress.parse(
-                                "mqtt://ha@127.0.0.1:" + broker.port(), Map.of(BrokerAddress.PASSWORD, "wr0ng")),
+                        BrokerAddress.parse("mqtt://ha@127.0.0.1:" + broker.port())
+                                .withPassword("wr0ng"),
                         "wrong");
                 BrokerConnection right = new BrokerConnection(
-                        BrokerAddress.parse(
-                                "mqtt://ha@127.0.0.1:" + broker.port(), Map.of(BrokerAddress.PASSWORD, "right")),
+                        BrokerAddress.parse("mqtt://ha@127.0.0.1:" + broker.port())
+                                .withPassword("right"),
                         "right")) {
             wrong.open();
             Path log = directory.resolve("mosquitto-" + broker.port() + ".log");
@@ -123,7 +122,7 @@ class BrokerConnectionTest {
                             >= 3);
             assertThat(logged.lines()).hasSize(1);
             assertThat(logged.lines().get(0))
-                    .contains("refuses the login of user ha", BrokerAddress.PASSWORD)
+                    .contains("refuses the login of user ha", MqttOptions.PASSWORD.variable())
                     .doesNotContain("wr0ng");
             assertThat(wrong.describe()).isEqualTo(logged.lines().get(0).split("; it is tried")[0]);
             right.open();

@@ -34,7 +34,7 @@ class HomeAssistantTest {
     void connect() throws Exception {
         lamp = new Lamp();
         broker = new Mosquitto(directory).start();
-        home = new HomeAssistant(lamp.converter, BrokerAddress.parse(broker.url(), Map.of()))
+        home = new HomeAssistant(lamp.converter, BrokerAddress.parse(broker.url()))
                 .vacuum(new Vacuum() {
                     @Override
                     public Activity activity(ConverterStatus status) {
@@ -116,8 +116,7 @@ class HomeAssistantTest {
         watcher.publish("evoloop/lamp/vacuum/set", "return_to_base", true);
         await().atMost(LIMIT).until(() -> obeyed.equals(List.of(Vacuum.Command.RETURN_TO_BASE)));
         try (Logged logged = new Logged();
-                BrokerConnection usurper =
-                        new BrokerConnection(BrokerAddress.parse(broker.url(), Map.of()), "evoloop-lamp")) {
+                BrokerConnection usurper = new BrokerConnection(BrokerAddress.parse(broker.url()), "evoloop-lamp")) {
             usurper.open();
             await().atMost(LIMIT)
                     .untilAsserted(() -> assertThat(logged.lines()).anyMatch(line -> line.contains("retained")));

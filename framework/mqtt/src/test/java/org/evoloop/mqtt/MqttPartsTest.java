@@ -28,8 +28,7 @@ class MqttPartsTest {
     void aSwitchAndALampOnTheBrokerAreMonitoredAndOperated() throws Exception {
         try (ManualClock clock = new ManualClock();
                 Mosquitto broker = new Mosquitto(directory).start();
-                BrokerConnection connection =
-                        new BrokerConnection(BrokerAddress.parse(broker.url(), Map.of()), "converter");
+                BrokerConnection connection = new BrokerConnection(BrokerAddress.parse(broker.url()), "converter");
                 SystemEventConverter converter = new SystemEventConverter(LoopConfig.defaults("lamp", clock));
                 Watcher watcher = new Watcher(broker)) {
             converter.addMonitor(new MqttMonitor("WallSwitch", connection)

@@ -1,9 +1,10 @@
 package org.evoloop.page;
 
-import java.util.Iterator;
-import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.evoloop.config.Option;
+import org.evoloop.config.Options;
+import org.evoloop.config.Settings;
 
 /**
  * Where a page is served.
@@ -15,8 +16,15 @@ import java.util.regex.Pattern;
  * @since 0.1
  */
 public record PageOptions(String host, int port) {
-    /** The option, as it stands in a usage line. */
-    public static final String USAGE = "[--page [HOST:]PORT]";
+    private static final Option<PageOptions> PAGE = Option.value(
+            "page",
+            "[HOST:]PORT",
+            "Shows in the browser what the converter does, to this machine alone unless HOST is given, such as 0.0.0.0 "
+                    + "(default: nothing listens).",
+            PageOptions::at);
+
+    /** The option of a program. */
+    public static final Options OPTIONS = Options.of(PAGE);
 
     private static final String LOOPBACK = "127.0.0.1";
     private static final Pattern ADDRESS = Pattern.compile("(?:(\\[[0-9a-fA-F:.]+]|[A-Za-z0-9.-]+):)?([0-9]{1,5})");
@@ -25,6 +33,11 @@ public record PageOptions(String host, int port) {
     /** No page: nothing listens. */
     public static PageOptions none() {
         return new PageOptions("", 0);
+    }
+
+    /** The page that a program was told to show. */
+    public static PageOptions of(Settings settings) {
+        return settings.get(PAGE).orElse(none());
     }
 
     /**
@@ -42,27 +55,6 @@ public record PageOptions(String host, int port) {
         }
         String host = parts.group(1);
         return new PageOptions(host == null ? LOOPBACK : host, Integer.parseInt(parts.group(2)));
-    }
-
-    /**
-     * Takes {@code --page [HOST:]PORT} out of a command line.
-     *
-     * @param arguments a list that can be changed; what is left is the program's own
-     * @throws IllegalArgumentException if the address is missing, or is none
-     */
-    public static PageOptions takeFrom(List<String> arguments) {
-        PageOptions taken = none();
-        for (Iterator<String> rest = arguments.iterator(); rest.hasNext(); ) {
-            if (rest.next().equals("--page")) {
-                rest.remove();
-                if (!rest.hasNext()) {
-                    throw new IllegalArgumentException("--page needs a port, as in --page 8080");
-                }
-                taken = at(rest.next());
-                rest.remove();
-            }
-        }
-        return taken;
     }
 
     /** Whether there is a page. */

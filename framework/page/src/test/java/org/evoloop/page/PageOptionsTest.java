@@ -3,8 +3,9 @@ package org.evoloop.page;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import org.evoloop.config.Settings;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -28,12 +29,10 @@ class PageOptionsTest {
     }
 
     @Test
-    void itIsTakenOutOfACommandLine() {
-        List<String> arguments = new ArrayList<>(List.of("--models", "x", "--page", "8080", "y"));
-        assertThat(PageOptions.takeFrom(arguments).port()).isEqualTo(8080);
-        assertThat(arguments).containsExactly("--models", "x", "y");
-        assertThat(PageOptions.takeFrom(arguments).isOn()).isFalse();
-        assertThatThrownBy(() -> PageOptions.takeFrom(new ArrayList<>(List.of("--page"))))
-                .hasMessage("--page needs a port, as in --page 8080");
+    void aProgramIsToldWhereItsPageIs() {
+        Settings settings = PageOptions.OPTIONS.read(List.of("--page", "8080"), Map.of());
+        assertThat(PageOptions.of(settings).port()).isEqualTo(8080);
+        assertThat(PageOptions.of(PageOptions.OPTIONS.read(List.of(), Map.of())).isOn())
+                .isFalse();
     }
 }

@@ -10,7 +10,6 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import org.evoloop.time.ManualClock;
@@ -38,17 +37,15 @@ class InstancesTest {
     }
 
     @Test
-    void theOptionsAreTakenOutOfTheCommandLine() {
-        List<String> line =
-                new ArrayList<>(List.of("--models", "x", "--name", "lamp-2", "--start", "--journal", "kept"));
-        ServiceOptions taken = ServiceOptions.takeFrom(line);
+    void aProgramIsToldHowItRuns() {
+        ServiceOptions told = ServiceOptions.of(
+                ServiceOptions.OPTIONS.read(List.of("--name", "lamp-2", "--start", "--journal", "kept"), Map.of()));
 
-        assertThat(taken.start()).isTrue();
-        assertThat(taken.name()).isEqualTo("lamp-2");
-        assertThat(taken.journal()).isEqualTo(Path.of("kept"));
-        assertThat(line).containsExactly("--models", "x");
-        assertThatThrownBy(() -> ServiceOptions.takeFrom(new ArrayList<>(List.of("--name"))))
-                .hasMessage("--name needs a name, as in --name lamp");
+        assertThat(told).isEqualTo(new ServiceOptions(true, "lamp-2", Path.of("kept")));
+        assertThatThrownBy(() -> ServiceOptions.OPTIONS.read(List.of("--name", "a.b"), Map.of()))
+                .hasMessage(
+                        "--name: 'a.b' is no name for an instance; use letters, digits, - and _, and no - in front, as in "
+                                + "living-room");
     }
 
     @Test

@@ -1,11 +1,11 @@
 package org.evoloop.service;
 
 import java.time.Duration;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.CountDownLatch;
 import org.evoloop.PaperModels;
+import org.evoloop.config.Settings;
 import org.evoloop.console.Console;
 import org.evoloop.console.ConsoleCommand;
 import org.evoloop.converter.EventExecute;
@@ -23,9 +23,9 @@ final class LampProgram {
     private LampProgram() {}
 
     public static void main(String[] arguments) throws Exception {
-        List<String> options = new ArrayList<>(List.of(arguments));
+        Settings settings = ServiceOptions.OPTIONS.read(List.of(arguments), System.getenv());
         int status;
-        try (Service service = Service.open(ServiceOptions.takeFrom(options));
+        try (Service service = Service.open(ServiceOptions.of(settings));
                 Clock clock = new SystemClock()) {
             PushMonitor wallSwitch = new PushMonitor("WallSwitch");
             SystemEventConverter converter = new SystemEventConverter(LoopConfig.defaults("lamp", clock));

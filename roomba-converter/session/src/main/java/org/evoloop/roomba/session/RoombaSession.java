@@ -71,6 +71,9 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
     /** A pulse, the boot text, at most two questions, and control. */
     private static final Duration WAKE_LIMIT = Duration.ofSeconds(10);
 
+    /** The limits of two questions, and a pulse between them. */
+    private static final Duration SOON = Duration.ofSeconds(4);
+
     private static final Duration UNDOCK_LIMIT = Duration.ofSeconds(12);
 
     /** How often is looked whether the robot shows what is waited for: three times a frame. */
@@ -122,6 +125,19 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
      */
     public void open() {
         connection.open();
+    }
+
+    /**
+     * The same for a robot that may come later, as its link may: the session waits for both as it does after they were lost, and
+     * {@link #describe} says so. Returns when the robot has answered, as one that is there and awake soon does, or else is waited for.
+     *
+     * @param greeting what the robot is sent when it answers for the first time
+     * @throws LinkException if the port is there, but is none, or is not for this user
+     * @throws InterruptedException if the thread is told to stop while it waits
+     */
+    public void openPatiently(List<Command> greeting) throws InterruptedException {
+        connection.openPatiently(() -> greeting.forEach(connection::trySend));
+        await(() -> connection.isUp() || connection.isDown(), SOON);
     }
 
     /**
@@ -410,7 +426,8 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
         Telemetry now = reader.latest();
         String trouble = connection.trouble();
         if (!trouble.isEmpty() || now == null) {
-            return connection.description() + ": " + trouble;
+            // A link that was never there is named by what is wrong with it.
+            return connection.hasLink() ? connection.description() + ": " + trouble : trouble;
         }
         return connection.description() + ", " + reader.describe(now);
     }

@@ -8,9 +8,11 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.IntFunction;
 import org.evoloop.roomba.link.ForwardingLink;
@@ -121,6 +123,32 @@ class ConnectionTest {
             }
             cables.say(FRAME);
             assertThat(session.isUp()).isTrue();
+        }
+    }
+
+    @Test
+    void aRobotThatIsNotThereYetIsWaitedForAndGreeted() throws InterruptedException {
+        AtomicBoolean there = new AtomicBoolean();
+        Command greeting = new Command.Schedule(Map.of());
+        try (RoombaSession session = session(baud -> {
+            if (!there.get()) {
+                throw new LinkException(Fault.NO_SUCH_PORT, "serial port /dev/x does not exist; plug it in");
+            }
+            return cables.plugIn(baud);
+        })) {
+            session.openPatiently(List.of(greeting));
+            clock.advance(LONG);
+            assertThat(session.describe()).isEqualTo("serial port /dev/x does not exist; plug it in");
+            there.set(true);
+            clock.advance(LONG);
+            assertThat(session.describe()).as("it sleeps").contains("no answer yet");
+            while (cables.bauds.get(cables.bauds.size() - 1) != 115_200) {
+                clock.advance(Connection.LOOK);
+            }
+            cables.heard();
+            cables.say(FRAME);
+            assertThat(session.isUp()).isTrue();
+            assertThat(cables.heard()).containsSequence(greeting.bytes());
         }
     }
 

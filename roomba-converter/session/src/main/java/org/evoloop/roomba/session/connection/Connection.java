@@ -8,6 +8,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.function.IntFunction;
 import org.evoloop.roomba.link.Link;
 import org.evoloop.roomba.link.LinkException;
+import org.evoloop.roomba.link.LinkException.Fault;
 import org.evoloop.roomba.oi.Command;
 import org.evoloop.roomba.oi.InputCommand;
 import org.evoloop.roomba.oi.PacketId;
@@ -105,6 +106,8 @@ public final class Connection {
     private volatile Instant downSince = Instant.EPOCH;
     private volatile boolean told;
     private volatile boolean maySleep;
+    private volatile boolean patient;
+    private volatile Runnable greeting = () -> {};
     private boolean alternateTried;
     private int attempt;
     private long askedNanos;
@@ -137,18 +140,44 @@ public final class Connection {
 
     /** Opens the link for the first time. @throws LinkException if that cannot be done */
     public void open() {
+        open(this::plugIn);
+    }
+
+    /**
+     * The same for a robot that may come later: what is wrong is told once, and tried again until it is closed.
+     *
+     * @param firstGreeting run when the robot answers for the first time, on the thread that reads
+     * @throws LinkException if the port is there, but is none, or is not for this user
+     */
+    public void openPatiently(Runnable firstGreeting) {
+        patient = true;
+        greeting = firstGreeting;
+        open(() -> {
+            try {
+                plugIn();
+            } catch (LinkException notYet) {
+                if (notYet.fault() == Fault.NOT_A_SERIAL_PORT || notYet.fault() == Fault.NO_PERMISSION) {
+                    throw notYet;
+                }
+                state.enter(Phase.DOWN, String.valueOf(notYet.getMessage()));
+                LOG.warn("{}; waiting for it", state.trouble());
+            }
+        });
+    }
+
+    private void open(Runnable plugging) {
         thread.runAndWait(() -> {
             pulsedNanos = clock.nanoTime();
             lastFrameNanos = pulsedNanos;
             downSince = clock.wallTime();
-            plugIn();
+            plugging.run();
             scheduleLook();
         });
     }
 
     /**
-     * Completes with the first frame; with a {@link RobotException} if none comes, or a {@link LinkException} if the
-     * link is lost or closed before.
+     * Completes with the first frame; with a {@link LinkException} if it is closed before. Unless it was opened patiently, also
+     * with a {@link RobotException} if none comes, or a {@link LinkException} if the link is lost.
      */
     public CompletableFuture<Void> firstAnswer() {
         return firstAnswer;
@@ -208,7 +237,7 @@ public final class Connection {
         if (news && state.enter(Phase.DOWN, trouble)) {
             LOG.warn("{}", trouble);
             loseSight();
-            firstAnswer.completeExceptionally(cause);
+            giveUp(cause);
             owner.outOfSight();
         }
     }
@@ -250,7 +279,9 @@ public final class Connection {
         lastFrameNanos = clock.nanoTime();
         if (state.enterFrom(Phase.ASKING, Phase.UP, "")) {
             told = false;
-            firstAnswer.complete(null);
+            if (firstAnswer.complete(null)) {
+                greeting.run();
+            }
         }
     }
 
@@ -359,7 +390,13 @@ public final class Connection {
             plugIn();
         } catch (LinkException stillGone) {
             state.enter(Phase.DOWN, String.valueOf(stillGone.getMessage()));
-            firstAnswer.completeExceptionally(stillGone);
+            giveUp(stillGone);
+        }
+    }
+
+    private void giveUp(RuntimeException cause) {
+        if (!patient) {
+            firstAnswer.completeExceptionally(cause);
         }
     }
 
@@ -376,7 +413,7 @@ public final class Connection {
             changeRate();
         } else {
             String known = owner.frameTrouble();
-            firstAnswer.completeExceptionally(new RobotException(
+            giveUp(new RobotException(
                     known.isEmpty() ? owner.firstBytes().diagnosis(description()) : description() + ": " + known));
             alternateTried = false;
             plug.pull();
@@ -442,7 +479,7 @@ public final class Connection {
     /** Sends bytes. @throws LinkException if the robot cannot be reached */
     public void send(byte[] bytes) {
         if (state.phase() == Phase.DOWN) {
-            throw new LinkException(LinkException.Fault.HUNG_UP, description() + ": " + state.trouble());
+            throw new LinkException(Fault.HUNG_UP, description() + ": " + state.trouble());
         }
         plug.send(bytes);
     }
@@ -466,6 +503,11 @@ public final class Connection {
         return state.phase() == Phase.UP;
     }
 
+    /** Whether there is no link to the robot. */
+    public boolean isDown() {
+        return state.phase() == Phase.DOWN;
+    }
+
     /** Since when nothing is heard of the robot, by the time of day; empty while it is, or sleeps. */
     public Optional<Instant> downSince() {
         return isUp() || isAsleep() ? Optional.empty() : Optional.of(downSince);
@@ -474,6 +516,11 @@ public final class Connection {
     /** What is wrong; empty if nothing is. */
     public String trouble() {
         return state.trouble();
+    }
+
+    /** Whether there has been a link yet. */
+    public boolean hasLink() {
+        return plug.link() != null;
     }
 
     /** What it is connected to, for messages: the port and its settings. */
@@ -485,7 +532,7 @@ public final class Connection {
     public void close() {
         state.enter(Phase.CLOSED, "closed");
         firstAnswer.completeExceptionally(
-                new LinkException(LinkException.Fault.CLOSED, description() + " was closed before the robot answered"));
+                new LinkException(Fault.CLOSED, description() + " was closed before the robot answered"));
         plug.close();
         thread.close();
     }

@@ -1,0 +1,33 @@
+package org.evoloop.config;
+
+import java.nio.file.Path;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Where a value came from.
+ *
+ * @param file null for the command line
+ * @param line in the file, from 1
+ */
+record Origin(@Nullable Path file, int line) {
+    static final Origin COMMAND_LINE = new Origin(null, 0);
+
+    static Origin in(Path file, int line) {
+        return new Origin(file, line);
+    }
+
+    boolean isFile() {
+        return file != null;
+    }
+
+    /** A mistake as whoever wrote it there knows the options: {@code --port} is {@code port} in a file. */
+    String tell(String mistake) {
+        return isFile() ? this + ": " + mistake.replaceAll("(?<![\\w-])--(?=[a-z])(?!help\\b)", "") : mistake;
+    }
+
+    /** {@code roomba.yaml:3}, or {@code command line}. */
+    @Override
+    public String toString() {
+        return file == null ? "command line" : file + ":" + line;
+    }
+}

@@ -1,0 +1,91 @@
+package org.evoloop.config;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+
+/** What is in force, as a file that says the same: a line for each option, and behind it where the value came from. */
+final class Printout {
+    private static final Pattern DEFAULT = Pattern.compile("\\(default: (.+?)\\)");
+
+    /** What every reader of YAML, of whatever version, takes for this very text or number. */
+    private static final Pattern PLAIN = Pattern.compile("0|[1-9][0-9]*(?:\\.[0-9]+)?|[a-zA-Z/][a-zA-Z0-9/_.+=-]*");
+
+    private static final Pattern WORD = Pattern.compile("(?i)y|n|yes|no|on|off|null|true|false");
+    private static final int COMMENTS = 40;
+
+    private final Options options;
+    private final Settings settings;
+
+    Printout(Options options, Settings settings) {
+        this.options = options;
+        this.settings = settings;
+    }
+
+    @Override
+    public String toString() {
+        StringBuilder text = new StringBuilder();
+        if (!options.program().isEmpty()) {
+            line(text, "program: " + options.program(), "what this file is for");
+        }
+        options.declared().forEach(option -> append(text, option));
+        options.secrets()
+                .forEach(secret -> text.append("# " + secret.name() + ": " + secret.shown(settings))
+                        .append('\n'));
+        return text.toString();
+    }
+
+    private void append(StringBuilder text, Option<?> option) {
+        Optional<Setting> setting = settings.setting(option);
+        String usual = option.usual();
+        if (setting.isPresent()) {
+            line(
+                    text,
+                    option.name() + ": " + value(option, setting.get()),
+                    setting.get().origin().toString());
+        } else if (usual != null) {
+            line(text, option.name() + ": " + (option.isFlag() ? usual : scalar(usual)), "default");
+        } else {
+            Matcher described = DEFAULT.matcher(option.description());
+            line(text, "# " + option.name() + ":", "default: " + (described.find() ? described.group(1) : "not set"));
+        }
+    }
+
+    private static void line(StringBuilder text, String left, String comment) {
+        text.append(
+                String.format(Locale.ROOT, "%-" + COMMENTS + "s  # %s%n", left, comment.replaceAll("\\p{Cntrl}", "?")));
+    }
+
+    private static String value(Option<?> option, Setting setting) {
+        if (option.isFlag()) {
+            return String.valueOf(setting.values().get(0));
+        }
+        Path here = Path.of("").toAbsolutePath();
+        List<String> texts = setting.texts().stream()
+                .map(text -> scalar(setting.origin().isFile() ? text : option.placed(here, text)))
+                .toList();
+        return texts.size() == 1 ? texts.get(0) : texts.stream().collect(Collectors.joining(", ", "[", "]"));
+    }
+
+    private static String scalar(String text) {
+        if (PLAIN.matcher(text).matches() && !WORD.matcher(text).matches()) {
+            return text;
+        }
+        if (text.chars().noneMatch(Character::isISOControl)) {
+            return "'" + text.replace("'", "''") + "'";
+        }
+        StringBuilder quoted = new StringBuilder("\"");
+        text.chars()
+                .forEach(each -> quoted.append(
+                        each == '"' || each == '\\'
+                                ? "\\" + (char) each
+                                : Character.isISOControl(each)
+                                        ? String.format(Locale.ROOT, "\\u%04X", each)
+                                        : String.valueOf((char) each)));
+        return quoted.append('"').toString();
+    }
+}

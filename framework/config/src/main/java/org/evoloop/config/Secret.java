@@ -1,0 +1,75 @@
+package org.evoloop.config;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * A secret, such as a password: it is in a file that an option names, else in the environment, and never in the configuration.
+ *
+ * <p>Threading: immutable.
+ *
+ * @param file the option that names the file; called {@code NAME-file}
+ * @param variable the variable of the environment
+ * @since 0.1
+ */
+public record Secret(Option<Path> file, String variable) {
+    private static final int LONGEST = 4096;
+
+    /**
+     * A secret called {@code name}.
+     *
+     * @param name without dashes, such as {@code mqtt-password}
+     */
+    public static Secret named(String name, String description, String variable) {
+        return new Secret(Option.path(name + "-file", "FILE", description), variable);
+    }
+
+    /** What one may take to be the option's name. */
+    String name() {
+        return file.name().replaceFirst("-file$", "");
+    }
+
+    /**
+     * The secret; empty if there is none.
+     *
+     * @throws IllegalArgumentException if its file cannot be read, or holds none
+     */
+    public Optional<String> in(Settings settings) {
+        Optional<Path> named = settings.get(file);
+        return named.isPresent()
+                ? Optional.of(read(named.get()))
+                : Optional.ofNullable(settings.environment().get(variable)).filter(text -> !text.isEmpty());
+    }
+
+    private String read(Path from) {
+        String text;
+        try (InputStream in = Files.newInputStream(from)) {
+            text = new String(in.readNBytes(LONGEST), StandardCharsets.UTF_8).strip();
+        } catch (IOException unreadable) {
+            throw new IllegalArgumentException("--" + file.name() + " is " + from
+                    + ", which cannot be read; check that it is there, and that this " + "program's user may read it");
+        }
+        if (text.isEmpty()) {
+            throw new IllegalArgumentException(
+                    "--" + file.name() + " is " + from + ", which is empty; write the secret into it");
+        }
+        return text;
+    }
+
+    /** Where it comes from: {@code (set, from FILE)}; never what it is. */
+    String shown(Settings settings) {
+        Optional<Path> named = settings.get(file);
+        if (named.isPresent()) {
+            return "(set, from " + named.get() + ")";
+        }
+        Map<String, String> environment = settings.environment();
+        return environment.getOrDefault(variable, "").isEmpty()
+                ? "(not set; it may be in the environment, " + variable + ")"
+                : "(set, from the environment, " + variable + ")";
+    }
+}

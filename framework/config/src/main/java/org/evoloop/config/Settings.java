@@ -1,0 +1,91 @@
+package org.evoloop.config;
+
+import java.io.PrintStream;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * What a program was told, from wherever.
+ *
+ * <p>Threading: immutable.
+ *
+ * @since 0.1
+ */
+public final class Settings {
+    private final Options options;
+    private final Map<Option<?>, Setting> given;
+    private final Map<String, String> environment;
+
+    Settings(Options options, Map<Option<?>, Setting> given, Map<String, String> environment) {
+        this.options = options;
+        this.given = given;
+        this.environment = environment;
+    }
+
+    /** The value of an option, or its default; empty if there is neither. */
+    public <T> Optional<T> get(Option<T> option) {
+        List<T> values = all(option);
+        return values.isEmpty() ? Optional.empty() : Optional.of(values.get(values.size() - 1));
+    }
+
+    /** The values of an option that may be repeated, or its default. */
+    @SuppressWarnings("unchecked") // made by the option's own reader
+    public <T> List<T> all(Option<T> option) {
+        Setting setting = given.get(option);
+        if (setting != null) {
+            return (List<T>) setting.values();
+        }
+        String usual = option.usual();
+        return usual == null ? List.of() : List.of(option.read(usual));
+    }
+
+    /** Whether a flag is on. */
+    public boolean isOn(Option<Boolean> flag) {
+        return get(flag).orElse(false);
+    }
+
+    /** Whether {@code --print-config} was given, so that nothing will be started. */
+    public boolean isOnlyShown() {
+        return isOn(Options.PRINT_CONFIG);
+    }
+
+    /**
+     * Answers {@code --help} and {@code --print-config}.
+     *
+     * @return whether one of them was given; the program has done all it was asked for then
+     */
+    public boolean answers(PrintStream out) {
+        if (isOn(Options.HELP)) {
+            out.print(new Help(options));
+            return true;
+        }
+        if (isOnlyShown()) {
+            out.print(new Printout(options, this));
+            return true;
+        }
+        return false;
+    }
+
+    /** All that was given, as a command line: {@code --NAME=VALUE}, and {@code --NAME} for a flag that is on. */
+    public List<String> asArguments() {
+        List<String> arguments = new ArrayList<>();
+        given.forEach((option, setting) -> {
+            if (!option.isFlag()) {
+                setting.texts().forEach(text -> arguments.add("--" + option.name() + "=" + text));
+            } else if (setting.values().contains(true)) {
+                arguments.add("--" + option.name());
+            }
+        });
+        return arguments;
+    }
+
+    Optional<Setting> setting(Option<?> option) {
+        return Optional.ofNullable(given.get(option));
+    }
+
+    Map<String, String> environment() {
+        return environment;
+    }
+}

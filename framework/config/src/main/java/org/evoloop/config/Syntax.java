@@ -1,0 +1,26 @@
+package org.evoloop.config;
+
+/** What the parser says of a file that is no YAML, and how to mend it. */
+final class Syntax {
+    private Syntax() {}
+
+    static String told(String problem) {
+        return "this is not YAML: " + problem + "; " + remedy(problem);
+    }
+
+    private static String remedy(String problem) {
+        if (problem.contains("TAB") || problem.contains("\\t")) {
+            return "use blanks instead of tabs";
+        }
+        if (problem.contains("mapping values are not allowed")) {
+            return "begin each option at the start of its line, and quote a value that contains a colon and a blank";
+        }
+        if (problem.contains("could not find expected ':'")) {
+            return "write a colon and a blank after the option's name";
+        }
+        if (problem.contains("that cannot start any token")) {
+            return "put the value in quotes";
+        }
+        return "check quotes, brackets and indentation here and in the line before";
+    }
+}

@@ -1,0 +1,106 @@
+package org.evoloop.config;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** What is in force, where it came from, and that it can be given back. */
+class SettingsTest {
+    @TempDir
+    private Path folder;
+
+    private static String answer(Settings settings) {
+        ByteArrayOutputStream out = new ByteArrayOutputStream();
+        assertThat(settings.answers(new PrintStream(out, true, StandardCharsets.UTF_8)))
+                .isTrue();
+        return out.toString(StandardCharsets.UTF_8);
+    }
+
+    private Path fan(String text) throws IOException {
+        return Files.writeString(folder.resolve("fan.yaml"), text);
+    }
+
+    @Test
+    void theCommandLineWinsAndTakesThePlaceOfAnAlternative() throws IOException {
+        Path file = fan("port: /dev/fan\nspeed: 4\nbreeze-at: [08:00]\n");
+        Settings settings = FanOptions.read(
+                "--config", file.toString(), "--simulate", "--speed=5", "--breeze-at", "1", "--breeze-at", "2");
+        assertThat(settings.get(FanOptions.PORT)).isEmpty();
+        assertThat(settings.get(FanOptions.SPEED)).contains(5);
+        assertThat(settings.all(FanOptions.BREEZE_AT)).containsExactly("1", "2");
+        assertThat(settings.asArguments()).contains("--simulate", "--speed=5", "--breeze-at=1", "--breeze-at=2");
+    }
+
+    @Test
+    void aRelativePathIsRelativeToItsFile() throws IOException {
+        Files.writeString(folder.resolve("fan.xml"), "");
+        Settings settings = FanOptions.read(
+                "--config",
+                fan("simulate: true\nmodels: fan.xml\njournal: kept").toString());
+        assertThat(settings.get(FanOptions.MODELS)).contains(folder.resolve("fan.xml"));
+        assertThat(settings.get(FanOptions.JOURNAL)).contains(folder.resolve("kept"));
+        assertThat(FanOptions.read("--simulate", "--journal", "kept").get(FanOptions.JOURNAL))
+                .contains(Path.of("kept"));
+    }
+
+    @Test
+    void everyOptionIsPrintedWithWhereItCameFrom() throws IOException {
+        Path secret = Files.writeString(folder.resolve("secret"), "s3cret\n");
+        Path file = fan("start: true\nbreeze-at: [08:00, \"it's\"]\nfan-password-file: secret\n");
+        String printed = answer(FanOptions.read("--config", file.toString(), "--port", "on", "--print-config"));
+        assertThat(printed.replaceAll(" +", " ").lines())
+                .containsExactly(
+                        "program: fan # what this file is for",
+                        "start: true # " + file + ":1",
+                        "simulate: false # default",
+                        "port: 'on' # command line",
+                        "speed: 3 # default",
+                        "breeze-at: ['08:00', 'it''s'] # " + file + ":2",
+                        "# journal: # default: nowhere",
+                        "# models: # default: not set",
+                        "fan-password-file: " + quoted(secret) + " # " + file + ":3",
+                        "# fan-password: (set, from " + secret + ")");
+        assertThat(answer(
+                        FanOptions.ALL.read(List.of("--simulate", "--print-config"), Map.of("FAN_PASSWORD", "s3cret"))))
+                .contains("# fan-password: (set, from the environment, FAN_PASSWORD)")
+                .doesNotContain("s3cret");
+    }
+
+    private static String quoted(Path path) {
+        return path.toString().matches("[a-zA-Z0-9/_.+=-]*") ? path.toString() : "'" + path + "'";
+    }
+
+    @Test
+    void whatIsPrintedSaysTheSameWhenItIsGivenBack() throws IOException {
+        String odd = "a: b #c 'd' \"e\" \\ é\t{[&*!|>%@`,";
+        Settings first = FanOptions.read("--print-config", "--port", odd, "--breeze-at", "null", "--journal", "kept");
+        Path file = fan(answer(first));
+        Settings again = FanOptions.read("--print-config", "--config", file.toString());
+        assertThat(again.get(FanOptions.PORT)).contains(odd);
+        assertThat(again.all(FanOptions.BREEZE_AT)).containsExactly("null");
+        assertThat(again.get(FanOptions.JOURNAL)).contains(Path.of("kept").toAbsolutePath());
+        assertThat(withoutOrigins(answer(again))).isEqualTo(withoutOrigins(answer(first)));
+    }
+
+    private static String withoutOrigins(String printed) {
+        return printed.replaceAll("(?m)  +# .*$", "");
+    }
+
+    @Test
+    void helpNamesEveryOptionAndNothingElseIsLookedAt() {
+        assertThat(answer(FanOptions.read("--help", "--speed", "12")))
+                .startsWith("usage: fan [--start] [--simulate] [--port PATH]")
+                .contains("Runs a fan.", "--breeze-at TIME", "--config FILE", "--print-config")
+                .contains("Exit status");
+        assertThat(FanOptions.read("--simulate").answers(System.out)).isFalse();
+    }
+}
