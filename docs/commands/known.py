@@ -44,7 +44,7 @@ def typed(documented: str, **details: object) -> Known:
 THIS = "is what runs this test"
 MUTANTS = "takes some minutes of both processors: over a thousand mutants of the models, a test run of its own"
 NO_BOARD = "hardware: takes a camera's pictures of a printed chessboard (CalibrationTest draws them)"
-ELSEWHERE = "is for the project that scaffold writes, whose tests build one"
+ELSEWHERE = "is for the project that scaffold writes; test_retrofit.py makes it and runs this there"
 
 CONSOLE = """start
 stop
@@ -95,6 +95,11 @@ KNOWN = [
     Known("java -jar roomba-converter.jar ctl lamp status", run="./evoloop ctl --help", shows="status --json"),
     Known("java -jar /opt/evoloop/roomba-converter.jar ctl roomba status", run="./evoloop ctl --help", shows="status --json"),
     Known("java -cp fan.jar org.evoloop.service.Ctl fan status", why_not=ELSEWHERE),
+    Known("java -cp target/fan.jar org.evoloop.service.Ctl fan press boost", why_not=ELSEWHERE),
+    Known("java -cp target/fan.jar org.evoloop.service.Ctl fan status", why_not=ELSEWHERE),
+    Known("java -cp target/fan.jar org.evoloop.service.Ctl fan exit", why_not=ELSEWHERE),
+    Known("java -jar target/fan.jar --start --name fan --journal journal", why_not=ELSEWHERE),
+    Known("java -jar target/fan.jar --start --name fan --journal journal --mqtt mqtt://localhost", why_not=ELSEWHERE),
     Known("./evoloop ctl NAME COMMAND ...", run="./evoloop ctl --help", shows="status --json"),
     Known("./evoloop journal COMMAND DIR", run="./evoloop journal --help", shows="verify"),
     Known(
@@ -133,7 +138,9 @@ KNOWN = [
         shows="<svg ",
     ),
     typed(f"./evoloop models check {FAN}", shows="swallowed-event"),
+    typed("./evoloop models check docs/fan/fan.uml#original docs/fan/fan.uml#new", shows="swallowed-event"),
     typed(f"./evoloop models plan {FAN}", shows="path power, speed"),
+    typed("./evoloop models show docs/fan/new.scxml --format svg > new.svg"),
     typed(f"./evoloop models scaffold {FAN} --package com.example.fan --out fan"),
     Known("./mvnw verify", why_not=ELSEWHERE),
     Known("java -jar target/fan.jar", why_not=ELSEWHERE),
