@@ -87,6 +87,10 @@ KNOWN = [
         run=f"EVOLOOP_MQTT_PASSWORD=SECRET ./evoloop roomba --port {ROBOT} --start --mqtt mqtt://USER@127.0.0.1:1",
         input="status\nexit\n",
     ),
+    Known(
+        "./evoloop lightbulb --start --switch-pin 17 --lamp-pins 23,24 < /dev/null",
+        why_not="hardware: a Raspberry Pi with a button and two LEDs; WiringTest has them on Pi4J's mocked pins",
+    ),
     Known("./evoloop lightbulb --start --name lamp < /dev/null &", why_not="goes on until somebody ends it; ServiceProcessTest runs one"),
     typed("./evoloop ctl", shows=""),
     Known("./evoloop ctl lamp status --json", run="./evoloop ctl --help", shows="status --json"),

@@ -159,7 +159,7 @@ class RetrofitTest(unittest.TestCase):
         self.assertEqual(command[:-2], documented("java -jar target/fan.jar --start --name fan --journal journal"))
         command[-1] += f":{mqtt}"
         converter = self.begin(command, cwd=self.project, stdin=subprocess.DEVNULL)
-        until("the fan is connected", lambda: "is connected" in self.said(converter))
+        until("the fan is connected", lambda: "connected" in self.said(fan))
 
         self.press(fan, "boost", "High")
         self.press(fan, "overheat", "Off")
@@ -172,7 +172,7 @@ class RetrofitTest(unittest.TestCase):
 
         self.end(fan)
         fan = self.begin_fan()
-        until("the fan was found", lambda: self.said(converter).count("is connected") > 1)
+        until("the fan is connected again", lambda: "connected" in self.said(fan))
         self.press(fan, "boost", "High")
         self.ctl("exit")
         self.assertEqual(converter.wait(timeout=PATIENCE_S), 0)

@@ -32,6 +32,7 @@ def tell(line):
 class Fan(socketserver.StreamRequestHandler):
     def handle(self):
         clients.append(self)
+        print("somebody is connected", flush=True)
         for line in self.rfile:
             word = line.decode().strip()
             if word == "STATE?":

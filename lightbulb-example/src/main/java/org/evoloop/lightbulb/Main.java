@@ -24,7 +24,7 @@ import org.evoloop.time.SystemClock;
 import org.evoloop.xmi.ModelFiles;
 import org.evoloop.xmi.XmiFile;
 
-/** Puts the converter together and runs its console; options: {@code [--models FILE]} those of a service, and the page's. */
+/** Puts the converter together and runs its console; options: {@code [--models FILE]}, those of a service, the page's and pins. */
 public final class Main {
     public static void main(String[] arguments) {
         try {
@@ -38,10 +38,11 @@ public final class Main {
     private static int run(List<String> arguments) throws IOException {
         ServiceOptions unattended = ServiceOptions.takeFrom(arguments);
         PageOptions shown = PageOptions.takeFrom(arguments);
+        Wiring wiring = Wiring.takeFrom(arguments);
         boolean modelsNamed = arguments.size() == 2 && arguments.get(0).equals("--models");
         if (!arguments.isEmpty() && !modelsNamed) {
             throw new IllegalArgumentException("usage: java -jar lightbulb-example.jar [--models FILE] "
-                    + ServiceOptions.USAGE + " " + PageOptions.USAGE);
+                    + ServiceOptions.USAGE + " " + PageOptions.USAGE + " " + Wiring.USAGE);
         }
         Path file = modelsNamed ? Path.of(arguments.get(1)) : ModelFiles.find("models/light-bulb.xml", Main.class);
         XmiFile machines = XmiFile.read(file);
@@ -52,10 +53,12 @@ public final class Main {
         Lamp lamp = new Lamp();
         PushMonitor wallSwitch = new PushMonitor("WallSwitch");
         try (Service service = Service.open(unattended);
-                Clock clock = new SystemClock()) {
+                Clock clock = new SystemClock();
+                wiring) {
             SystemEventConverter converter = new SystemEventConverter(LoopConfig.defaults("lamp", clock));
             converter.addMonitor(wallSwitch);
             converter.addExecute(new LampExecute(lamp));
+            wiring.connect(converter, lamp, clock);
             converter.addKnowledge(new LampKnowledge(models, lamp));
             Path journal = unattended.journal();
             if (journal != null) {
