@@ -68,7 +68,8 @@ final class Wiring implements AutoCloseable {
             converter.addMonitor(new GpioMonitor("SwitchPin", opened, clock).controller(switchPin.get(0), "switch"));
         }
         if (!lampPins.isEmpty()) {
-            List<Output> lamps = lampPins.stream().map(pin -> new Output(opened, pin)).toList();
+            List<Output> lamps =
+                    lampPins.stream().map(pin -> new Output(opened, pin)).toList();
             lamp.shownBy((daylight, warm) -> {
                 lamps.get(0).set(daylight);
                 lamps.get(1).set(warm);

@@ -5,10 +5,8 @@ import com.pi4j.context.Context;
 import com.pi4j.exception.Pi4JException;
 import com.pi4j.io.gpio.digital.DigitalInput;
 import com.pi4j.io.gpio.digital.DigitalInputConfigBuilder;
-import com.pi4j.io.gpio.digital.DigitalInputProvider;
 import com.pi4j.io.gpio.digital.DigitalOutput;
 import com.pi4j.io.gpio.digital.DigitalOutputConfigBuilder;
-import com.pi4j.io.gpio.digital.DigitalOutputProvider;
 import com.pi4j.io.gpio.digital.DigitalState;
 import com.pi4j.io.gpio.digital.PullResistance;
 import com.pi4j.plugin.gpiod.provider.gpio.digital.GpioDDigitalInputProvider;
@@ -64,7 +62,8 @@ public final class Pins implements AutoCloseable {
         } catch (Pi4JException | LinkageError failure) {
             throw new IOException(
                     "the GPIO pins cannot be used (" + failure.getMessage()
-                            + "); the user must be in the group gpio: sudo usermod -aG gpio " + System.getProperty("user.name"),
+                            + "); the user must be in the group gpio: sudo usermod -aG gpio "
+                            + System.getProperty("user.name"),
                     failure);
         }
     }
@@ -80,25 +79,29 @@ public final class Pins implements AutoCloseable {
 
     /** A switch between the pin and ground; the Pi's own resistor pulls the pin up. */
     DigitalInput switchAt(int pin) {
-        return use(pin, () -> context.create(
-                DigitalInputConfigBuilder.newInstance(context)
-                        .id("switch-" + pin)
-                        .address(pin)
-                        .pull(PullResistance.PULL_UP)
-                        .build(),
-                DigitalInput.class));
+        return use(
+                pin,
+                () -> context.create(
+                        DigitalInputConfigBuilder.newInstance(context)
+                                .id("switch-" + pin)
+                                .address(pin)
+                                .pull(PullResistance.PULL_UP)
+                                .build(),
+                        DigitalInput.class));
     }
 
     /** An output, which is low at first and when the pins are closed. */
     DigitalOutput outputAt(int pin) {
-        return use(pin, () -> context.create(
-                DigitalOutputConfigBuilder.newInstance(context)
-                        .id("output-" + pin)
-                        .address(pin)
-                        .initial(DigitalState.LOW)
-                        .shutdown(DigitalState.LOW)
-                        .build(),
-                DigitalOutput.class));
+        return use(
+                pin,
+                () -> context.create(
+                        DigitalOutputConfigBuilder.newInstance(context)
+                                .id("output-" + pin)
+                                .address(pin)
+                                .initial(DigitalState.LOW)
+                                .shutdown(DigitalState.LOW)
+                                .build(),
+                        DigitalOutput.class));
     }
 
     private interface Creation<T> {

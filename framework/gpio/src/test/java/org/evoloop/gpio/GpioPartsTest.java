@@ -147,7 +147,8 @@ class GpioPartsTest {
         Path model = folder.resolve("model");
         assertThatThrownBy(() -> Pins.requireRaspberryPi(model))
                 .isInstanceOf(IOException.class)
-                .hasMessage("this computer has no GPIO pins: it is no Raspberry Pi; run it on one, or leave the pins out");
+                .hasMessage(
+                        "this computer has no GPIO pins: it is no Raspberry Pi; run it on one, or leave the pins out");
         Files.writeString(model, "Banana Pro\0");
         assertThatThrownBy(() -> Pins.requireRaspberryPi(model)).hasMessageContaining("a Banana Pro, no Raspberry Pi");
         Files.writeString(model, "Raspberry Pi 4 Model B Rev 1.4\0");
