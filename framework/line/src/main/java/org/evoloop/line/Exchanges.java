@@ -17,7 +17,7 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>Threading: thread-safe; who asks while another waits for an answer comes after it.
  */
-final class Exchanges implements Reconnector.User {
+final class Exchanges implements WireUser {
     private final Reconnector wire;
     private final Clock clock;
     private final List<Consumer<String>> listeners = new CopyOnWriteArrayList<>();

@@ -45,7 +45,7 @@ public final class LineConnection implements DeviceLink, AutoCloseable {
         for (String line : lines) {
             requireOneLine(line);
         }
-        wire.add(new Reconnector.User() {
+        wire.add(new WireUser() {
             @Override
             public void connected() throws IOException {
                 for (String line : lines) {

@@ -14,7 +14,7 @@ import org.evoloop.function.Reading;
  *
  * <p>Threading: thread-safe.
  */
-final class LineReadings implements Reconnector.User {
+final class LineReadings implements WireUser {
     private static final Pattern NUMBER = Pattern.compile("[+-]?[0-9]{1,15}(\\.[0-9]{1,15})?");
     private static final Pattern NAMED_GROUP = Pattern.compile("\\(\\?<([A-Za-z][A-Za-z0-9]*)>");
 

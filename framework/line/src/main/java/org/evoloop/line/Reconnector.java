@@ -1,7 +1,6 @@
 package org.evoloop.line;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.HashSet;
@@ -24,12 +23,12 @@ import org.slf4j.LoggerFactory;
  */
 final class Reconnector {
     private static final Logger LOG = LoggerFactory.getLogger(LineConnection.class);
-    private static final Duration WRITE_LIMIT = Duration.ofSeconds(5);
     private static final Duration END_LIMIT = Duration.ofSeconds(4);
 
     private final LineTransport transport;
     private final Clock clock;
-    private final List<User> users = new CopyOnWriteArrayList<>();
+    private final LineWriter writer;
+    private final List<WireUser> users = new CopyOnWriteArrayList<>();
     private final Attempts attempts = new Attempts();
     private final Set<String> complaints = new HashSet<>();
     private volatile @Nullable Wire wire;
@@ -41,26 +40,15 @@ final class Reconnector {
     private volatile boolean closing;
     private @Nullable Thread thread;
 
-    /** Who is told of the wire. */
-    interface User {
-        /** It is there. */
-        default void connected() throws IOException {}
-
-        /** A line has come. */
-        default void heard(String line) {}
-
-        /** It is gone. */
-        default void lost(String why) {}
-    }
-
     Reconnector(LineTransport transport, Clock clock) {
         this.transport = transport;
         this.clock = clock;
+        this.writer = new LineWriter(clock, transport.toString(), this::hangUp);
         this.trouble = transport + " has not been reached yet";
         this.downSince = clock.wallTime();
     }
 
-    void add(User user) {
+    void add(WireUser user) {
         users.add(user);
     }
 
@@ -106,7 +94,7 @@ final class Reconnector {
             downSince = clock.wallTime();
         }
         trouble = ended.isEmpty() ? why : ended;
-        for (User user : users) {
+        for (WireUser user : users) {
             user.lost(trouble);
         }
         if (!closing && attempts.failed(trouble, clock.nanoTime())) {
@@ -120,7 +108,7 @@ final class Reconnector {
         if (attempts.succeeded(clock.nanoTime())) {
             LOG.info("{} is connected", transport);
         }
-        for (User user : users) {
+        for (WireUser user : users) {
             user.connected();
         }
         LineReader lines = new LineReader(opened.input(), this::complain);
@@ -130,7 +118,7 @@ final class Reconnector {
     }
 
     private void hear(String line) {
-        for (User user : users) {
+        for (WireUser user : users) {
             try {
                 user.heard(line);
             } catch (RuntimeException failure) {
@@ -151,18 +139,7 @@ final class Reconnector {
         if (open == null) {
             throw new IOException(trouble + "; so '" + line + "' was not sent");
         }
-        Runnable stuck = () -> hangUp(transport + " took nothing for " + WRITE_LIMIT.toSeconds() + " s; is it stuck?");
-        Clock.Timer late = clock.schedule(WRITE_LIMIT, () -> Threads.start("line-late", stuck));
-        try {
-            synchronized (open) {
-                open.output().write((line + "\n").getBytes(StandardCharsets.UTF_8));
-                open.output().flush();
-            }
-        } catch (IOException failure) {
-            throw new IOException(transport + " is lost; whether '" + line + "' has arrived is not known", failure);
-        } finally {
-            late.cancel();
-        }
+        writer.write(open, line);
     }
 
     /** Has the wire made anew. */

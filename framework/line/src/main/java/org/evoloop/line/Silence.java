@@ -11,7 +11,7 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>Threading: thread-safe. What may wait is done on threads of their own, not the clock's.
  */
-final class Silence implements Reconnector.User {
+final class Silence implements WireUser {
     private final Clock clock;
     private final Duration limit;
     private final String question;
