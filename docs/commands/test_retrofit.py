@@ -20,6 +20,7 @@ from test_commands import ROOT, SLOW
 GUIDE = (ROOT / "docs" / "retrofit.md").read_text(encoding="utf-8")
 ARTIFACTS = ("bom", "core", "xmi", "console", "journal", "service", "page", "mqtt", "line", "testkit")
 PATIENCE_S = 60
+TOOL = ROOT / "framework" / "models" / "target" / "evoloop-models.jar"
 BROKER = shutil.which("mosquitto") or "/usr/sbin/mosquitto"
 
 
@@ -127,9 +128,8 @@ class RetrofitTest(unittest.TestCase):
         _, *scaffold = documented(
             "./evoloop models scaffold docs/fan/original.scxml docs/fan/new.scxml --package com.example.fan --out fan"
         )
-        tool = ROOT / "framework" / "models" / "target" / "evoloop-models.jar"
         models, out = scaffold[1:-1], str(self.project)
-        subprocess.run(["java", "-jar", tool, *models, out], cwd=ROOT, check=True, capture_output=True, timeout=PATIENCE_S)
+        subprocess.run(["java", "-jar", TOOL, *models, out], cwd=ROOT, check=True, capture_output=True, timeout=PATIENCE_S)
         for source in blocks("java"):
             name = re.findall(r"^(?:final )?class (\w+)", source, re.MULTILINE)[0]
             folder = self.project / "src" / ("test" if name.endswith("Test") else "main") / "java" / "com" / "example" / "fan"
@@ -141,6 +141,14 @@ class RetrofitTest(unittest.TestCase):
         main = self.project / "src" / "main" / "java" / "com" / "example" / "fan" / "Main.java"
         (diff,) = blocks("diff")
         main.write_text(changed(main.read_text(encoding="utf-8"), diff).replace("4001", str(self.port)), encoding="utf-8")
+
+    def test_the_pictures_show_the_models(self) -> None:
+        for name in ("original", "new"):
+            with self.subTest(model=name):
+                drawn = ROOT / "docs" / "fan" / name
+                command = ["java", "-jar", TOOL, "show", drawn.with_suffix(".scxml"), "--format", "svg"]
+                shown = subprocess.run(command, capture_output=True, check=True, timeout=PATIENCE_S).stdout
+                self.assertEqual(shown, drawn.with_suffix(".svg").read_bytes())
 
     def test_the_guide_leads_to_a_fan_in_home_assistant(self) -> None:
         self.make_project()
