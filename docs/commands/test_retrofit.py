@@ -145,10 +145,10 @@ class RetrofitTest(unittest.TestCase):
     def test_the_pictures_show_the_models(self) -> None:
         for name in ("original", "new"):
             with self.subTest(model=name):
-                drawn = ROOT / "docs" / "fan" / name
+                drawn = Path("docs", "fan", name)
                 command = ["java", "-jar", TOOL, "show", drawn.with_suffix(".scxml"), "--format", "svg"]
-                shown = subprocess.run(command, capture_output=True, check=True, timeout=PATIENCE_S).stdout
-                self.assertEqual(shown, drawn.with_suffix(".svg").read_bytes())
+                shown = subprocess.run(command, cwd=ROOT, capture_output=True, check=True, timeout=PATIENCE_S).stdout
+                self.assertEqual(shown, (ROOT / drawn.with_suffix(".svg")).read_bytes())
 
     def test_the_guide_leads_to_a_fan_in_home_assistant(self) -> None:
         self.make_project()
