@@ -44,7 +44,7 @@ def typed(documented: str, **details: object) -> Known:
 THIS = "is what runs this test"
 MUTANTS = "takes some minutes of both processors: over a thousand mutants of the models, a test run of its own"
 NO_BOARD = "hardware: takes a camera's pictures of a printed chessboard (CalibrationTest draws them)"
-ELSEWHERE = "is for the project that scaffold writes, whose tests build one"
+ELSEWHERE = "is for the project that scaffold writes; test_retrofit.py makes it and runs this there"
 
 CONSOLE = """start
 stop
@@ -110,6 +110,10 @@ KNOWN = [
         run=f"EVOLOOP_MQTT_PASSWORD=SECRET ./evoloop roomba --port {ROBOT} --start --mqtt mqtt://USER@127.0.0.1:1",
         input="status\nexit\n",
     ),
+    Known(
+        "./evoloop lightbulb --start --switch-pin 17 --lamp-pins 23,24 < /dev/null",
+        why_not="hardware: a Raspberry Pi with a button and two LEDs; WiringTest has them on Pi4J's mocked pins",
+    ),
     Known("./evoloop lightbulb --start --name lamp < /dev/null &", why_not="goes on until somebody ends it; ServiceProcessTest runs one"),
     typed("./evoloop ctl", shows=""),
     Known("./evoloop ctl lamp status --json", run="./evoloop ctl --help", shows="status --json"),
@@ -117,6 +121,11 @@ KNOWN = [
     Known("./evoloop ctl lamp exit", run="./evoloop ctl --help", shows="status --json"),
     Known("java -jar roomba-converter.jar ctl lamp status", run="./evoloop ctl --help", shows="status --json"),
     Known("java -cp fan.jar org.evoloop.service.Ctl fan status", why_not=ELSEWHERE),
+    Known("java -cp target/fan.jar org.evoloop.service.Ctl fan press boost", why_not=ELSEWHERE),
+    Known("java -cp target/fan.jar org.evoloop.service.Ctl fan status", why_not=ELSEWHERE),
+    Known("java -cp target/fan.jar org.evoloop.service.Ctl fan exit", why_not=ELSEWHERE),
+    Known("java -jar target/fan.jar --start --name fan --journal journal", why_not=ELSEWHERE),
+    Known("java -jar target/fan.jar --start --name fan --journal journal --mqtt mqtt://localhost", why_not=ELSEWHERE),
     Known("./evoloop ctl NAME COMMAND ...", run="./evoloop ctl --help", shows="status --json"),
     Known("./evoloop journal COMMAND DIR", run="./evoloop journal --help", shows="verify"),
     Known(
@@ -159,7 +168,9 @@ KNOWN = [
         "./evoloop models migrate models/roomba.xml#home models/roomba.xml#guest --original models/roomba.xml#original",
         shows="waits until tm(5s) or Clean or Dock leads out",
     ),
+    typed("./evoloop models check docs/fan/fan.uml#original docs/fan/fan.uml#new", shows="swallowed-event"),
     typed(f"./evoloop models plan {FAN}", shows="path power, speed"),
+    typed("./evoloop models show docs/fan/new.scxml --format svg > new.svg"),
     typed(f"./evoloop models scaffold {FAN} --package com.example.fan --out fan"),
     Known("./mvnw verify", why_not=ELSEWHERE),
     Known("java -jar target/fan.jar", why_not=ELSEWHERE),

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 import re
 import shutil
-import subprocess
 import tempfile
 import unittest
 from pathlib import Path
 
-from test_commands import LIMIT_S, ROOT, SLOW
+from repository import Repository
+from test_commands import ROOT, SLOW
 
 PROJECTS = ("maven", "kotlin")
-ARTIFACTS = "framework/bom,framework/core,framework/testkit"
+ARTIFACTS = ("bom", "core", "testkit")
 
 
 @unittest.skipUnless(SLOW, "slow: ./evoloop test --slow runs it")
@@ -24,38 +24,22 @@ class ProjectsTest(unittest.TestCase):
         folder = tempfile.TemporaryDirectory(prefix="evoloop-projects-")
         cls.addClassCleanup(folder.cleanup)
         cls.folder = Path(folder.name)
-        cls.maven(ROOT / "pom.xml", "-q", "-Dmaven.test.skip=true", "-pl", ARTIFACTS, "-am", "install")
-
-    @classmethod
-    def maven(cls, pom: Path, *arguments: str) -> str:
-        fetched = Path.home() / ".m2" / "repository"
-        result = subprocess.run(
-            [
-                *(ROOT / "mvnw", "-B", "-f", pom, "--no-transfer-progress", *arguments),
-                *(f"-Dmaven.repo.local={cls.folder / 'repository'}", f"-Dmaven.repo.local.tail={fetched}"),
-            ],
-            cwd=pom.parent,
-            capture_output=True,
-            encoding="utf-8",
-            timeout=LIMIT_S,
-        )
-        if result.returncode != 0:
-            raise AssertionError(f"{pom}: {result.stdout[-3000:]}\n{result.stderr[-2000:]}")
-        return result.stdout
+        cls.repository = Repository(cls.folder / "repository")
+        cls.repository.install(*ARTIFACTS)
 
     def test_each_builds_and_passes_its_test(self) -> None:
         for name in PROJECTS:
             with self.subTest(project=name):
                 project = self.folder / name
                 shutil.copytree(ROOT / "docs" / "projects" / name, project)
-                said = self.maven(project / "pom.xml", "verify")
+                said = self.repository.maven(project / "pom.xml", "verify")
                 self.assertRegex(said, re.compile(r"Tests run: 1, Failures: 0, Errors: 0, Skipped: 0$", re.MULTILINE))
 
     def test_the_core_brings_slf4j_and_nothing_else(self) -> None:
         project = self.folder / "tree"
         shutil.copytree(ROOT / "docs" / "projects" / "maven", project)
         goal = "org.apache.maven.plugins:maven-dependency-plugin:3.11.0:list"
-        said = self.maven(project / "pom.xml", goal, "-DincludeScope=runtime")
+        said = self.repository.maven(project / "pom.xml", goal, "-DincludeScope=runtime")
         self.assertEqual(
             set(re.findall(r"^\[INFO\]    (\S+?:\S+?):jar", said, re.MULTILINE)),
             {"org.evoloop:evoloop-core", "org.slf4j:slf4j-api"},

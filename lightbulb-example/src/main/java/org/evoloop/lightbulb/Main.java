@@ -35,7 +35,7 @@ public final class Main {
                     "Runs the converter of a lamp whose firmware knows one event, switch. It reads commands from standard input: type "
                             + "start, then switch (the wall switch; while the lamp is on, twice within 2 s for the second "
                             + "light), status, history, exit; help lists all commands.")
-            .and(Options.of(MODELS), ServiceOptions.OPTIONS, PageOptions.OPTIONS, MqttOptions.OPTIONS);
+            .and(Options.of(MODELS), ServiceOptions.OPTIONS, PageOptions.OPTIONS, MqttOptions.OPTIONS, Wiring.OPTIONS);
 
     public static void main(String[] arguments) {
         try {
@@ -58,10 +58,12 @@ public final class Main {
         Lamp lamp = new Lamp();
         PushMonitor wallSwitch = new PushMonitor("WallSwitch");
         try (Service service = Service.open(unattended);
-                Clock clock = new SystemClock()) {
+                Clock clock = new SystemClock();
+                Wiring wiring = new Wiring(settings)) {
             SystemEventConverter converter = new SystemEventConverter(LoopConfig.defaults("lamp", clock));
             converter.addMonitor(wallSwitch);
             converter.addExecute(new LampExecute(lamp));
+            wiring.connect(converter, lamp, clock);
             converter.addKnowledge(new LampKnowledge(models, lamp));
             Path journal = unattended.journal();
             if (journal != null) {

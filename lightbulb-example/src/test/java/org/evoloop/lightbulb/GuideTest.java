@@ -21,10 +21,15 @@ class GuideTest {
     private static final String IMPORTS = Stream.of(
                     "java.nio.file.Path",
                     "java.time.Duration",
+                    "java.util.Map",
                     "java.util.Set",
+                    "java.util.regex.Pattern",
                     "org.evoloop.console.*",
                     "org.evoloop.converter.*",
                     "org.evoloop.evolution.*",
+                    "org.evoloop.gpio.*",
+                    "org.evoloop.http.*",
+                    "org.evoloop.line.*",
                     "org.evoloop.loop.LoopConfig",
                     "org.evoloop.time.*",
                     "org.evoloop.xmi.XmiFile")
@@ -43,12 +48,36 @@ class GuideTest {
     void theFrontPagesConverterHas30LinesAndCompiles(@TempDir Path folder) throws IOException {
         assertThat(javaIn("README.md")).singleElement().satisfies(converter -> {
             assertThat(converter.lines().count()).isLessThanOrEqualTo(30);
-            Path source = Files.writeString(folder.resolve("LampConverter.java"), IMPORTS + converter);
-            ByteArrayOutputStream messages = new ByteArrayOutputStream();
-            int status = ToolProvider.getSystemJavaCompiler()
-                    .run(null, messages, messages, "-proc:none", "-d", folder.toString(), source.toString());
-            assertThat(status).as(messages.toString(StandardCharsets.UTF_8)).isZero();
+            requireCompiles(folder.resolve("LampConverter.java"), converter);
         });
+    }
+
+    @Test
+    void theReadyMonitorsAndExecutesCompile(@TempDir Path folder) throws IOException {
+        StringBuilder type = new StringBuilder("final class Ready {\n");
+        List<String> examples = javaIn("docs/ready-made.md");
+        for (int index = 0; index < examples.size(); index++) {
+            type.append("void example" + index + "(SystemEventConverter converter, Clock clock) throws Exception {\n")
+                    .append(examples.get(index))
+                    .append("}\n");
+        }
+        assertThat(examples).hasSizeGreaterThan(2);
+        requireCompiles(folder.resolve("Ready.java"), type + "}\n");
+    }
+
+    private static void requireCompiles(Path file, String code) throws IOException {
+        Files.writeString(file, IMPORTS + code);
+        ByteArrayOutputStream messages = new ByteArrayOutputStream();
+        int status = ToolProvider.getSystemJavaCompiler()
+                .run(
+                        null,
+                        messages,
+                        messages,
+                        "-proc:none",
+                        "-d",
+                        file.getParent().toString(),
+                        file.toString());
+        assertThat(status).as(messages.toString(StandardCharsets.UTF_8)).isZero();
     }
 
     @Test

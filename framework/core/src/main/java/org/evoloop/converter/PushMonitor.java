@@ -6,6 +6,7 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.locks.LockSupport;
 import org.evoloop.evolution.Occurrence;
+import org.evoloop.evolution.Values;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -44,7 +45,12 @@ public class PushMonitor extends EventMonitor {
      *     refused
      */
     public final void press(String event) {
-        Occurrence pressed = fromController(event);
+        press(event, Values.NONE);
+    }
+
+    /** The same, carrying {@code values}. */
+    public final void press(String event, Values values) {
+        Occurrence pressed = fromController(event, values);
         requireHeard(pressed);
         push(pressed);
     }

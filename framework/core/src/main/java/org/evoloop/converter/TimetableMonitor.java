@@ -1,13 +1,8 @@
 package org.evoloop.converter;
 
 import java.time.DayOfWeek;
-import java.time.Duration;
-import java.time.Instant;
-import java.time.LocalDate;
 import java.time.LocalTime;
 import java.time.ZoneId;
-import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
@@ -15,8 +10,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import org.evoloop.evolution.EventNames;
 import org.evoloop.statemachine.Event;
 import org.evoloop.time.Clock;
-import org.slf4j.Logger;
-import org.slf4j.LoggerFactory;
+import org.evoloop.time.TimesOfDay;
 
 /**
  * A controller that raises events at fixed times of the day.
@@ -28,30 +22,17 @@ import org.slf4j.LoggerFactory;
  *         .at(LocalTime.of(10, 0), "clean", DayOfWeek.SATURDAY, DayOfWeek.SUNDAY));
  * }</pre>
  *
- * <p>A time that a day skips for summer time comes as much later, and one that a day has twice counts the first time. The time of
- * day is looked at once a minute at least, so a computer whose clock is set, or that has slept, tells what it has missed by
- * up to {@link #LATEST}; what is older is left out. Nothing is told twice, unless the clock goes back by more than that.
+ * <p>Summer time, a clock that is set and a computer that has slept are dealt with as {@link TimesOfDay} says.
  *
  * <p>Threading: times are added before the converter is built.
  *
  * @since 0.1
  */
 public final class TimetableMonitor extends PushMonitor {
-    /** How late an event is still raised. */
-    public static final Duration LATEST = Duration.ofHours(1);
-
-    private static final Logger LOG = LoggerFactory.getLogger(TimetableMonitor.class);
-    private static final Duration LONGEST_PAUSE = Duration.ofMinutes(1);
-
     private final ZoneId zone;
     private final List<Entry> entries = new CopyOnWriteArrayList<>();
 
-    /** Up to when everything has been told; the clock's own. */
-    private Instant told = Instant.MIN;
-
-    private record Entry(LocalTime time, String event, Set<DayOfWeek> days) {}
-
-    private record Due(Instant at, String event) {}
+    private record Entry(LocalTime time, Set<DayOfWeek> days, String event) {}
 
     /**
      * An empty timetable.
@@ -70,7 +51,7 @@ public final class TimetableMonitor extends PushMonitor {
         if (days.length > 0) {
             wanted.retainAll(List.of(days));
         }
-        entries.add(new Entry(time, event, wanted));
+        entries.add(new Entry(time, wanted, event));
         return this;
     }
 
@@ -78,52 +59,20 @@ public final class TimetableMonitor extends PushMonitor {
     @Override
     void attached(EventNames names, Clock clock) {
         entries.forEach(entry -> names.require(new Event(entry.event())));
-        told = clock.wallTime();
-        wait(clock);
+        TimesOfDay<String> times = new TimesOfDay<>(zone, clock.wallTime());
+        entries.forEach(entry -> times.add(entry.time(), entry.days(), entry.event()));
+        wait(times, clock);
     }
 
-    private void wait(Clock clock) {
-        Instant now = clock.wallTime();
-        List<Due> soon = between(now, now.plus(LONGEST_PAUSE));
-        Duration pause = soon.isEmpty()
-                ? LONGEST_PAUSE
-                : Duration.between(now, soon.get(0).at());
-        clock.schedule(pause, () -> look(clock));
+    private void wait(TimesOfDay<String> times, Clock clock) {
+        clock.schedule(times.pause(clock.wallTime()), () -> look(times, clock));
     }
 
-    private void look(Clock clock) {
-        Instant now = clock.wallTime();
+    private void look(TimesOfDay<String> times, Clock clock) {
         if (isDetached()) {
             return;
         }
-        if (now.isBefore(told.minus(LATEST))) {
-            LOG.info("{}: the clock has gone back from {} to {}; it goes on from there", name(), told, now);
-            told = now;
-        }
-        if (now.isAfter(told)) {
-            Instant since = now.minus(LATEST);
-            for (Due due : between(told.isBefore(since) ? since : told, now)) {
-                push(fromController(due.event()));
-            }
-            told = now;
-        }
-        wait(clock);
-    }
-
-    /** What falls due after {@code begin} and not after {@code end}, at most some hours later; in order. */
-    private List<Due> between(Instant begin, Instant end) {
-        List<Due> due = new ArrayList<>();
-        // A time that summer time skips may come on the next day.
-        LocalDate day = begin.atZone(zone).toLocalDate().minusDays(1);
-        for (LocalDate last = end.atZone(zone).toLocalDate(); !day.isAfter(last); day = day.plusDays(1)) {
-            for (Entry entry : entries) {
-                Instant at = day.atTime(entry.time()).atZone(zone).toInstant();
-                if (entry.days().contains(day.getDayOfWeek()) && at.isAfter(begin) && !at.isAfter(end)) {
-                    due.add(new Due(at, entry.event()));
-                }
-            }
-        }
-        due.sort(Comparator.comparing(Due::at));
-        return due;
+        times.due(clock.wallTime()).forEach(event -> push(fromController(event)));
+        wait(times, clock);
     }
 }

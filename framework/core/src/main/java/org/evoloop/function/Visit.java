@@ -1,9 +1,12 @@
 package org.evoloop.function;
 
 import java.time.Duration;
+import java.time.LocalTime;
+import java.time.ZoneId;
 import java.util.List;
 import org.evoloop.statemachine.State;
 import org.evoloop.time.Clock;
+import org.evoloop.time.TimesOfDay;
 
 /**
  * One stay of the evolved system in a state. What belongs to a visit ends with it: its function, its timers, and the
@@ -109,6 +112,42 @@ public interface Visit {
      * @throws IllegalArgumentException if {@code delay} is negative, or longer than {@link Clock#LONGEST}
      */
     void after(Duration delay, Runnable task);
+
+    /**
+     * Runs {@code task} as {@link #after} does, when the clock on the wall next shows {@code time}, unless the state is left first.
+     * Summer time, a clock that is set and a computer that has slept are dealt with as {@link TimesOfDay} says; what came while
+     * the program did not run is not made up for.
+     *
+     * @param zone whose time of day counts
+     * @throws IllegalStateException as {@link #after}
+     */
+    void at(LocalTime time, ZoneId zone, Runnable task);
+
+    /** The same by this computer's time of day. */
+    default void at(LocalTime time, Runnable task) {
+        at(time, ZoneId.systemDefault(), task);
+    }
+
+    /** Runs {@code task} every day at {@code time} until the state is left; else as {@link #at(LocalTime, ZoneId, Runnable)}. */
+    void daily(LocalTime time, ZoneId zone, Runnable task);
+
+    /** The same by this computer's time of day. */
+    default void daily(LocalTime time, Runnable task) {
+        daily(time, ZoneId.systemDefault(), task);
+    }
+
+    /**
+     * Ends the function with {@code event} when the clock on the wall next shows {@code time}, unless the state is left or it has
+     * finished before; else as {@link #at(LocalTime, ZoneId, Runnable)}.
+     *
+     * @throws IllegalArgumentException if neither model knows the event
+     */
+    void finishAt(LocalTime time, ZoneId zone, String event);
+
+    /** The same by this computer's time of day. */
+    default void finishAt(LocalTime time, String event) {
+        finishAt(time, ZoneId.systemDefault(), event);
+    }
 
     /** Writes {@code text} into the transcript. */
     void say(String text);

@@ -9,7 +9,6 @@ import java.util.Set;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.evolution.Step;
-import org.evoloop.evolution.Values;
 import org.evoloop.function.NewFunction;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.statemachine.Event;
@@ -79,10 +78,6 @@ final class Player implements AutoCloseable {
     }
 
     final class Buttons extends PushMonitor {
-        void press(String event, Values values) {
-            push(fromController(event, values));
-        }
-
         @Override
         protected Set<String> spontaneousEvents() {
             return Set.of("play", "pause", "stop");

@@ -17,8 +17,7 @@ import org.evoloop.evolution.ModelPair;
 import org.evoloop.evolution.Step;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.statemachine.StateMachine;
-import org.evoloop.time.Clock;
-import org.evoloop.time.ManualClock;
+import org.evoloop.time.SetClock;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -32,41 +31,6 @@ class TimetableMonitorTest {
     private final List<Instant> heard = new ArrayList<>();
     private TimetableMonitor timetable = daily(ZoneOffset.UTC);
     private @Nullable SystemEventConverter converter;
-
-    /** Its time of day can be set, as by a person or over the network. */
-    private static final class SetClock implements Clock {
-        private final ManualClock time = new ManualClock();
-        private Duration offset = Duration.ZERO;
-
-        void set(String wall) {
-            offset = Duration.between(time.wallTime(), Instant.parse(wall));
-        }
-
-        @Override
-        public long nanoTime() {
-            return time.nanoTime();
-        }
-
-        @Override
-        public Instant wallTime() {
-            return time.wallTime().plus(offset);
-        }
-
-        @Override
-        public Timer schedule(Duration delay, Runnable task) {
-            return time.schedule(delay, task);
-        }
-
-        @Override
-        public boolean ownsCurrentThread() {
-            return time.ownsCurrentThread();
-        }
-
-        @Override
-        public void close() {
-            time.close();
-        }
-    }
 
     private void begin(TimetableMonitor monitor) {
         timetable = monitor;
@@ -101,7 +65,7 @@ class TimetableMonitorTest {
         Duration left = duration;
         while (!left.isZero()) {
             Duration next = left.compareTo(MINUTE) < 0 ? left : MINUTE;
-            clock.time.advance(next);
+            clock.advance(next);
             do {
                 converter.observe(timetable);
             } while (converter.step());
@@ -193,8 +157,8 @@ class TimetableMonitorTest {
         clock.set("2026-11-23T05:00:00Z");
         begin(daily(ZoneOffset.UTC, LocalTime.of(6, 0)));
         converter.close();
-        clock.time.advance(MINUTE);
-        assertThat(clock.time.pendingTasks()).isZero();
+        clock.advance(MINUTE);
+        assertThat(clock.pendingTasks()).isZero();
     }
 
     @Test

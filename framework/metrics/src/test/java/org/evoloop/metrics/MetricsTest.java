@@ -96,10 +96,7 @@ class MetricsTest {
         lamp.addLink(cable);
         Console console = new Console(lamp, InputStream.nullInputStream(), System.out, System.err);
         console.addConverter(other);
-        page = Page.open(
-                PageOptions.takeFrom(new ArrayList<>(List.of("--page", "0"))),
-                console,
-                new PrintStream(announced, true, StandardCharsets.UTF_8));
+        page = Page.open(PageOptions.at("0"), console, new PrintStream(announced, true, StandardCharsets.UTF_8));
     }
 
     @AfterEach

@@ -13,6 +13,7 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import org.evoloop.converter.DeviceLink;
+import org.evoloop.time.Attempts;
 import org.evoloop.time.Threads;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -32,24 +33,15 @@ import org.slf4j.LoggerFactory;
  */
 public final class BrokerConnection implements DeviceLink, AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(BrokerConnection.class);
-    /** A connection that is lost sooner counts as one more attempt: two clients of one name drop each other for ever. */
-    private static final Duration STABLE = Duration.ofSeconds(3);
-
     private static final Duration END_LIMIT = Duration.ofSeconds(3);
 
     private final BrokerAddress address;
     private final String client;
     private final Map<String, Consumer<Message>> consumers = new LinkedHashMap<>();
     private final Outbox outbox = new Outbox();
-    private final Backoff backoff = new Backoff();
+    private final Attempts attempts = new Attempts();
     private final CountDownLatch closed = new CountDownLatch(1);
-    /** What has been said since a connection was stable. */
-    private final Set<String> said = new HashSet<>();
-
     private final Set<String> deniedTopics = new HashSet<>();
-    /** Since when everything is there, by the monotonic clock; null while it is not. */
-    private @Nullable Long wellSince;
-
     private @Nullable Message will;
     private @Nullable Thread thread;
     private volatile @Nullable HiveSession session;
@@ -120,7 +112,7 @@ public final class BrokerConnection implements DeviceLink, AutoCloseable {
             while (!closing) {
                 connectAndServe();
                 if (!closing) {
-                    closed.await(pause().toMillis(), TimeUnit.MILLISECONDS);
+                    closed.await(attempts.pause().toMillis(), TimeUnit.MILLISECONDS);
                 }
             }
         } catch (InterruptedException end) {
@@ -169,10 +161,9 @@ public final class BrokerConnection implements DeviceLink, AutoCloseable {
     }
 
     /** Everything is at the broker. */
-    private synchronized void allIsWell() {
+    private void allIsWell() {
         trouble = "";
-        if (wellSince == null) {
-            wellSince = System.nanoTime();
+        if (attempts.succeeded(System.nanoTime())) {
             LOG.info("{} has everything", address);
         }
     }
@@ -184,21 +175,11 @@ public final class BrokerConnection implements DeviceLink, AutoCloseable {
         outbox.wake();
     }
 
-    private synchronized void note(String why) {
-        Long since = wellSince;
-        wellSince = null;
-        if (since != null && System.nanoTime() - since >= STABLE.toNanos()) {
-            backoff.reset();
-            said.clear();
-        }
+    private void note(String why) {
         trouble = why;
-        if (said.add(why)) {
+        if (attempts.failed(why, System.nanoTime())) {
             LOG.warn("{}; it is tried again until it works", why);
         }
-    }
-
-    private synchronized Duration pause() {
-        return backoff.next();
     }
 
     private void receive(Message message) {

@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
+import org.evoloop.Logged;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -20,7 +21,7 @@ class BrokerConnectionTest {
     @TempDir
     private Path directory;
 
-    private final Logged logged = new Logged();
+    private final Logged logged = new Logged("org.evoloop.mqtt");
 
     @AfterEach
     void endLog() {

@@ -8,6 +8,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CopyOnWriteArrayList;
+import org.evoloop.Logged;
 import org.evoloop.converter.ConverterStatus;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -115,7 +116,7 @@ class HomeAssistantTest {
         watcher.awaitNewest("evoloop/lamp/availability", "online");
         watcher.publish("evoloop/lamp/vacuum/set", "return_to_base", true);
         await().atMost(LIMIT).until(() -> obeyed.equals(List.of(Vacuum.Command.RETURN_TO_BASE)));
-        try (Logged logged = new Logged();
+        try (Logged logged = new Logged("org.evoloop.mqtt");
                 BrokerConnection usurper = new BrokerConnection(BrokerAddress.parse(broker.url()), "evoloop-lamp")) {
             usurper.open();
             await().atMost(LIMIT)

@@ -3,6 +3,8 @@ package org.evoloop.function.visit;
 import static java.util.Objects.requireNonNull;
 
 import java.time.Duration;
+import java.time.LocalTime;
+import java.time.ZoneId;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.HashSet;
@@ -180,13 +182,34 @@ public final class HostedVisit implements Visit {
 
     @Override
     public void after(Duration delay, Runnable task) {
+        onClock(delay, asTask(task));
+    }
+
+    @Override
+    public void at(LocalTime time, ZoneId zone, Runnable task) {
+        new Alarm(this, time, zone, asTask(task)).once();
+    }
+
+    @Override
+    public void daily(LocalTime time, ZoneId zone, Runnable task) {
+        new Alarm(this, time, zone, asTask(task)).daily();
+    }
+
+    @Override
+    public void finishAt(LocalTime time, ZoneId zone, String event) {
+        host.requireKnown(new Event(event));
+        new Alarm(this, time, zone, () -> finish(event)).once();
+    }
+
+    /** What the clock has to do for {@code task} to be run. */
+    private Runnable asTask(Runnable task) {
         requireNonNull(task, "the task is null");
         Runnable unlessOver = () -> {
             if (isActive()) {
                 contained(task);
             }
         };
-        onClock(delay, threads() ? () -> tasks().run(unlessOver) : unlessOver);
+        return threads() ? () -> tasks().run(unlessOver) : unlessOver;
     }
 
     private VisitTasks tasks() {

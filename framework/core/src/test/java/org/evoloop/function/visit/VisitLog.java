@@ -10,13 +10,13 @@ import java.util.concurrent.TimeUnit;
 import org.evoloop.function.Visit;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
-import org.evoloop.time.ManualClock;
+import org.evoloop.time.SetClock;
 
 /** Stands in for the converter of a visit and notes what the visit tells it. */
 public final class VisitLog implements VisitHost {
     private static final int PATIENCE_SECONDS = 20;
 
-    public final ManualClock clock = new ManualClock();
+    public final SetClock clock = new SetClock();
     public final BlockingQueue<String> events = new LinkedBlockingQueue<>();
     public final List<String> notices = new CopyOnWriteArrayList<>();
     public final BlockingQueue<Throwable> failures = new LinkedBlockingQueue<>();
@@ -33,7 +33,7 @@ public final class VisitLog implements VisitHost {
     }
 
     @Override
-    public ManualClock clock() {
+    public SetClock clock() {
         return clock;
     }
 

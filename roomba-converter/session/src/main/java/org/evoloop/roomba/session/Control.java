@@ -180,7 +180,8 @@ final class Control {
      */
     private void confirm(Command command) {
         if (estimate.isAtWork() && !halted) {
-            // It may drive by what commands have become of which a part was lost. One that works by itself takes no notice.
+            // It may drive by what commands have become of which a part was lost. One that works by itself takes no
+            // notice.
             halted = true;
             framesWith = 0;
             connection.completeWhateverIsPending();

@@ -1,0 +1,62 @@
+"""A fan that speaks in lines, for whoever has none: python3 fan.py [PORT].
+
+Type what is pressed on its remote control (power, speed, boost, breeze), or overheat for what it does by itself.
+"""
+
+import socketserver
+import sys
+import threading
+
+NEXT = {
+    ("Off", "PWR"): "Low",
+    ("Low", "PWR"): "Off",
+    ("High", "PWR"): "Off",
+    ("Low", "SPD"): "High",
+    ("High", "SPD"): "Low",
+}
+state = "Off"
+clients = []
+
+
+def go(to):
+    global state
+    state = to
+    print("the fan is", state, flush=True)
+
+
+def tell(line):
+    for client in clients:
+        client.wfile.write(line.encode() + b"\n")
+
+
+class Fan(socketserver.StreamRequestHandler):
+    def handle(self):
+        clients.append(self)
+        print("somebody is connected", flush=True)
+        for line in self.rfile:
+            word = line.decode().strip()
+            if word == "STATE?":
+                tell("is " + state)
+            elif (state, word) in NEXT:
+                go(NEXT[state, word])
+                tell("OK")
+            else:
+                tell("ERR " + word)
+        clients.remove(self)
+
+
+class Server(socketserver.ThreadingTCPServer):
+    allow_reuse_address = True
+    daemon_threads = True
+
+
+with Server(("127.0.0.1", int(sys.argv[1]) if len(sys.argv) > 1 else 4001), Fan) as server:
+    threading.Thread(target=server.serve_forever, daemon=True).start()
+    go("Off")
+    for line in sys.stdin:
+        if line.strip() != "overheat":
+            tell("remote " + line.strip())
+        elif state == "High":
+            go("Off")
+            tell("overheated")
+    server.shutdown()

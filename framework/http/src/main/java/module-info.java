@@ -1,0 +1,9 @@
+/** A controller that sends HTTP requests, and a device that takes them. */
+module org.evoloop.http {
+    requires static org.jspecify;
+    requires transitive org.evoloop.core;
+    requires jdk.httpserver;
+    requires org.slf4j;
+
+    exports org.evoloop.http;
+}

@@ -1,0 +1,46 @@
+package org.evoloop.http;
+
+import com.sun.net.httpserver.Headers;
+import java.nio.charset.StandardCharsets;
+import java.security.MessageDigest;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Who is let in. A browser says which page a request is from; a page of another site must not operate a device, whoever looks
+ * at it, and what a person types into the address line may.
+ *
+ * <p>Threading: immutable.
+ *
+ * @param host to listen on
+ * @param token that is needed; null if none is
+ */
+record Door(String host, @Nullable String token) {
+    private static final int SHORTEST_TOKEN = 16;
+    private static final String SCHEME = "Bearer ";
+
+    static Door loopback() {
+        return new Door("127.0.0.1", null);
+    }
+
+    static Door guarded(String host, String token) {
+        if (token.length() < SHORTEST_TOKEN) {
+            throw new IllegalArgumentException("the token has " + token.length() + " characters; give it at least "
+                    + SHORTEST_TOKEN + ", since others than this machine can reach " + host);
+        }
+        return new Door(host, token);
+    }
+
+    boolean isFromAPage(Headers headers) {
+        String site = headers.getFirst("Sec-Fetch-Site");
+        return headers.containsKey("Origin") || (site != null && !site.equals("none"));
+    }
+
+    boolean knowsToken(Headers headers) {
+        String claimed = headers.getFirst("Authorization");
+        return token == null || (claimed != null && same(claimed, SCHEME + token));
+    }
+
+    private static boolean same(String claimed, String secret) {
+        return MessageDigest.isEqual(claimed.getBytes(StandardCharsets.UTF_8), secret.getBytes(StandardCharsets.UTF_8));
+    }
+}

@@ -1,0 +1,98 @@
+package org.evoloop.http;
+
+import java.net.URI;
+import java.nio.charset.StandardCharsets;
+import java.util.Locale;
+import java.util.Map;
+import java.util.TreeMap;
+
+/**
+ * A request to a device.
+ *
+ * <p>Threading: immutable.
+ *
+ * @param method such as {@code POST}
+ * @param address with {@code http://} or {@code https://}
+ * @param headers by name
+ * @param body as text in UTF-8; empty for none
+ * @param repeatable whether the device may get it twice without harm, as "on" but not "toggle"
+ * @since 0.1
+ */
+public record HttpCall(String method, URI address, Map<String, String> headers, String body, boolean repeatable) {
+    private static final String OWN_HEADERS = "(?i)host|connection|content-length|transfer-encoding|expect|upgrade";
+
+    /** @throws IllegalArgumentException if the address is none of HTTP, or a header cannot be sent */
+    public HttpCall {
+        headers = Map.copyOf(headers);
+        String scheme = address.getScheme() == null ? "" : address.getScheme().toLowerCase(Locale.ROOT);
+        if (!scheme.matches("https?") || address.getHost() == null) {
+            throw new IllegalArgumentException(
+                    "'" + address + "' is no address; write it as in http://lamp.local/toggle");
+        }
+        if (!method.matches("[A-Z]+")) {
+            throw new IllegalArgumentException("'" + method + "' is no method, as POST is");
+        }
+        headers.forEach((name, value) -> {
+            if (!name.matches("[A-Za-z0-9-]+") || name.matches(OWN_HEADERS) || !value.matches("[\\x20-\\x7e]*")) {
+                throw new IllegalArgumentException("the header " + name + " cannot be sent");
+            }
+        });
+    }
+
+    /** A GET, which many devices take for a command. */
+    public static HttpCall get(String address) {
+        return new HttpCall("GET", URI.create(address), Map.of(), "", false);
+    }
+
+    /** A POST with this body. */
+    public static HttpCall post(String address, String body) {
+        return new HttpCall("POST", URI.create(address), Map.of(), body, false);
+    }
+
+    /** A PUT with this body. */
+    public static HttpCall put(String address, String body) {
+        return new HttpCall("PUT", URI.create(address), Map.of(), body, false);
+    }
+
+    /** The same with a header more, such as {@code Content-Type} or {@code Authorization}. */
+    public HttpCall header(String name, String value) {
+        Map<String, String> more = new TreeMap<>(headers);
+        more.put(name, value);
+        return new HttpCall(method, address, more, body, repeatable);
+    }
+
+    /** The same; the device may get it twice without harm, so it is sent again when it is not answered. */
+    public HttpCall canBeRepeated() {
+        return new HttpCall(method, address, headers, body, true);
+    }
+
+    boolean isSecure() {
+        return address.getScheme().equalsIgnoreCase("https");
+    }
+
+    int port() {
+        return address.getPort() > 0 ? address.getPort() : isSecure() ? 443 : 80;
+    }
+
+    /** As it is sent (RFC 9112). */
+    byte[] bytes() {
+        String path = address.getRawPath().isEmpty() ? "/" : address.getRawPath();
+        String query = address.getRawQuery() == null ? "" : "?" + address.getRawQuery();
+        String host = address.getHost() + (address.getPort() > 0 ? ":" + address.getPort() : "");
+        StringBuilder text = new StringBuilder(method + " " + path + query + " HTTP/1.1\r\nHost: " + host + "\r\n");
+        headers.forEach(
+                (name, value) -> text.append(name).append(": ").append(value).append("\r\n"));
+        if (!body.isEmpty() || !method.equals("GET")) {
+            int length = body.getBytes(StandardCharsets.UTF_8).length;
+            text.append("Content-Length: ").append(length).append("\r\n");
+        }
+        return (text + "Connection: close\r\n\r\n" + body).getBytes(StandardCharsets.UTF_8);
+    }
+
+    /** For messages: {@code POST http://lamp.local/toggle}, without what may be secret. */
+    @Override
+    public String toString() {
+        return method + " " + address.getScheme() + "://" + address.getHost()
+                + (address.getPort() > 0 ? ":" + address.getPort() : "") + address.getPath();
+    }
+}

@@ -1,0 +1,125 @@
+package org.evoloop.http;
+
+import java.io.IOException;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.Map;
+import java.util.Set;
+import java.util.function.Consumer;
+import org.evoloop.converter.PushMonitor;
+import org.evoloop.evolution.Values;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A monitor of a controller or a device that sends HTTP requests:
+ *
+ * <pre>{@code
+ * new HttpMonitor("Buttons", 8090)
+ *         .controller("POST /power", "power")
+ *         .device("POST /overheated", "overheat")
+ *         .open();
+ * }</pre>
+ *
+ * <p>Only this machine reaches it, unless {@link #listenOn} says otherwise. Parameters of the query are the event's values,
+ * numbers where they look so, and so is the body, as a text named {@code body}; it may have 4096 bytes. The answer is 204, or 409
+ * with the reason while the converter is stopped. Eight requests are dealt with at a time; who comes when there is no room, or
+ * has not sent all within 10 s, is hung up on. Pages of other sites are turned away.
+ *
+ * <p>Lifecycle: say everything, then {@link #open}; {@link #close}.
+ *
+ * <p>Threading: as {@link PushMonitor}.
+ *
+ * @since 0.1
+ */
+public class HttpMonitor extends PushMonitor implements AutoCloseable {
+    private final int port;
+    private final Map<String, Consumer<Values>> requests = new LinkedHashMap<>();
+    private final Set<String> devicesOwn = new LinkedHashSet<>();
+    private Door door = Door.loopback();
+    private @Nullable RequestServer server;
+
+    /**
+     * Nothing listens yet.
+     *
+     * @param name what the console calls it, unique within a converter
+     * @param port to listen on; 0 for any that is free
+     */
+    public HttpMonitor(String name, int port) {
+        super(name);
+        this.port = port;
+    }
+
+    /**
+     * Lets other machines in, if they know the token: they send it as {@code Authorization: Bearer TOKEN}.
+     *
+     * @param host the address to listen on; {@code 0.0.0.0} for all of this machine
+     * @param token a secret of at least 16 characters
+     * @throws IllegalArgumentException if the token is shorter
+     */
+    public final HttpMonitor listenOn(String host, String token) {
+        door = Door.guarded(host, token);
+        return this;
+    }
+
+    /**
+     * This request tells that a control of the controller was operated.
+     *
+     * @param request a method and a path, as in {@code POST /power}
+     * @throws IllegalArgumentException if it is something else, or was said before
+     */
+    public final HttpMonitor controller(String request, String event) {
+        return on(request, values -> press(event, values));
+    }
+
+    /** This request tells that the device has done something by itself; see {@link #controller}. */
+    public final HttpMonitor device(String request, String event) {
+        devicesOwn.add(event);
+        return on(request, values -> push(fromDevice(event, values)));
+    }
+
+    /** This request tells that the device is in this state of its model; see {@link #controller}. */
+    public final HttpMonitor found(String request, String state) {
+        return on(request, values -> push(foundIn(state)));
+    }
+
+    private HttpMonitor on(String request, Consumer<Values> told) {
+        if (!request.matches("[A-Z]+ /\\S*") || requests.putIfAbsent(request, told) != null) {
+            throw new IllegalArgumentException("'" + request + "' is "
+                    + (requests.containsKey(request) ? "there already" : "no request; write it as in POST /power"));
+        }
+        return this;
+    }
+
+    /**
+     * Begins to listen.
+     *
+     * @throws IOException if the port cannot be had; the message says what to do
+     */
+    public final synchronized HttpMonitor open() throws IOException {
+        if (server == null) {
+            server = RequestServer.open(door, port, Map.copyOf(requests));
+        }
+        return this;
+    }
+
+    /** The port that it listens on. @throws IllegalStateException if it does not */
+    public final synchronized int port() {
+        if (server == null) {
+            throw new IllegalStateException(name() + " is not open");
+        }
+        return server.port();
+    }
+
+    @Override
+    protected Set<String> spontaneousEvents() {
+        return Set.copyOf(devicesOwn);
+    }
+
+    /** Frees the port. Idempotent. */
+    @Override
+    public final synchronized void close() {
+        if (server != null) {
+            server.close();
+        }
+    }
+}

@@ -1,0 +1,54 @@
+package org.evoloop.http;
+
+import com.sun.net.httpserver.HttpExchange;
+import java.io.IOException;
+import java.net.URLDecoder;
+import java.nio.ByteBuffer;
+import java.nio.charset.CharacterCodingException;
+import java.nio.charset.StandardCharsets;
+import org.evoloop.evolution.Values;
+
+/** What a request carries. */
+final class RequestValues {
+    private static final int LONGEST_BODY = 4_096;
+    private static final String NUMBER = "[+-]?[0-9]{1,15}(\\.[0-9]{1,15})?";
+
+    private RequestValues() {}
+
+    /** @throws IllegalArgumentException if it is too long, or no text in UTF-8 */
+    static Values of(HttpExchange exchange) throws IOException {
+        Values values = Values.NONE;
+        String query = exchange.getRequestURI().getRawQuery();
+        for (String parameter : query == null ? new String[0] : query.split("&", -1)) {
+            int sign = parameter.indexOf('=');
+            if (sign > 0) {
+                values = values.with(
+                        decoded(parameter.substring(0, sign)), value(decoded(parameter.substring(sign + 1))));
+            }
+        }
+        byte[] body = exchange.getRequestBody().readNBytes(LONGEST_BODY + 1);
+        if (body.length > LONGEST_BODY) {
+            throw new IllegalArgumentException("the body has more than " + LONGEST_BODY + " bytes");
+        }
+        return body.length == 0 ? values : values.with("body", text(body));
+    }
+
+    private static String decoded(String text) {
+        return URLDecoder.decode(text, StandardCharsets.UTF_8);
+    }
+
+    private static Object value(String text) {
+        return text.matches(NUMBER) ? Double.valueOf(text) : text;
+    }
+
+    private static String text(byte[] body) {
+        try {
+            return StandardCharsets.UTF_8
+                    .newDecoder()
+                    .decode(ByteBuffer.wrap(body))
+                    .toString();
+        } catch (CharacterCodingException garbage) {
+            throw new IllegalArgumentException("the body is no text in UTF-8", garbage);
+        }
+    }
+}

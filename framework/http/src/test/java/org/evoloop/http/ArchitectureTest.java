@@ -1,0 +1,29 @@
+package org.evoloop.http;
+
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
+
+import com.tngtech.archunit.core.importer.ImportOption;
+import com.tngtech.archunit.junit.AnalyzeClasses;
+import com.tngtech.archunit.junit.ArchTest;
+import com.tngtech.archunit.lang.ArchRule;
+import java.net.Socket;
+
+/** Server and client know nothing of each other, and each is in one place. */
+@AnalyzeClasses(packages = "org.evoloop.http", importOptions = ImportOption.DoNotIncludeTests.class)
+class ArchitectureTest {
+    @ArchTest
+    static final ArchRule theServerIsInOnePlace = noClasses()
+            .that()
+            .haveNameNotMatching(".*\\.(RequestServer|RequestValues|Door)(\\$.*)?")
+            .should()
+            .dependOnClassesThat()
+            .resideInAnyPackage("com.sun.net.httpserver..");
+
+    @ArchTest
+    static final ArchRule theClientIsInOnePlace = noClasses()
+            .that()
+            .haveNameNotMatching(".*\\.(Caller|Limit)(\\$.*)?")
+            .should()
+            .dependOnClassesThat()
+            .belongToAnyOf(Socket.class);
+}

@@ -1,0 +1,195 @@
+package org.evoloop.http;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.net.InetAddress;
+import java.net.Socket;
+import java.net.SocketException;
+import java.net.URI;
+import java.net.http.HttpClient;
+import java.net.http.HttpRequest;
+import java.net.http.HttpResponse;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import org.evoloop.converter.EventExecute;
+import org.evoloop.evolution.Step;
+import org.evoloop.evolution.Values;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** Requests of a real client, and of some that behave badly. */
+@Timeout(120)
+class HttpMonitorTest {
+    private static final String TOKEN = "0123456789abcdef";
+
+    private final BlockingQueue<Values> sent = new LinkedBlockingQueue<>();
+    private final HttpMonitor monitor = new HttpMonitor("Buttons", 0);
+    private final HttpClient client = HttpClient.newHttpClient();
+    private Lamp lamp;
+
+    @BeforeEach
+    void open() throws IOException {
+        monitor.controller("POST /switch", "switch")
+                .controller("GET /switch", "switch")
+                .device("POST /by-hand", "switch")
+                .found("POST /is-off", "off")
+                .open();
+        lamp = new Lamp(monitor, new EventExecute("Bulb") {
+            @Override
+            protected Set<String> sendableEvents() {
+                return Set.of("switch");
+            }
+
+            @Override
+            protected void send(Step step) {
+                sent.add(values());
+            }
+        });
+    }
+
+    @AfterEach
+    void close() {
+        monitor.close();
+        lamp.close();
+    }
+
+    private HttpRequest.Builder to(String path) {
+        return HttpRequest.newBuilder(URI.create("http://127.0.0.1:" + monitor.port() + path));
+    }
+
+    private static HttpRequest.BodyPublisher body(String text) {
+        return HttpRequest.BodyPublishers.ofString(text);
+    }
+
+    private int status(HttpRequest.Builder request) throws Exception {
+        return client.send(request.build(), HttpResponse.BodyHandlers.discarding())
+                .statusCode();
+    }
+
+    private String answer(HttpRequest.Builder request) throws Exception {
+        HttpResponse<String> answer = client.send(request.build(), HttpResponse.BodyHandlers.ofString());
+        return answer.statusCode() + " " + answer.body().strip();
+    }
+
+    @Test
+    void aRequestIsAnEventWithValues() throws Exception {
+        assertThat(status(to("/switch?warm=21.5&room=the%20kitchen").POST(body("hällo"))))
+                .isEqualTo(204);
+        assertThat(sent.poll(20, TimeUnit.SECONDS))
+                .isEqualTo(Values.of("warm", 21.5).with("room", "the kitchen").with("body", "hällo"));
+        lamp.awaitState("on");
+        assertThat(status(to("/is-off").POST(body("")))).isEqualTo(204);
+        lamp.awaitState("off");
+        assertThat(status(to("/by-hand").POST(body("")))).isEqualTo(204);
+        lamp.awaitState("on");
+        assertThat(sent).isEmpty();
+    }
+
+    @Test
+    void aBadRequestIsToldWhatIsWrong() throws Exception {
+        assertThat(answer(to("/nonsense")))
+                .isEqualTo("404 known are: GET /switch, POST /by-hand, POST /is-off, POST /switch");
+        assertThat(status(to("/switch").DELETE())).isEqualTo(404);
+        assertThat(answer(to("/switch").POST(body("x".repeat(4_097)))))
+                .isEqualTo("400 the body has more than 4096 bytes");
+        assertThat(answer(to("/switch").POST(HttpRequest.BodyPublishers.ofByteArray(new byte[] {(byte) 0xff}))))
+                .isEqualTo("400 the body is no text in UTF-8");
+        assertThat(sent).isEmpty();
+    }
+
+    @Test
+    void whileTheConverterIsStoppedARequestIsRefused() throws Exception {
+        lamp.converter.stop();
+        assertThat(answer(to("/switch").POST(body(""))))
+                .isEqualTo("409 the converter lamp is stopped, so switch is refused; start it first");
+    }
+
+    @Test
+    void aPageOfABrowserIsTurnedAwayAndItsAddressLineIsNot() throws Exception {
+        assertThat(status(to("/switch").header("Origin", "http://evil.example").POST(body(""))))
+                .isEqualTo(403);
+        assertThat(status(to("/switch").header("Sec-Fetch-Site", "cross-site"))).isEqualTo(403);
+        assertThat(status(to("/switch").header("Sec-Fetch-Site", "same-origin")))
+                .isEqualTo(403);
+        assertThat(sent).isEmpty();
+        assertThat(status(to("/switch").header("Sec-Fetch-Site", "none"))).isEqualTo(204);
+    }
+
+    @Test
+    void othersThanThisMachineNeedTheToken() throws Exception {
+        assertThat(InetAddress.getByName(Door.loopback().host()).isLoopbackAddress())
+                .isTrue();
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> new HttpMonitor("Buttons", 0).listenOn("0.0.0.0", "short"))
+                .withMessage("the token has 5 characters; give it at least 16, since others than this machine can reach"
+                        + " 0.0.0.0");
+        try (HttpMonitor guarded = new HttpMonitor("Guarded", 0).listenOn("0.0.0.0", TOKEN)) {
+            guarded.found("POST /is-off", "off").open();
+            URI address = URI.create("http://127.0.0.1:" + guarded.port() + "/is-off");
+            HttpRequest.Builder request = HttpRequest.newBuilder(address).POST(body(""));
+            assertThat(answer(request)).startsWith("401 a token is needed");
+            assertThat(status(request.copy().header("Authorization", "Bearer " + TOKEN + "x")))
+                    .isEqualTo(401);
+            assertThat(status(request.copy().header("Authorization", "Bearer " + TOKEN)))
+                    .isEqualTo(204);
+        }
+    }
+
+    @Test
+    void requestsThatNeverEndAreHungUpOnAndKeepNobodyOut() throws Exception {
+        List<Socket> slow = new ArrayList<>();
+        for (int i = 0; i < 40; i++) {
+            Socket socket = new Socket(InetAddress.getLoopbackAddress(), monitor.port());
+            socket.getOutputStream()
+                    .write("POST /switch HTTP/1.1\r\nHost: lamp\r\nContent-Length: 5\r\n\r\nab"
+                            .getBytes(StandardCharsets.US_ASCII));
+            slow.add(socket);
+        }
+        long threads = Thread.getAllStackTraces().keySet().stream()
+                .filter(thread -> thread.getName().equals("evoloop-http"))
+                .count();
+        assertThat(threads).isBetween(0L, (long) RequestServer.MOST_REQUESTS);
+        for (Socket socket : slow) {
+            socket.setSoTimeout(60_000);
+            InputStream answer = socket.getInputStream();
+            requireHungUp(answer);
+            socket.close();
+        }
+        assertThat(sent).isEmpty();
+        assertThat(status(to("/switch").POST(body("")))).isEqualTo(204);
+    }
+
+    /** It is hung up on, in whatever way; it would throw after a minute. */
+    private static void requireHungUp(InputStream answer) throws IOException {
+        try {
+            assertThat(answer.read()).isNegative();
+        } catch (SocketException reset) {
+            assertThat(reset).hasMessageContaining("reset");
+        }
+    }
+
+    @Test
+    void whatCannotBeListenedForIsRefused() {
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> monitor.controller("power", "switch"))
+                .withMessage("'power' is no request; write it as in POST /power");
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> monitor.controller("POST /switch", "switch"))
+                .withMessage("'POST /switch' is there already");
+        assertThatThrownBy(() -> new HttpMonitor("Second", monitor.port()).open())
+                .isInstanceOf(IOException.class)
+                .hasMessageContaining("cannot be listened on");
+        assertThatThrownBy(() -> new HttpMonitor("Closed", 0).port()).hasMessage("Closed is not open");
+    }
+}

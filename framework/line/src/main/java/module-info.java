@@ -1,0 +1,8 @@
+/** A controller or a device that speaks in lines of text. */
+module org.evoloop.line {
+    requires static org.jspecify;
+    requires transitive org.evoloop.core;
+    requires org.slf4j;
+
+    exports org.evoloop.line;
+}

@@ -1,0 +1,145 @@
+package org.evoloop.line;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.regex.Pattern;
+import org.evoloop.converter.DeviceLink;
+import org.evoloop.converter.UnknownEffectException;
+import org.evoloop.function.Reading;
+import org.evoloop.time.Clock;
+
+/**
+ * A connection to what speaks in lines of text (UTF-8), made again whenever it is lost, with pauses of 250 ms to 30 s. What is
+ * wrong is logged once, until it is something else or over.
+ *
+ * <p>Lines that come end with CR, LF or both; lines that are sent, with LF. What is not UTF-8, is longer than 4096 bytes, or
+ * is cut short by a loss is no line.
+ *
+ * <p>Lifecycle: {@link #greet}, {@link #watch}, {@link #reading} and the components that listen, then {@link #open}, which does
+ * not wait; {@link #close}.
+ *
+ * <p>Threading: all methods may be called from any thread.
+ *
+ * @since 0.1
+ */
+public final class LineConnection implements DeviceLink, AutoCloseable {
+    private final Clock clock;
+    private final Reconnector wire;
+    private final Exchanges exchanges;
+    private final LineReadings readings = new LineReadings();
+
+    /** @param clock measures pauses and limits */
+    public LineConnection(LineTransport transport, Clock clock) {
+        this.clock = clock;
+        this.wire = new Reconnector(transport, clock);
+        this.exchanges = new Exchanges(wire, clock);
+        wire.add(readings);
+        wire.add(exchanges);
+    }
+
+    /** Sends these lines after each connect: they ask where the device is, or log in. */
+    public LineConnection greet(String... lines) {
+        for (String line : lines) {
+            requireOneLine(line);
+        }
+        wire.add(new WireUser() {
+            @Override
+            public void connected() throws IOException {
+                for (String line : lines) {
+                    wire.write(line);
+                }
+            }
+        });
+        return this;
+    }
+
+    /**
+     * Notices that the other end hangs: when nothing was heard for {@code limit}, {@code question} is sent, and when nothing was
+     * heard for as long again, the connection is made anew.
+     */
+    public LineConnection watch(Duration limit, String question) {
+        wire.add(new Silence(clock, limit, requireOneLine(question), wire));
+        return this;
+    }
+
+    /**
+     * Shows what the device reports, among the readings of the status.
+     *
+     * @param name as of a {@link Reading}, such as {@code battery}
+     * @param line with one group, the value, as in {@code "battery ([0-9]+)"}
+     * @param unit of a number, such as {@code %}; else empty
+     * @throws IllegalArgumentException if {@code line} has no group
+     */
+    public LineConnection reading(String name, Pattern line, String unit) {
+        readings.add(name, line, unit);
+        return this;
+    }
+
+    /** Has each line that is no answer told to {@code listener}, which must be quick. */
+    void listen(Consumer<String> listener) {
+        exchanges.listen(listener);
+    }
+
+    /** Begins to connect; does nothing if it was open before. */
+    public void open() {
+        wire.open();
+    }
+
+    /** Sends a line. @throws IOException if it was not sent, or may not have arrived; the message says which */
+    public void tell(String line) throws IOException {
+        wire.write(requireOneLine(line));
+    }
+
+    /**
+     * Sends a line and waits for its answer. If none comes in time the connection is made anew, since an answer that came
+     * later would be taken for that of the next line.
+     *
+     * @param answers what an answer looks like; monitors are not told
+     * @param heard is told the answer on the thread that reads, in its order among the lines that monitors are told
+     * @return the answer
+     * @throws UnknownEffectException if there is none
+     * @throws IOException if the line was not sent
+     */
+    public String ask(String line, Pattern answers, Duration limit, Consumer<String> heard)
+            throws IOException, InterruptedException {
+        return exchanges.ask(requireOneLine(line), answers, limit, heard);
+    }
+
+    static String requireOneLine(String line) {
+        if (line.isEmpty() || line.indexOf('\n') >= 0 || line.indexOf('\r') >= 0) {
+            throw new IllegalArgumentException("'" + line + "' is not one line");
+        }
+        return line;
+    }
+
+    @Override
+    public boolean isUp() {
+        return wire.isUp();
+    }
+
+    @Override
+    public Optional<Instant> downSince() {
+        return Optional.ofNullable(wire.downSince());
+    }
+
+    @Override
+    public List<Reading> readings() {
+        return readings.known();
+    }
+
+    @Override
+    public String describe() {
+        String wrong = wire.trouble();
+        return wrong.isEmpty() ? wire.place() : wrong;
+    }
+
+    /** Hangs up and ends. Idempotent. */
+    @Override
+    public void close() {
+        wire.close();
+    }
+}

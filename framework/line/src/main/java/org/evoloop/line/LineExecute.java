@@ -1,0 +1,117 @@
+package org.evoloop.line;
+
+import static java.util.Objects.requireNonNull;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import org.evoloop.converter.EventExecute;
+import org.evoloop.evolution.Step;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Sends events to a device that takes its commands as lines of text:
+ *
+ * <pre>{@code
+ * new LineExecute("Fan", connection, Map.of("power", "PWR", "speed", "SPD"))
+ *         .answeredBy("OK", "ERR.*", Duration.ofSeconds(2))
+ *         .asking("STATE?", Map.of("is off", "Off", "is low", "Low", "is high", "High"), Duration.ofSeconds(2));
+ * }</pre>
+ *
+ * <p>While the device cannot be reached, and if it refuses, a step fails; nothing is sent later or twice. If it does not answer,
+ * the step fails, too, and the device is asked where it is.
+ *
+ * <p>Threading: as {@link EventExecute}.
+ *
+ * @since 0.1
+ */
+public class LineExecute extends EventExecute {
+    private final LineConnection connection;
+    private final Map<String, String> lines;
+    private @Nullable Answers answers;
+    private @Nullable Question question;
+
+    private record Answers(Pattern ok, Pattern any, Duration limit) {}
+
+    private record Question(String line, Pattern answers, Map<String, String> states, Duration limit) {}
+
+    /**
+     * A component that sends these events, which count as carried out when they are sent.
+     *
+     * @param name what the console calls it, unique within a converter
+     * @param lines what to send, by event
+     */
+    public LineExecute(String name, LineConnection connection, Map<String, String> lines) {
+        super(name);
+        this.connection = connection;
+        this.lines = Map.copyOf(lines);
+        lines.values().forEach(LineConnection::requireOneLine);
+    }
+
+    /**
+     * The device answers each line; the event is carried out when it accepts.
+     *
+     * @param accepts a regular expression of the answer when it obeys, such as {@code OK}
+     * @param refuses of the answer when it does not, such as {@code ERR.*}
+     * @param limit within which it answers; then the step fails, and the connection is made anew
+     */
+    public final LineExecute answeredBy(String accepts, String refuses, Duration limit) {
+        answers = new Answers(
+                Pattern.compile(accepts), Pattern.compile("(?:" + accepts + ")|(?:" + refuses + ")"), limit);
+        return this;
+    }
+
+    /**
+     * The device can be asked where it is, when the converter is in doubt.
+     *
+     * @param line the question
+     * @param states of the original model, by answer
+     * @param limit within which it answers
+     */
+    public final LineExecute asking(String line, Map<String, String> states, Duration limit) {
+        Pattern known =
+                Pattern.compile(states.keySet().stream().map(Pattern::quote).collect(Collectors.joining("|")));
+        question = new Question(LineConnection.requireOneLine(line), known, Map.copyOf(states), limit);
+        return this;
+    }
+
+    @Override
+    protected final Set<String> sendableEvents() {
+        return lines.keySet();
+    }
+
+    @Override
+    protected void send(Step step) throws IOException, InterruptedException {
+        String line = lines.get(step.event().name());
+        if (line == null) {
+            throw new IllegalArgumentException(name() + " has no line for " + step.event());
+        }
+        Answers expected = answers;
+        if (expected == null) {
+            connection.tell(line);
+            return;
+        }
+        String answer = connection.ask(line, expected.any(), expected.limit(), heard -> {
+            if (expected.ok().matcher(heard).matches()) {
+                tookEffect();
+            }
+        });
+        if (!expected.ok().matcher(answer).matches()) {
+            throw new IOException("the device refuses '" + line + "': " + answer);
+        }
+    }
+
+    @Override
+    protected Optional<String> locate() throws IOException, InterruptedException {
+        Question asked = question;
+        if (asked == null) {
+            return Optional.empty();
+        }
+        String answer = connection.ask(asked.line(), asked.answers(), asked.limit(), heard -> {});
+        return Optional.of(requireNonNull(asked.states().get(answer)));
+    }
+}

@@ -1,0 +1,8 @@
+/** A serial port for a controller or a device that speaks in lines of text. */
+module org.evoloop.serial {
+    requires static org.jspecify;
+    requires transitive org.evoloop.line;
+    requires org.evoloop.roomba.link;
+
+    exports org.evoloop.serial;
+}

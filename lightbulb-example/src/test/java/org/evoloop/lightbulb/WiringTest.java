@@ -1,0 +1,90 @@
+package org.evoloop.lightbulb;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.awaitility.Awaitility.await;
+
+import com.pi4j.Pi4J;
+import com.pi4j.context.Context;
+import com.pi4j.io.gpio.digital.DigitalOutput;
+import com.pi4j.io.gpio.digital.DigitalState;
+import com.pi4j.plugin.mock.provider.gpio.digital.MockDigitalInput;
+import com.pi4j.plugin.mock.provider.gpio.digital.MockDigitalInputProvider;
+import com.pi4j.plugin.mock.provider.gpio.digital.MockDigitalOutputProvider;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.List;
+import java.util.Map;
+import org.evoloop.config.Options;
+import org.evoloop.converter.SystemEventConverter;
+import org.evoloop.evolution.ModelPair;
+import org.evoloop.gpio.GpioMonitor;
+import org.evoloop.gpio.Pins;
+import org.evoloop.loop.LoopConfig;
+import org.evoloop.time.ManualClock;
+import org.evoloop.xmi.XmiFile;
+import org.junit.jupiter.api.Test;
+
+/** The light bulb on Pi4J's mocked pins. */
+class WiringTest {
+    private final ManualClock clock = new ManualClock();
+    private final Context mock = Pi4J.newContextBuilder()
+            .add(MockDigitalInputProvider.newInstance(), MockDigitalOutputProvider.newInstance())
+            .build();
+
+    private static Wiring wiring(String... arguments) {
+        return new Wiring(Options.named("lamp", "Wired.").and(Wiring.OPTIONS).read(List.of(arguments), Map.of()));
+    }
+
+    private void contact(boolean closed) {
+        MockDigitalInput input = mock.getIO("switch-17");
+        input.mockState(closed ? DigitalState.LOW : DigitalState.HIGH);
+        clock.advance(GpioMonitor.SETTLED);
+    }
+
+    private void awaitLamps(boolean daylight, boolean warm) {
+        await().atMost(Duration.ofSeconds(20)).untilAsserted(() -> {
+            assertThat(mock.<DigitalOutput>getIO("output-23").isHigh()).isEqualTo(daylight);
+            assertThat(mock.<DigitalOutput>getIO("output-24").isHigh()).isEqualTo(warm);
+        });
+    }
+
+    @Test
+    void aButtonAndTwoLampsAreTheWholeLightBulb() {
+        XmiFile machines = XmiFile.read(Path.of("../models/light-bulb.xml"));
+        ModelPair models = new ModelPair(machines.pick("original"), machines.pick("new"));
+        Lamp lamp = new Lamp();
+        try (Pins pins = Pins.of(mock);
+                Wiring wiring = wiring("--switch-pin", "17", "--lamp-pins", "23,24");
+                SystemEventConverter converter = new SystemEventConverter(LoopConfig.defaults("lamp", clock))) {
+            converter.addExecute(new LampExecute(lamp));
+            wiring.connect(converter, lamp, clock, pins);
+            converter.addKnowledge(new LampKnowledge(models, lamp));
+            converter.build();
+            converter.start();
+            contact(false);
+            awaitLamps(false, false);
+            contact(true);
+            awaitLamps(true, false);
+            contact(false);
+            contact(true);
+            await().atMost(Duration.ofSeconds(20))
+                    .until(() -> converter.status().states().evolved().name().equals("wait"));
+            awaitLamps(true, false);
+            contact(false);
+            contact(true);
+            awaitLamps(false, true);
+            contact(false);
+            contact(true);
+            awaitLamps(false, false);
+        }
+    }
+
+    @Test
+    void whatIsNoPinIsRefused() {
+        assertThatThrownBy(() -> wiring("--switch-pin", "x"))
+                .hasMessageContaining("--switch-pin takes a GPIO number, as in --switch-pin 17; not 'x'");
+        assertThatThrownBy(() -> wiring("--lamp-pins", "23"))
+                .hasMessageContaining("--lamp-pins takes two GPIO numbers, as in --lamp-pins 23,24; not '23'");
+    }
+}
