@@ -3,7 +3,6 @@ package org.evoloop.flight;
 import jdk.jfr.Category;
 import jdk.jfr.Description;
 import jdk.jfr.Event;
-import jdk.jfr.FlightRecorder;
 import jdk.jfr.Label;
 import jdk.jfr.Name;
 import jdk.jfr.StackTrace;
@@ -17,6 +16,9 @@ import org.jspecify.annotations.Nullable;
 @Category("Evoloop")
 @StackTrace(false)
 public final class ConversionEvent extends Event {
+    /** Tells whether somebody records; one made for each question would be garbage. */
+    private static final ConversionEvent PROBE = new ConversionEvent();
+
     @Label("Converter")
     @Nullable
     String converter;
@@ -52,7 +54,7 @@ public final class ConversionEvent extends Event {
 
     /** It has its turn; null if nobody records. */
     public static @Nullable ConversionEvent begun() {
-        if (!FlightRecorder.isInitialized()) {
+        if (!PROBE.isEnabled()) {
             return null;
         }
         ConversionEvent event = new ConversionEvent();

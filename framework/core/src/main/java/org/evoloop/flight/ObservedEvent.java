@@ -3,7 +3,6 @@ package org.evoloop.flight;
 import jdk.jfr.Category;
 import jdk.jfr.Description;
 import jdk.jfr.Event;
-import jdk.jfr.FlightRecorder;
 import jdk.jfr.Label;
 import jdk.jfr.Name;
 import jdk.jfr.StackTrace;
@@ -16,6 +15,9 @@ import org.jspecify.annotations.Nullable;
 @Category("Evoloop")
 @StackTrace(false)
 public final class ObservedEvent extends Event {
+    /** Tells whether somebody records; one made for each question would be garbage. */
+    private static final ObservedEvent PROBE = new ObservedEvent();
+
     @Label("Converter")
     @Nullable
     String converter;
@@ -33,7 +35,7 @@ public final class ObservedEvent extends Event {
 
     /** Records it, if somebody does. */
     public static void record(String converter, Object occurrence, String admission) {
-        if (FlightRecorder.isInitialized()) {
+        if (PROBE.isEnabled()) {
             ObservedEvent event = new ObservedEvent();
             if (event.shouldCommit()) {
                 event.converter = converter;

@@ -3,7 +3,6 @@ package org.evoloop.flight;
 import jdk.jfr.Category;
 import jdk.jfr.Description;
 import jdk.jfr.Event;
-import jdk.jfr.FlightRecorder;
 import jdk.jfr.Label;
 import jdk.jfr.Name;
 import jdk.jfr.StackTrace;
@@ -16,6 +15,9 @@ import org.jspecify.annotations.Nullable;
 @Category("Evoloop")
 @StackTrace(false)
 public final class PhaseEvent extends Event {
+    /** Tells whether somebody records; one made for each question would be garbage. */
+    private static final PhaseEvent PROBE = new PhaseEvent();
+
     @Label("Loop")
     @Nullable
     String loop;
@@ -36,7 +38,7 @@ public final class PhaseEvent extends Event {
 
     /** The call begins; null if nobody records. */
     public static @Nullable PhaseEvent begun() {
-        if (!FlightRecorder.isInitialized()) {
+        if (!PROBE.isEnabled()) {
             return null;
         }
         PhaseEvent event = new PhaseEvent();

@@ -3,7 +3,6 @@ package org.evoloop.flight;
 import jdk.jfr.Category;
 import jdk.jfr.Description;
 import jdk.jfr.Event;
-import jdk.jfr.FlightRecorder;
 import jdk.jfr.Label;
 import jdk.jfr.Name;
 import jdk.jfr.StackTrace;
@@ -16,6 +15,9 @@ import org.jspecify.annotations.Nullable;
 @Category("Evoloop")
 @StackTrace(false)
 public final class WorkEvent extends Event {
+    /** Tells whether somebody records; one made for each question would be garbage. */
+    private static final WorkEvent PROBE = new WorkEvent();
+
     /** What was done. */
     public enum Kind {
         SEND,
@@ -41,7 +43,7 @@ public final class WorkEvent extends Event {
 
     /** It begins; null if nobody records. */
     public static @Nullable WorkEvent begun() {
-        if (!FlightRecorder.isInitialized()) {
+        if (!PROBE.isEnabled()) {
             return null;
         }
         WorkEvent event = new WorkEvent();
