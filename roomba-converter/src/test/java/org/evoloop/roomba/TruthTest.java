@@ -33,8 +33,8 @@ import org.junit.jupiter.params.provider.ValueSource;
  * that the robot truly is in.
  */
 class TruthTest {
-    /** The longest that anything takes: a robot that is asked twice, and then stays on its dock instead of obeying. */
-    private static final Duration QUIET = Duration.ofSeconds(10);
+    /** The longest that anything takes: a robot is asked at both rates, and then stays on its dock instead of obeying. */
+    private static final Duration QUIET = Duration.ofSeconds(15);
 
     private static final Duration SILENCE_SHOWS =
             SessionOptions.defaults().silenceLimit().plusMillis(300);
