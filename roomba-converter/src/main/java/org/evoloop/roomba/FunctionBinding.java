@@ -10,7 +10,6 @@ import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.ModelException;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
-import org.evoloop.statemachine.Transition;
 
 /**
  * Finds out which function runs in which new state: what {@code --function STATE=NAME} says, else the one that the state's
@@ -143,12 +142,7 @@ final class FunctionBinding {
     }
 
     private boolean isTimed(State state) {
-        for (Transition transition : evolved.transitionsFrom(state)) {
-            if (transition.event().timeTrigger().isPresent()) {
-                return true;
-            }
-        }
-        return false;
+        return !evolved.timers(state).isEmpty();
     }
 
     private List<State> newStates() {

@@ -50,8 +50,7 @@ final class ConverterRules {
     }
 
     private void function(State state, Set<String> functions) {
-        boolean timed = evolved.transitionsFrom(state).stream()
-                .anyMatch(transition -> transition.event().timeTrigger().isPresent());
+        boolean timed = !evolved.timers(state).isEmpty();
         boolean known = functions.contains(state.name())
                 || functions.contains(evolved.withoutMemory(state).name());
         if (input.pair().isNew(state) && !timed && !known) {

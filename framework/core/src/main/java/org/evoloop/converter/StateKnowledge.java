@@ -218,12 +218,7 @@ public class StateKnowledge extends Knowledge {
 
     private Map<Event, Duration> collectTimers(State state) {
         Map<Event, Duration> all = new LinkedHashMap<>(timers.getOrDefault(state, Map.of()));
-        for (Transition transition : pair.evolved().transitionsFrom(state)) {
-            Duration delay = transition.event().timeTrigger().orElse(null);
-            if (delay != null) {
-                all.put(transition.event().trigger(), delay);
-            }
-        }
+        all.putAll(pair.evolved().timers(state));
         return all;
     }
 

@@ -7,9 +7,9 @@ import java.util.Set;
 import org.evoloop.evolution.DecisionTable;
 import org.evoloop.migration.Carried.How;
 import org.evoloop.migration.Carried.Part;
+import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
-import org.evoloop.statemachine.Transition;
 
 /**
  * What becomes of the timers and the function of a state.
@@ -67,12 +67,7 @@ final class Belongings {
     }
 
     private static List<String> timers(StateMachine machine, State state) {
-        return machine.transitionsFrom(state).stream()
-                .map(Transition::event)
-                .filter(event -> event.timeTrigger().isPresent())
-                .map(event -> event.trigger().name())
-                .distinct()
-                .toList();
+        return machine.timers(state).keySet().stream().map(Event::name).toList();
     }
 
     private static String function(StateMachine machine, State state) {

@@ -9,10 +9,10 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.evoloop.evolution.ModelPair;
+import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.ModelException;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
-import org.evoloop.statemachine.Transition;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -122,12 +122,12 @@ final class MappingText {
                 timer, known(becomes.get(), timers(next.evolved(), there), "timer of " + there + " in the next model"));
     }
 
-    private static List<String> timers(StateMachine machine, State state) {
-        return machine.transitions().stream()
-                .filter(transition -> machine.withoutMemory(transition.source()).equals(state))
-                .map(Transition::event)
-                .filter(event -> event.timeTrigger().isPresent())
-                .map(event -> event.trigger().name())
+    /** Of all states that are this one but for what is remembered in them. */
+    private static List<String> timers(StateMachine machine, State plain) {
+        return machine.states().stream()
+                .filter(state -> machine.withoutMemory(state).equals(plain))
+                .flatMap(state -> machine.timers(state).keySet().stream())
+                .map(Event::name)
                 .distinct()
                 .toList();
     }

@@ -1,5 +1,6 @@
 package org.evoloop.statemachine;
 
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.HashMap;
@@ -154,6 +155,16 @@ public final class StateMachine {
     /** Names of the behaviors that run when the machine starts, in order. */
     public List<String> initialEffects() {
         return initialEffects;
+    }
+
+    /** What is raised by itself while {@code state} lasts, without guards, and after how long, as drawn. */
+    public Map<Event, Duration> timers(State state) {
+        Map<Event, Duration> timers = new LinkedHashMap<>();
+        for (Transition transition : transitionsFrom(state)) {
+            Event trigger = transition.event().trigger();
+            trigger.timeTrigger().ifPresent(delay -> timers.put(trigger, delay));
+        }
+        return timers;
     }
 
     /** Names of the behaviors that go on while {@code state} lasts (UML's do activities), outer ones first. */

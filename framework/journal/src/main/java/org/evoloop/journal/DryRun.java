@@ -1,6 +1,5 @@
 package org.evoloop.journal;
 
-import java.nio.file.Path;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
@@ -70,12 +69,12 @@ public final class DryRun {
      * Runs a journal through other models; the journal is only read.
      *
      * @param models a valid pair
-     * @throws JournalException if there is no journal, or it is damaged
+     * @throws JournalException if the journal is damaged
      */
-    public static Result of(Path directory, ModelPair models) {
+    public static Result of(JournalFiles journal, ModelPair models) {
         models.requireValid();
         DryRun run = new DryRun(models);
-        new JournalFiles(directory).each(Told::of, run::add);
+        journal.each(Told::of, run::add);
         run.end();
         return new Result(run.events.size(), run.differences());
     }
@@ -87,7 +86,7 @@ public final class DryRun {
         for (Told.Moment moment : told.moments()) {
             if (moment.input() instanceof Input.Observed observed) {
                 Occurrence occurrence = observed.occurrence();
-                events.put(EventKey.of(occurrence), wallTime(head, occurrence.observedNanos()));
+                events.put(EventKey.of(occurrence), head.wallTime(occurrence.observedNanos()));
                 Occurrence here = occurrence.visit() == Occurrence.ANY_VISIT
                         ? occurrence
                         : isHere(moment, occurrence, running) ? running.inThisVisit(occurrence) : null;
@@ -128,10 +127,6 @@ public final class DryRun {
         return head.wallNanos() - head.nowNanos();
     }
 
-    private static Instant wallTime(Head head, long nanos) {
-        return Instant.ofEpochSecond(0, offset(head) + nanos);
-    }
-
     private void end() {
         Rehearsal ended = rehearsal;
         Head head = last;
@@ -144,7 +139,7 @@ public final class DryRun {
     private void timers(Map<EventKey, Ending> endings, Head head) {
         endings.keySet().stream()
                 .filter(key -> key.source() == Source.TIMER)
-                .forEach(key -> events.put(key, wallTime(head, key.observedNanos())));
+                .forEach(key -> events.put(key, head.wallTime(key.observedNanos())));
     }
 
     private List<Difference> differences() {

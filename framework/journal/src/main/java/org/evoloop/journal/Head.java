@@ -1,6 +1,7 @@
 package org.evoloop.journal;
 
 import java.time.Duration;
+import java.time.Instant;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.HashMap;
@@ -80,6 +81,11 @@ record Head(
     Rules rules() {
         DecisionTable table = DecisionTable.compile(models, device);
         return new Rules(table, state -> timers.getOrDefault(state, Map.of()), queueCapacity);
+    }
+
+    /** The time of day when the converter's monotonic clock showed {@code nanos}. */
+    Instant wallTime(long nanos) {
+        return Instant.ofEpochSecond(0, wallNanos + nanos - nowNanos);
     }
 
     void write(Bytes bytes) {

@@ -53,10 +53,7 @@ final class OtherRules {
                 timers.put(event, delay);
             }
         });
-        models.evolved().transitionsFrom(state).forEach(transition -> {
-            Event trigger = transition.event().trigger();
-            trigger.timeTrigger().ifPresent(delay -> timers.put(trigger, delay));
-        });
+        timers.putAll(models.evolved().timers(state));
         return timers;
     }
 

@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.nio.channels.FileChannel;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
-import java.time.Instant;
 import java.util.List;
 import org.evoloop.converter.ConverterJournal.Past;
 import org.evoloop.core.Core;
@@ -69,7 +68,7 @@ final class Replay {
         Fingerprint.requireSame(file, head, fingerprint, present.table().models());
         Rules rules = head.rules(present);
         Core core = new Core(rules, snapshot(file, segment), past);
-        past.at(() -> wallTime(head, core), core::nowNanos);
+        past.at(() -> head.wallTime(core.nowNanos()), core::nowNanos);
         Decoder decoder = new Decoder(segment.cursor(), rules);
         while (segment.next()) {
             Input input;
@@ -90,10 +89,6 @@ final class Replay {
         } catch (IOException e) {
             throw Directory.cannotBeWritten(file, e);
         }
-    }
-
-    private static Instant wallTime(Head head, Core core) {
-        return Instant.ofEpochSecond(0, head.wallNanos() + core.nowNanos() - head.nowNanos());
     }
 
     private Snapshot snapshot(Path file, SegmentReader segment) {

@@ -1,46 +1,27 @@
 package org.evoloop.journal;
 
 import java.nio.file.Path;
-import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import org.evoloop.core.Core;
 import org.evoloop.core.Input;
 import org.evoloop.core.Output;
-import org.evoloop.core.Rules;
-import org.evoloop.core.text.SnapshotException;
-import org.evoloop.core.text.SnapshotText;
 import org.evoloop.journal.JournalFiles.SegmentInfo;
 
 /** The records of one segment, in order, and where the converter was at each. */
 final class SegmentRecords {
     private final Path file;
     private final SegmentReader segment;
-    private final Core core;
-    private final Decoder decoder;
+    private final SegmentInputs inputs;
     private final List<JournalRecord> records = new ArrayList<>();
     private final List<String> endings = new ArrayList<>();
 
     SegmentRecords(Path file, SegmentReader segment) {
         this.file = file;
         this.segment = segment;
-        Rules rules = segment.head().rules();
-        this.decoder = new Decoder(segment.cursor(), rules);
-        this.core = core(rules);
+        this.inputs = new SegmentInputs(file, segment, this::heard);
         while (segment.next()) {
-            try {
-                records.add(record());
-            } catch (RuntimeException e) {
-                throw segment.damaged("it makes no sense: " + e.getMessage());
-            }
-        }
-    }
-
-    private Core core(Rules rules) {
-        try {
-            return new Core(rules, SnapshotText.read(rules, segment.snapshot()), this::heard);
-        } catch (SnapshotException e) {
-            throw JournalException.ofDamage(file + ", record 0: " + e.getMessage());
+            records.add(record());
         }
     }
 
@@ -56,26 +37,21 @@ final class SegmentRecords {
     }
 
     private JournalRecord record() {
-        Input input = decoder.read(segment.at(), segment.length());
-        core.apply(input);
+        Input input = inputs.tell();
+        Core core = inputs.core();
         List<String> ended = List.copyOf(endings);
         endings.clear();
         return new JournalRecord(
                 name(),
                 segment.number(),
                 segment.at(),
-                wallTime(),
+                segment.head().wallTime(core.nowNanos()),
                 core.nowNanos(),
                 JournalFiles.word(segment.kind()),
                 input,
                 core.at(),
                 core.doubt(),
                 ended);
-    }
-
-    private Instant wallTime() {
-        Head head = segment.head();
-        return Instant.ofEpochSecond(0, head.wallNanos() + core.nowNanos() - head.nowNanos());
     }
 
     private String name() {
@@ -93,7 +69,7 @@ final class SegmentRecords {
                 head.fingerprint(),
                 head.models().original().name(),
                 head.models().evolved().name(),
-                Instant.ofEpochSecond(0, head.wallNanos()),
+                head.wallTime(head.nowNanos()),
                 records.size(),
                 segment.isTorn());
     }

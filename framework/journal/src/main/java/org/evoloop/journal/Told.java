@@ -7,10 +7,7 @@ import java.util.List;
 import java.util.Map;
 import org.evoloop.core.Core;
 import org.evoloop.core.Input;
-import org.evoloop.core.Rules;
 import org.evoloop.core.Snapshot;
-import org.evoloop.core.text.SnapshotException;
-import org.evoloop.core.text.SnapshotText;
 import org.evoloop.statemachine.State;
 
 /**
@@ -33,28 +30,15 @@ record Told(Head head, Snapshot from, List<Moment> moments, Map<EventKey, Chroni
     /** @throws JournalException if the segment is damaged */
     static Told of(Path file) {
         SegmentReader segment = new SegmentReader(file);
-        Rules rules = segment.head().rules();
         Chronicle chronicle = new Chronicle();
-        Snapshot from;
-        try {
-            from = SnapshotText.read(rules, segment.snapshot());
-        } catch (SnapshotException e) {
-            throw JournalException.ofDamage(file + ", record 0: " + e.getMessage());
-        }
-        Core core = new Core(rules, from, chronicle);
-        Decoder decoder = new Decoder(segment.cursor(), rules);
+        SegmentInputs inputs = new SegmentInputs(file, segment, chronicle);
+        Core core = inputs.core();
+        Snapshot from = inputs.from();
         List<Moment> moments = new ArrayList<>();
         while (segment.next()) {
-            Input input;
-            try {
-                input = decoder.read(segment.at(), segment.length());
-            } catch (RuntimeException e) {
-                throw segment.damaged("it makes no sense: " + e.getMessage());
-            }
             long visit = Math.max(from.visit().number(), chronicle.visit());
             State state = core.at().evolved();
-            core.apply(input);
-            moments.add(new Moment(input, core.nowNanos(), visit, state));
+            moments.add(new Moment(inputs.tell(), core.nowNanos(), visit, state));
         }
         return new Told(segment.head(), from, moments, new LinkedHashMap<>(chronicle.endings()));
     }

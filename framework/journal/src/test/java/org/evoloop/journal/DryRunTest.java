@@ -112,7 +112,7 @@ class DryRunTest {
     }
 
     private List<String> told(ModelPair models) {
-        return DryRun.of(directory, models).differences().stream()
+        return DryRun.of(new JournalFiles(directory), models).differences().stream()
                 .map(each -> each.occurrence().label() + " | " + each.recorded() + " | " + each.other())
                 .toList();
     }
@@ -124,7 +124,7 @@ class DryRunTest {
         live(NewFunction.none(), "play");
         broken = false;
         live(visit -> visit.finishAfter(Duration.ofMillis(700), "faded"), "play", "fade", "900", "play");
-        DryRun.Result result = DryRun.of(directory, YESTERDAY);
+        DryRun.Result result = DryRun.of(new JournalFiles(directory), YESTERDAY);
         assertThat(result.differences()).isEmpty();
         assertThat(result.events()).isEqualTo(15);
     }
@@ -142,8 +142,8 @@ class DryRunTest {
     @Test
     void timersAreDueWhenTheOtherModelsHaveThem() throws InterruptedException {
         live(NewFunction.none(), "play", "fade", "2500", "5000", "play");
-        List<Difference> differences =
-                DryRun.of(directory, fading("tm(4s)", "Stopped")).differences();
+        List<Difference> differences = DryRun.of(new JournalFiles(directory), fading("tm(4s)", "Stopped"))
+                .differences();
         assertThat(differences).hasSize(2);
         assertThat(differences.get(0).occurrence().label()).isEqualTo("tm(2s)");
         assertThat(differences.get(0).other()).isNull();
@@ -158,7 +158,8 @@ class DryRunTest {
         live(visit -> visit.finishAfter(Duration.ofMillis(700), "faded"), "play", "fade", "900");
         ModelPair without = new ModelPair(
                 DEVICE, player("new").transition("Playing", "fade", "Paused").build());
-        List<Difference> differences = DryRun.of(directory, without).differences();
+        List<Difference> differences =
+                DryRun.of(new JournalFiles(directory), without).differences();
         assertThat(differences).extracting(each -> each.occurrence().label()).containsExactly("fade", "faded");
         assertThat(differences.get(1).other()).isNull();
         assertThat(differences.get(1).recorded()).extracting(Verdict::outcome).isEqualTo(Outcome.HANDLED);
@@ -166,7 +167,7 @@ class DryRunTest {
 
     @Test
     void aJournalThatIsNotThereIsNamed() {
-        assertThatThrownBy(() -> DryRun.of(directory.resolve("nowhere"), YESTERDAY))
+        assertThatThrownBy(() -> DryRun.of(new JournalFiles(directory.resolve("nowhere")), YESTERDAY))
                 .isInstanceOf(JournalException.class)
                 .hasMessageContaining("nowhere does not exist");
     }

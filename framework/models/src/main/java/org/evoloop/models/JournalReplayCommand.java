@@ -60,7 +60,7 @@ final class JournalReplayCommand implements Callable<Integer> {
     public Integer call() throws Exception {
         ModelPair pair = ModelReader.pair(reading.reference(original), reading.reference(evolved), spec);
         return journal.examine(spec, files -> {
-            DryRun.Result result = DryRun.of(journal.path(), pair);
+            DryRun.Result result = DryRun.of(files, pair);
             return Output.print(
                     spec,
                     format == Format.JSON

@@ -2,7 +2,6 @@ package org.evoloop.models.evolution;
 
 import com.fasterxml.jackson.annotation.JsonProperty;
 import java.util.List;
-import java.util.Locale;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.migration.Carried;
 import org.evoloop.migration.Fate;
@@ -80,11 +79,7 @@ public record MigrationJson(Models from, Models to, boolean possible, List<Row> 
     }
 
     private static Part part(Carried carried) {
-        return new Part(word(carried.part()), carried.name(), carried.becomes(), word(carried.how()));
-    }
-
-    private static String word(Enum<?> constant) {
-        return constant.name().toLowerCase(Locale.ROOT);
+        return new Part(Json.word(carried.part()), carried.name(), carried.becomes(), Json.word(carried.how()));
     }
 
     private static List<String> names(List<Event> events) {

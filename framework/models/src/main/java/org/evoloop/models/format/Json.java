@@ -1,5 +1,6 @@
 package org.evoloop.models.format;
 
+import java.util.Locale;
 import org.jspecify.annotations.Nullable;
 import tools.jackson.core.json.JsonWriteFeature;
 import tools.jackson.databind.MapperFeature;
@@ -20,6 +21,11 @@ public final class Json {
     /** The text of {@code value}, a record of records, lists, texts, numbers and truth values. */
     public static String write(Object value) {
         return MAPPER.writeValueAsString(value).replace("\r\n", "\n") + "\n";
+    }
+
+    /** A constant as a value: in lower case. */
+    public static String word(Enum<?> constant) {
+        return constant.name().toLowerCase(Locale.ROOT);
     }
 
     /** The same in one line, without its end. */

@@ -51,7 +51,7 @@ public final class RecordJson {
                 written.nanos(),
                 written.kind(),
                 occurrence == null ? null : occurrence.label(),
-                occurrence == null ? null : RecordTable.word(occurrence.source()),
+                occurrence == null ? null : Json.word(occurrence.source()),
                 occurrence == null ? Map.of() : occurrence.values().byName(),
                 Json.orNull(InputText.of(written.input())),
                 written.where().original().name(),

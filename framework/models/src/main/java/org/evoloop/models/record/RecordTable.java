@@ -5,10 +5,10 @@ import java.sql.DriverManager;
 import java.sql.PreparedStatement;
 import java.sql.SQLException;
 import java.sql.Statement;
-import java.util.Locale;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.journal.JournalFiles.SegmentInfo;
 import org.evoloop.journal.JournalRecord;
+import org.evoloop.models.format.Json;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -53,7 +53,7 @@ public final class RecordTable implements AutoCloseable {
                 written.nanos(),
                 written.kind(),
                 occurrence == null ? null : occurrence.label(),
-                occurrence == null ? null : word(occurrence.source()),
+                occurrence == null ? null : Json.word(occurrence.source()),
                 occurrence == null || occurrence.values().isEmpty() ? null : RecordJson.values(occurrence),
                 InputText.of(written.input()),
                 written.where().original().name(),
@@ -89,10 +89,6 @@ public final class RecordTable implements AutoCloseable {
     private void flush() throws SQLException {
         record.executeBatch();
         waiting = 0;
-    }
-
-    static String word(Enum<?> value) {
-        return value.name().toLowerCase(Locale.ROOT);
     }
 
     /** Completes the database. */

@@ -43,7 +43,7 @@ public record ReplayJson(long events, List<Row> differences) {
         return new Row(
                 each.at().toString(),
                 each.occurrence().label(),
-                RecordTable.word(each.occurrence().source()),
+                Json.word(each.occurrence().source()),
                 told(each.recorded()),
                 told(each.other()));
     }
@@ -54,7 +54,7 @@ public record ReplayJson(long events, List<Row> differences) {
                 : new Told(
                         where(verdict.before()),
                         where(verdict.after()),
-                        RecordTable.word(verdict.outcome()),
+                        Json.word(verdict.outcome()),
                         verdict.sent(),
                         Json.orNull(verdict.why()));
     }

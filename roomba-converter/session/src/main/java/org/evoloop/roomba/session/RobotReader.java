@@ -11,6 +11,7 @@ import org.evoloop.roomba.oi.Packet;
 import org.evoloop.roomba.oi.SensorValues;
 import org.evoloop.roomba.oi.StreamFramer;
 import org.evoloop.roomba.session.connection.Connection;
+import org.evoloop.roomba.session.connection.ConnectionOwner;
 import org.evoloop.roomba.session.connection.FirstBytes;
 import org.evoloop.roomba.session.inference.ActivityEstimate;
 import org.evoloop.roomba.session.inference.ActivityEstimate.EstimatedActivity;
@@ -32,7 +33,7 @@ import org.slf4j.LoggerFactory;
  *
  * <p>Threading: thread-safe; listeners are called on the thread that reads, one call at a time.
  */
-final class RobotReader implements Connection.Owner {
+final class RobotReader implements ConnectionOwner {
     private static final Logger LOG = LoggerFactory.getLogger(RoombaSession.class);
 
     private static final int BUFFER_BYTES = 4_096;

@@ -62,52 +62,20 @@ public final class Connection {
     private static final String TRYING = "it is woken by its wake line and asked again, then also at " + ALTERNATE_BAUD
             + " baud. If it sleeps, press CLEAN on it";
 
-    /** Who makes something of what the robot says. */
-    public interface Owner {
-        /**
-         * Reads {@code link}, from the first byte on, and tells {@link #answered} of each frame. Returns when nothing more
-         * comes: when the link has ended, or, if it does not wait, for now. Called on the thread that reads.
-         */
-        void read(Link link);
-
-        /** The robot is out of sight. Called on the thread that reads or on the connection's own. */
-        void outOfSight();
-
-        /** What is known of whatever answers. */
-        FirstBytes firstBytes();
-
-        /** What is wrong with the frames that come, if that is known; else empty. */
-        String frameTrouble();
-
-        /** Whether the robot may be kept awake by a pulse now: it is on its own and does nothing. */
-        boolean isDozing();
-
-        /** Whether a robot that is silent now has fallen asleep, as it does when nobody uses it. */
-        boolean isDrowsy();
-
-        /** The robot has fallen asleep. Called on the connection's own thread. */
-        void fellAsleep();
-
-        /** The robot was kept awake. Called on the connection's own thread. */
-        void keptAwake();
-    }
-
     private final Plug plug;
     private final Clock clock;
     private final List<PacketId> stream;
     private final Duration silenceLimit;
     private final Duration answerLimit;
-    private final Owner owner;
+    private final ConnectionOwner owner;
     private final boolean mayWait;
     private final ConnectionThread thread;
-    private final CompletableFuture<Void> firstAnswer = new CompletableFuture<>();
+    private final FirstAnswer firstAnswer = new FirstAnswer();
     private final ConnectionState state = new ConnectionState();
     private volatile long lastFrameNanos;
     private volatile Instant downSince = Instant.EPOCH;
     private volatile boolean told;
     private volatile boolean maySleep;
-    private volatile boolean patient;
-    private volatile Runnable greeting = () -> {};
     private boolean alternateTried;
     private int attempt;
     private long askedNanos;
@@ -123,7 +91,7 @@ public final class Connection {
     public record Options(List<PacketId> stream, Duration silenceLimit, boolean mayWait) {}
 
     /** @param cable opens a new link to the robot at a baud rate; called again whenever the link was lost */
-    public Connection(IntFunction<Link> cable, Clock clock, Options options, Owner owner) {
+    public Connection(IntFunction<Link> cable, Clock clock, Options options, ConnectionOwner owner) {
         this.plug = new Plug(cable);
         this.clock = clock;
         this.stream = options.stream();
@@ -150,8 +118,7 @@ public final class Connection {
      * @throws LinkException if the port is there, but is none, or is not for this user
      */
     public void openPatiently(Runnable firstGreeting) {
-        patient = true;
-        greeting = firstGreeting;
+        firstAnswer.waitPatiently(firstGreeting);
         open(() -> {
             try {
                 plugIn();
@@ -180,7 +147,7 @@ public final class Connection {
      * with a {@link RobotException} if none comes, or a {@link LinkException} if the link is lost.
      */
     public CompletableFuture<Void> firstAnswer() {
-        return firstAnswer;
+        return firstAnswer.future();
     }
 
     /** Opens a link and asks the robot for its stream. */
@@ -237,7 +204,7 @@ public final class Connection {
         if (news && state.enter(Phase.DOWN, trouble)) {
             LOG.warn("{}", trouble);
             loseSight();
-            giveUp(cause);
+            firstAnswer.failed(cause);
             owner.outOfSight();
         }
     }
@@ -279,9 +246,7 @@ public final class Connection {
         lastFrameNanos = clock.nanoTime();
         if (state.enterFrom(Phase.ASKING, Phase.UP, "")) {
             told = false;
-            if (firstAnswer.complete(null)) {
-                greeting.run();
-            }
+            firstAnswer.came();
         }
     }
 
@@ -390,13 +355,7 @@ public final class Connection {
             plugIn();
         } catch (LinkException stillGone) {
             state.enter(Phase.DOWN, String.valueOf(stillGone.getMessage()));
-            giveUp(stillGone);
-        }
-    }
-
-    private void giveUp(RuntimeException cause) {
-        if (!patient) {
-            firstAnswer.completeExceptionally(cause);
+            firstAnswer.failed(stillGone);
         }
     }
 
@@ -413,7 +372,7 @@ public final class Connection {
             changeRate();
         } else {
             String known = owner.frameTrouble();
-            giveUp(new RobotException(
+            firstAnswer.failed(new RobotException(
                     known.isEmpty() ? owner.firstBytes().diagnosis(description()) : description() + ": " + known));
             alternateTried = false;
             plug.pull();
@@ -531,8 +490,7 @@ public final class Connection {
     /** Closes the link; nothing is sent any more. Waits for the connection's thread. Idempotent. */
     public void close() {
         state.enter(Phase.CLOSED, "closed");
-        firstAnswer.completeExceptionally(
-                new LinkException(Fault.CLOSED, description() + " was closed before the robot answered"));
+        firstAnswer.ended(new LinkException(Fault.CLOSED, description() + " was closed before the robot answered"));
         plug.close();
         thread.close();
     }
