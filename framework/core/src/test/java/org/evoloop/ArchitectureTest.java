@@ -63,13 +63,14 @@ class ArchitectureTest {
             .whereLayer("migration")
             .mayOnlyAccessLayers("evolution", "statemachine")
             .whereLayer("core")
-            .mayOnlyAccessLayers("evolution", "statemachine")
+            .mayOnlyAccessLayers("migration", "evolution", "statemachine")
             .whereLayer("loop")
             .mayOnlyAccessLayers("time", "flight")
             .whereLayer("function")
             .mayOnlyAccessLayers("loop", "time", "statemachine")
             .whereLayer("converter")
-            .mayOnlyAccessLayers("core", "loop", "function", "flight", "evolution", "time", "statemachine");
+            .mayOnlyAccessLayers(
+                    "core", "migration", "loop", "function", "flight", "evolution", "time", "statemachine");
 
     @ArchTest
     static final ArchRule noRoomsLeadInACircle =

@@ -24,6 +24,7 @@ import org.evoloop.statemachine.ModelException;
 import org.evoloop.time.Clock;
 import org.evoloop.time.SystemClock;
 import org.evoloop.xmi.ModelFiles;
+import org.evoloop.xmi.ModelReference;
 import org.evoloop.xmi.XmiFile;
 
 /** Puts the converter together and runs its console. */
@@ -65,6 +66,7 @@ public final class Main {
             converter.addExecute(new LampExecute(lamp));
             wiring.connect(converter, lamp, clock);
             converter.addKnowledge(new LampKnowledge(models, lamp));
+            converter.addKnowledgeFactory(other -> new LampKnowledge(other, lamp));
             Path journal = unattended.journal();
             if (journal != null) {
                 converter.journal(Journal.in(journal));
@@ -75,6 +77,7 @@ public final class Main {
             Console console = new Console(converter, System.in, System.out, System.err);
             console.addCommand(ConsoleCommand.of(
                     "switch", "operates the wall switch", (words, out) -> wallSwitch.press("switch")));
+            console.evolvesBy(model -> ModelReference.parse(model).load());
             Page.open(PageOptions.of(settings), console, System.err);
             MqttOptions.broker(settings).ifPresent(broker -> {
                 HomeAssistant home = new HomeAssistant(converter, broker).open();

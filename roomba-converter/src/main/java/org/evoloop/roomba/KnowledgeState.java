@@ -35,6 +35,10 @@ final class KnowledgeState extends StateKnowledge {
         this.readiness = new Readiness(session, this::device);
     }
 
+    RobotModels robot() {
+        return models;
+    }
+
     @Override
     protected void registerNewFunctions() {
         models.functions().forEach((state, function) -> {

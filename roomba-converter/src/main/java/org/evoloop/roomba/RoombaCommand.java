@@ -34,6 +34,7 @@ import org.evoloop.service.ServiceOptions;
 import org.evoloop.statemachine.Names;
 import org.evoloop.time.Clock;
 import org.evoloop.time.SystemClock;
+import org.evoloop.xmi.ModelReference;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -156,15 +157,13 @@ final class RoombaCommand implements Callable<Integer> {
             if (guard != null) {
                 roomba.converter().addLink(guard.watch(roomba.session()));
             }
-            List<String> buttons = read.models().buttons().stream()
-                    .map(button -> button.toLowerCase(Locale.ROOT))
-                    .toList();
             Console console = new Console(roomba.converter(), System.in, System.out, System.err);
             console.addCommand(ConsoleCommand.of(
                             "press BUTTON",
-                            "presses a button of the external controller: " + String.join(", ", buttons),
-                            (arguments, out) -> roomba.controller().press(event(read.models(), arguments.get(0))))
-                    .completing(before -> before.isEmpty() ? buttons : List.of()));
+                            "presses a button of the external controller: " + String.join(", ", buttons(roomba)),
+                            (arguments, out) -> roomba.controller().press(event(roomba.models(), arguments.get(0))))
+                    .completing(before -> before.isEmpty() ? buttons(roomba) : List.of()));
+            console.evolvesBy(model -> ModelReference.parse(model).load());
             if (world != null) {
                 console.addCommand(ConsoleCommand.of(
                                 "robot COMMAND [ARGUMENT] [ARGUMENT] [ARGUMENT]",
@@ -176,6 +175,12 @@ final class RoombaCommand implements Callable<Integer> {
             showAtHome(roomba, console);
             return service.run(console);
         }
+    }
+
+    private static List<String> buttons(RoombaConverter roomba) {
+        return roomba.models().buttons().stream()
+                .map(button -> button.toLowerCase(Locale.ROOT))
+                .toList();
     }
 
     /** Whoever is there to see it learns at once that there is no robot; a service waits for it. */

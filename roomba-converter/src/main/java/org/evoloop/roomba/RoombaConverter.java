@@ -2,6 +2,8 @@ package org.evoloop.roomba;
 
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.Function;
 import java.util.function.IntFunction;
 import org.evoloop.converter.EventMonitor;
 import org.evoloop.converter.PushMonitor;
@@ -13,6 +15,7 @@ import org.evoloop.roomba.move.Move;
 import org.evoloop.roomba.oi.Command;
 import org.evoloop.roomba.session.RoombaSession;
 import org.evoloop.roomba.session.SessionOptions;
+import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.time.Clock;
 
@@ -42,22 +45,24 @@ public record RoombaConverter(
         PushMonitor controller = new PushMonitor("Controller");
         SystemEventConverter converter = new SystemEventConverter(config);
         Resumption resumption = new Resumption();
-        KnowledgeState knowledge = new KnowledgeState(
-                options.models(),
+        Function<RobotModels, KnowledgeState> knowing = models -> new KnowledgeState(
+                models,
                 session,
                 back -> new Move(session, options.startPoint(), options.move(), back),
                 resumption,
                 new SpotWait(options.spotWait()),
                 options.quietHours());
+        AtomicBoolean mayMove = new AtomicBoolean();
         MonitorEvent robot = new MonitorEvent(
-                session, original, event -> options.models().restartsMove(knowledge.getCurrentState(), event));
+                session, original, event -> mayMove.get() && models(converter).restartsMove(current(converter), event));
         converter.addMonitor(robot);
         converter.addMonitor(controller);
         if (!options.timetable().isEmpty()) {
             converter.addMonitor(Timetable.monitor(options.timetable()));
         }
         converter.addExecute(new ExecuteCommand(session, original, clock, resumption));
-        converter.addKnowledge(knowledge);
+        converter.addKnowledge(knowing.apply(options.models()));
+        converter.addKnowledgeFactory(pair -> knowing.apply(RobotModels.of(pair)));
         converter.addLink(session);
         converter.addSpare("ExecuteCommand2", () -> new ExecuteCommand(session, original, clock, resumption));
         Journal journal = options.journal();
@@ -67,10 +72,24 @@ public record RoombaConverter(
             resumption.released();
         }
         converter.build();
+        mayMove.set(true);
         if (journal != null) {
             session.assume(RobotEvents.activity(converter.status().states().original()));
         }
         return new RoombaConverter(session, robot, controller, converter);
+    }
+
+    private static RobotModels models(SystemEventConverter converter) {
+        return ((KnowledgeState) converter.knowledge()).robot();
+    }
+
+    private static State current(SystemEventConverter converter) {
+        return converter.knowledge().getCurrentState();
+    }
+
+    /** The models that it has evolved to, or was built with. */
+    RobotModels models() {
+        return models(converter);
     }
 
     /**

@@ -18,7 +18,8 @@ import java.util.function.Function;
  * that an application adds; its completion on the console's.
  *
  * @param usage the command's name and one word for each argument, those that may be left out in brackets: {@code exchange
- *     COMPONENT SPARE}, {@code status [--json]}. The console refuses any other number of arguments
+ *     COMPONENT SPARE}, {@code status [--json]}; the last may stand for any number, {@code [OPTION...]}. The console refuses
+ *     any other number of arguments
  * @param help what the command does, for {@code help}; the first line stands in the list of all commands
  * @param action what it does
  * @param completion the words that may stand after those given, which begin with the first argument
@@ -59,7 +60,8 @@ public record ConsoleCommand(
     boolean accepts(int arguments) {
         List<String> words = words();
         long required = words.stream().filter(word -> !word.startsWith("[")).count();
-        return required <= arguments + 1 && arguments + 1 <= words.size();
+        boolean open = words.get(words.size() - 1).endsWith("...]");
+        return required <= arguments + 1 && (open || arguments + 1 <= words.size());
     }
 
     private List<String> words() {

@@ -19,6 +19,7 @@ import org.jspecify.annotations.Nullable;
  *   <li>{@code conversionTime}: {@code events}, {@code lastNanos}, {@code medianNanos}, {@code percentile99Nanos}
  *   <li>{@code components}, a list: {@code name}, {@code role} (monitor, analyze, plan, execute), {@code thread}, {@code
  *       activity} (waiting, working, stuck, ended), {@code failures}, {@code lastFailure}
+ *   <li>{@code evolution}: which models took over from which, as long as a way leads back; else empty
  *   <li>{@code doubt}: why the original state may be wrong, empty if it is sure
  *   <li>{@code function}: {@code state}, {@code thread}, {@code progress} in words, {@code readings} as below; all empty
  *       if no new function runs
@@ -42,6 +43,7 @@ public final class StatusJson {
                 .put("loop", lowerCase(status.loop()))
                 .put("originalState", status.states().original().name())
                 .put("newState", status.states().evolved().name())
+                .put("evolution", status.evolution())
                 .put("doubt", status.doubt())
                 .put(
                         "lastKnownSince",

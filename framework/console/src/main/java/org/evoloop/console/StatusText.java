@@ -29,6 +29,9 @@ final class StatusText {
     static void brief(ConverterStatus status, PrintStream out) {
         line(out, "converter", status.name() + ", " + lowerCase(status.loop()));
         line(out, "states", states(status));
+        if (!status.evolution().isEmpty()) {
+            line(out, "models", status.evolution());
+        }
         if (!status.doubt().isEmpty()) {
             line(out, "in doubt", status.doubt());
         }

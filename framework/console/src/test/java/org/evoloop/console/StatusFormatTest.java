@@ -22,6 +22,7 @@ class StatusFormatTest {
             LoopState.RUNNING,
             new Configuration(new State("On"), new State("Move")),
             "",
+            "",
             Optional.empty(),
             new QueueStatus(2, 8, 5, 40, 1, 3),
             new ConverterStatus.EventCounts(30, 4, 2, 1),
@@ -92,7 +93,7 @@ class StatusFormatTest {
     void asJson() {
         assertThat(StatusJson.of(BUSY))
                 .startsWith(
-                        "{\"name\":\"robot\",\"loop\":\"running\",\"originalState\":\"On\",\"newState\":\"Move\",\"doubt\":\"\",\"lastKnownSince\":null,"
+                        "{\"name\":\"robot\",\"loop\":\"running\",\"originalState\":\"On\",\"newState\":\"Move\",\"evolution\":\"\",\"doubt\":\"\",\"lastKnownSince\":null,"
                                 + "\"queue\":{\"depth\":2,\"capacity\":8,\"highest\":5,"
                                 + "\"taken\":40,\"dropped\":1,\"refused\":3},"
                                 + "\"events\":{\"handled\":30,\"ignored\":4,\"stale\":2,\"failed\":1},"
@@ -117,6 +118,7 @@ class StatusFormatTest {
                 LoopState.STOPPED,
                 BUSY.states(),
                 "",
+                "",
                 Optional.of(since),
                 BUSY.queue(),
                 BUSY.events(),
@@ -140,6 +142,7 @@ class StatusFormatTest {
                 BUSY.name(),
                 LoopState.RUNNING,
                 BUSY.states(),
+                "",
                 "",
                 Optional.empty(),
                 BUSY.queue(),

@@ -82,6 +82,16 @@ final class Assembly {
         return executes;
     }
 
+    List<EventMonitor> monitors() {
+        List<EventMonitor> monitors = new ArrayList<>();
+        for (Component component : all()) {
+            if (component instanceof EventMonitor monitor) {
+                monitors.add(monitor);
+            }
+        }
+        return monitors;
+    }
+
     boolean has(Component.Role role) {
         for (Component component : all()) {
             if (component.role() == role) {
@@ -89,6 +99,26 @@ final class Assembly {
             }
         }
         return false;
+    }
+
+    /**
+     * The same after what was registered with {@code knowledge} has been checked.
+     *
+     * @throws ModelException if something does not fit; the message lists all problems
+     */
+    DecisionTable compile(StateKnowledge knowledge) {
+        knowledge.register();
+        List<String> problems = new ArrayList<>(knowledge.problems());
+        DecisionTable table = null;
+        try {
+            table = decisions(knowledge);
+        } catch (ModelException undecidable) {
+            problems.add(undecidable.getMessage());
+        }
+        if (table == null || !problems.isEmpty()) {
+            throw new ModelException(String.join("\n", problems));
+        }
+        return table;
     }
 
     /**
@@ -111,12 +141,10 @@ final class Assembly {
             }
         }
         Set<Event> spontaneous = new HashSet<>();
-        for (Component component : all()) {
-            if (component instanceof EventMonitor monitor) {
-                Set<Event> events = named(monitor.name() + ".spontaneousEvents()", monitor.spontaneousEvents());
-                spontaneous.addAll(events);
-                requireOriginal(pair, monitor.name() + " names as the device's own", events, problems);
-            }
+        for (EventMonitor monitor : monitors()) {
+            Set<Event> events = named(monitor.name() + ".spontaneousEvents()", monitor.spontaneousEvents());
+            spontaneous.addAll(events);
+            requireOriginal(pair, monitor.name() + " names as the device's own", events, problems);
         }
         DeviceEvents device = new DeviceEvents(senders.keySet(), spontaneous);
         for (Event event : device.unsendable(pair.original())) {

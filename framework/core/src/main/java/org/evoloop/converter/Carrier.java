@@ -21,7 +21,7 @@ import org.jspecify.annotations.Nullable;
 final class Carrier {
     private final CoreDriver driver;
     private final Visits visits;
-    private final Bindings bindings;
+    private final CurrentKnowledge knowledge;
     private final Books books;
     private volatile List<EventExecute> executes = List.of();
 
@@ -33,10 +33,10 @@ final class Carrier {
 
     private volatile String runningEffect = "";
 
-    Carrier(CoreDriver driver, Visits visits, Bindings bindings, Books books) {
+    Carrier(CoreDriver driver, Visits visits, CurrentKnowledge knowledge, Books books) {
         this.driver = driver;
         this.visits = visits;
-        this.bindings = bindings;
+        this.knowledge = knowledge;
         this.books = books;
     }
 
@@ -163,7 +163,7 @@ final class Carrier {
 
     private void performWhenReady(long number, Step step, Values values, EventExecute execute) throws Exception {
         execute.awaitReady(step);
-        if (!driver.rules().table().isOpen(step, bindings.with(values))) {
+        if (!driver.rules().table().isOpen(step, knowledge.bindings().with(values))) {
             throw new IllegalStateException("the guards of the original model do not let " + step + " be taken now");
         }
         if (driver.announce(number, execute)) {
@@ -176,7 +176,7 @@ final class Carrier {
         runningEffect = effect;
         WorkEvent work = WorkEvent.begun();
         try {
-            bindings.run(effect, occurrence.values());
+            knowledge.bindings().run(effect, occurrence.values());
             return "";
         } catch (InterruptedException stop) {
             throw stop;
@@ -209,6 +209,8 @@ final class Carrier {
             visits.leave();
         } else if (directive instanceof Output.Enter enter) {
             visits.enter(enter);
+        } else if (directive instanceof Output.CarryOver over) {
+            visits.carryOver(over);
         } else if (directive instanceof Output.Start start) {
             visits.start(start);
         }

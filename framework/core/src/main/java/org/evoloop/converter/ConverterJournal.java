@@ -9,6 +9,7 @@ import org.evoloop.core.Inputs;
 import org.evoloop.core.Outputs;
 import org.evoloop.core.Rules;
 import org.evoloop.core.Snapshot;
+import org.evoloop.evolution.ModelPair;
 import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 
@@ -27,6 +28,15 @@ public interface ConverterJournal {
         /** From now on {@code time} tells when that was, and {@code nanos} the same on the clock of the occurrences. */
         void at(Supplier<Instant> time, LongSupplier nanos);
     }
+
+    /**
+     * The models to which a converter has evolved that was built with {@code models}, and whose journal this is; null if it
+     * has not. Called before it is opened.
+     *
+     * @throws RuntimeException if it cannot be read; the message says why and what to do
+     */
+    @Nullable
+    ModelPair evolvedFrom(ModelPair models);
 
     /**
      * Opens it for one converter.
@@ -49,6 +59,15 @@ public interface ConverterJournal {
      * @throws RuntimeException if it cannot be written; the message says why and what to do
      */
     Inputs keep(Core core, Consumer<Exception> failed);
+
+    /**
+     * Other models are about to take over: what can be written beforehand is written, so that they need not wait for it.
+     * Nothing counts of it unless they do.
+     *
+     * @param rules by which the converter goes then
+     * @throws RuntimeException if it cannot be written; the message says why and what to do
+     */
+    void prepare(Rules rules);
 
     /**
      * Tells again all that is kept, the oldest first; takes some seconds if that is much. May be called on any thread, also

@@ -20,6 +20,9 @@ public interface ConverterListener {
     /** The current states have changed. */
     default void moved(Configuration before, Configuration after) {}
 
+    /** Other models have taken over; what is told from now on is in their terms. */
+    default void evolved(Evolution.Result result) {}
+
     /** A component has failed. */
     default void failed(Failure<Occurrence> failure) {}
 

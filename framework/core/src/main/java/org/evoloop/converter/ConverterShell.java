@@ -5,9 +5,12 @@ import java.time.Instant;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BooleanSupplier;
 import java.util.stream.Stream;
+import org.evoloop.core.Output;
 import org.evoloop.core.Rules;
+import org.evoloop.core.Swap;
 import org.evoloop.core.Tally;
 import org.evoloop.evolution.DecisionTable;
 import org.evoloop.evolution.Occurrence;
@@ -26,8 +29,11 @@ import org.jspecify.annotations.Nullable;
  * <p>Threading: the loop calls it for one event at a time.
  */
 final class ConverterShell implements LoopListener<Occurrence> {
+    /** So long the event in the loop may keep everything else waiting before other models are tried again. */
+    private static final Duration LONGEST_WAIT = Duration.ofSeconds(1);
+
     private final LoopConfig config;
-    final StateKnowledge knowledge;
+    private final CurrentKnowledge knowledge;
     final Books books;
     final MapeLoop<Occurrence, Analysis, ChangePlan> loop;
     final Visits visits;
@@ -40,29 +46,67 @@ final class ConverterShell implements LoopListener<Occurrence> {
 
     ConverterShell(
             LoopConfig config,
-            StateKnowledge knowledge,
+            StateKnowledge first,
             DecisionTable table,
             FailureLog failures,
             Listeners listeners,
             BooleanSupplier closing,
             @Nullable ConverterJournal journal) {
         this.config = config;
-        this.knowledge = knowledge;
+        this.knowledge = new CurrentKnowledge(first);
         this.books = new Books(config, failures, listeners);
         this.hooks = new Hooks(config, closing);
         this.visits = new Visits(config, knowledge, books.transcript(), books.failures());
         this.driver = new CoreDriver(
-                new Rules(table, knowledge::timersOf, config.queueCapacity()),
+                new Rules(table, first::timersOf, config.queueCapacity()),
                 config.clock(),
                 knowledge,
                 books,
                 visits::leaving,
                 journal);
-        this.carrier = new Carrier(driver, visits, knowledge.bindings(), books);
+        this.carrier = new Carrier(driver, visits, knowledge, books);
         this.loop = new MapeLoop<>(config, this, carrier::next, driver);
-        knowledge.bindings().watch(config, failures);
         visits.attach(loop);
-        knowledge.attach(driver);
+        adopt(first);
+    }
+
+    private void adopt(StateKnowledge adopted) {
+        adopted.bindings().watch(config, books.failures());
+        adopted.attach(driver);
+    }
+
+    /** What it knows at present. */
+    StateKnowledge knowledge() {
+        return knowledge.get();
+    }
+
+    /**
+     * Another knowledge takes over.
+     *
+     * @param idle for how long nothing must have happened
+     * @param monitors who tell by the names of events
+     * @throws EvolutionException if something keeps it from that now
+     */
+    Evolution.Result evolve(Swap swap, StateKnowledge next, Duration idle, List<EventMonitor> monitors) {
+        AtomicReference<Evolution.@Nullable Result> result = new AtomicReference<>();
+        loop.between(LONGEST_WAIT, () -> result.set(take(swap, next, idle, monitors)));
+        Evolution.Result done = result.get();
+        if (done == null) {
+            throw new EvolutionException("an event is in progress");
+        }
+        books.listeners().evolved(done);
+        return done;
+    }
+
+    private Evolution.Result take(Swap swap, StateKnowledge next, Duration idle, List<EventMonitor> monitors) {
+        long begun = config.clock().nanoTime();
+        StateKnowledge before = knowledge.get();
+        Output.Evolved evolved = driver.evolve(swap, next, idle);
+        adopt(next);
+        before.attach(null);
+        monitors.forEach(monitor -> monitor.tellBy(next.eventNames()));
+        carrier.carryOut();
+        return Evolution.Result.of(evolved, Duration.ofNanos(config.clock().nanoTime() - begun));
     }
 
     /** Adds a component, which is told what it belongs to. */
@@ -82,7 +126,7 @@ final class ConverterShell implements LoopListener<Occurrence> {
     /** Tells a component what it belongs to. */
     void attach(Component component) {
         if (component instanceof EventMonitor monitor) {
-            monitor.attach(config, loop, knowledge.eventNames(), driver::holding);
+            monitor.attach(config, loop, knowledge.get().eventNames(), driver::holding);
         } else if (component instanceof EventAnalyze analyze) {
             analyze.attach(driver);
         } else if (component instanceof EventExecute execute) {
@@ -184,16 +228,18 @@ final class ConverterShell implements LoopListener<Occurrence> {
     /**
      * A snapshot of the status.
      *
+     * @param evolution see {@link ConverterStatus#evolution}
      * @param link the connection to the device, if one was registered
      * @param closedAt when the loop was closed last
      */
-    ConverterStatus status(@Nullable DeviceLink link, Instant closedAt) {
+    ConverterStatus status(String evolution, @Nullable DeviceLink link, Instant closedAt) {
         Optional<Instant> closed = loop.state() == LoopState.RUNNING ? Optional.empty() : Optional.of(closedAt);
         Optional<Instant> down = link == null ? Optional.empty() : link.downSince();
         return new ConverterStatus(
                 config.name(),
                 loop.state(),
                 driver.configuration(),
+                evolution,
                 driver.doubt(),
                 Stream.concat(closed.stream(), down.stream()).min(Comparator.naturalOrder()),
                 loop.queueStatus(),

@@ -20,6 +20,7 @@ import org.jspecify.annotations.Nullable;
  * @param name the converter's name
  * @param loop the state of the loop's lifecycle
  * @param states the current states of both models
+ * @param evolution which models took over from which while it ran, as long as a way leads back; else empty
  * @param doubt why the record of the device's state may be wrong; empty if it is certain
  * @param lastKnownSince since when these are only the last states that are known, because the loop is closed or the
  *     device cannot be reached; empty while they are kept up to date
@@ -36,6 +37,7 @@ public record ConverterStatus(
         String name,
         LoopState loop,
         Configuration states,
+        String evolution,
         String doubt,
         Optional<Instant> lastKnownSince,
         QueueStatus queue,

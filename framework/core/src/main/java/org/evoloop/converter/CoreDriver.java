@@ -1,5 +1,6 @@
 package org.evoloop.converter;
 
+import java.time.Duration;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
@@ -11,6 +12,7 @@ import org.evoloop.core.Output;
 import org.evoloop.core.Pending;
 import org.evoloop.core.Rules;
 import org.evoloop.core.Snapshot;
+import org.evoloop.core.Swap;
 import org.evoloop.core.Tally;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
@@ -30,30 +32,37 @@ import org.jspecify.annotations.Nullable;
  * of a user runs under it. Whoever holds the loop's lock may take this one, never the other way round.
  */
 final class CoreDriver implements Intake<Occurrence> {
+    private static final long WAIT_MILLIS = 5;
+
     private final Core core;
 
     /** The core, or what keeps its inputs on their way there. */
     private final Inputs inputs;
 
     private final Clock clock;
-    private final Bindings bindings;
+    private final CurrentKnowledge knowledge;
     private final CoreOutputs outputs;
     private final Books books;
     private final @Nullable ConverterJournal journal;
 
     private volatile Rules rules;
 
+    /** When an event came to its end last. */
+    private long endedNanos;
+
+    private long ends;
+
     /** @param leaving how far the function is that is about to be left, in words; empty if there is none */
     CoreDriver(
             Rules rules,
             Clock clock,
-            StateKnowledge knowledge,
+            CurrentKnowledge knowledge,
             Books books,
             Supplier<String> leaving,
             @Nullable ConverterJournal journal) {
         this.rules = rules;
         this.clock = clock;
-        this.bindings = knowledge.bindings();
+        this.knowledge = knowledge;
         this.books = books;
         Snapshot kept = journal == null
                 ? null
@@ -65,7 +74,7 @@ final class CoreDriver implements Intake<Occurrence> {
                                 books.latency(),
                                 rules.table().models().initial()));
         Configuration at = kept == null ? rules.table().models().initial() : kept.at();
-        this.outputs = new CoreOutputs(at, knowledge.eventNames(), books, leaving);
+        this.outputs = new CoreOutputs(at, knowledge, books, leaving);
         this.core = kept == null ? new Core(rules, outputs) : new Core(rules, kept, outputs);
         if (kept != null) {
             books.history().countOn(ended(kept.tally()));
@@ -108,6 +117,9 @@ final class CoreDriver implements Intake<Occurrence> {
         if (pending != null && core.isBusy()) {
             inputs.dismissed(pending.number(), clock.nanoTime());
         }
+        endedNanos = clock.nanoTime();
+        ends++;
+        notifyAll();
     }
 
     @Override
@@ -154,7 +166,7 @@ final class CoreDriver implements Intake<Occurrence> {
         if (resumed != null) {
             return resumed;
         }
-        return rules.decide(now, steps, pending, bindings.with(occurrence.values()));
+        return rules.decide(now, steps, pending, knowledge.bindings().with(occurrence.values()));
     }
 
     // Execute
@@ -264,6 +276,48 @@ final class CoreDriver implements Intake<Occurrence> {
         inputs.changed(rules, clock.nanoTime());
     }
 
+    /** Other models are about to take over; takes as long as it takes. */
+    void prepare(Rules next) {
+        if (journal != null) {
+            journal.prepare(next);
+        }
+    }
+
+    /**
+     * Other models take over; nothing is in the loop. What has to be done then is on the agenda.
+     *
+     * @param idle for how long nothing must have happened
+     * @throws EvolutionException if something keeps them from that; nothing has changed
+     */
+    synchronized Output.Evolved evolve(Swap swap, StateKnowledge next, Duration idle) {
+        Duration quiet = Duration.ofNanos(clock.nanoTime() - endedNanos);
+        if (!idle.isZero() && (core.waiting() > 0 || quiet.compareTo(idle) < 0)) {
+            throw new EvolutionException("it has not been idle for " + idle.toSeconds() + " s");
+        }
+        String hindrance = core.hindrance(swap);
+        if (!hindrance.isEmpty()) {
+            throw new EvolutionException(hindrance);
+        }
+        outputs.agenda.begin(Agenda.NOBODY);
+        inputs.evolved(swap, clock.nanoTime());
+        rules = swap.rules();
+        knowledge.become(next);
+        return outputs.evolution();
+    }
+
+    /** How many events have come to an end that history tells of. */
+    synchronized long recorded() {
+        return books.history().number();
+    }
+
+    /** Waits until an event has come to its end, for {@code millis} at most. */
+    synchronized void awaitEnded(long millis) throws InterruptedException {
+        long before = ends;
+        for (long waited = 0; ends == before && waited < millis; waited += WAIT_MILLIS) {
+            wait(WAIT_MILLIS);
+        }
+    }
+
     /** Which guards of the original model hold now. */
     Set<String> holding() {
         Set<String> drawn = rules.table().models().original().guards();
@@ -282,7 +336,7 @@ final class CoreDriver implements Intake<Occurrence> {
     /** A guard that fails does not hold: what the device has done is reported all the same. */
     private boolean holds(String text) {
         try {
-            return bindings.test(text);
+            return knowledge.bindings().test(text);
         } catch (RuntimeException | Error counted) {
             return false;
         }

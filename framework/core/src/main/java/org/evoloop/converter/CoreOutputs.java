@@ -1,6 +1,7 @@
 package org.evoloop.converter;
 
 import java.util.Locale;
+import java.util.Objects;
 import java.util.function.Supplier;
 import org.evoloop.core.Outcome;
 import org.evoloop.core.Output;
@@ -8,10 +9,10 @@ import org.evoloop.core.Outputs;
 import org.evoloop.core.Pending;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
-import org.evoloop.evolution.EventNames;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Step;
 import org.evoloop.loop.Intake.Admission;
+import org.evoloop.migration.Fate;
 import org.evoloop.statemachine.Event;
 import org.jspecify.annotations.Nullable;
 
@@ -30,19 +31,20 @@ final class CoreOutputs implements Outputs {
     /** What became of what was offered last. */
     Admission admission = Admission.TAKEN;
 
-    private final EventNames names;
+    private final CurrentKnowledge knowledge;
     private final Books books;
     private final Supplier<String> leaving;
     private volatile Configuration at;
+    private Output.@Nullable Evolved evolution;
 
     /** What came last, if neither model knows it. */
     private @Nullable Event unknown;
 
     /** @param leaving how far the function is that is about to be left, in words; empty if there is none */
-    CoreOutputs(Configuration at, EventNames names, Books books, Supplier<String> leaving) {
+    CoreOutputs(Configuration at, CurrentKnowledge knowledge, Books books, Supplier<String> leaving) {
         this.leaving = leaving;
         this.at = at;
-        this.names = names;
+        this.knowledge = knowledge;
         this.books = books;
     }
 
@@ -121,6 +123,17 @@ final class CoreOutputs implements Outputs {
     }
 
     @Override
+    public void evolved(Occurrence.Evolved occurrence, Configuration before, Fate.Maps fate) {
+        books.transcript().evolved(occurrence);
+        evolution = new Output.Evolved(occurrence, before, fate);
+    }
+
+    /** How other models took over last; they must have. */
+    Output.Evolved evolution() {
+        return Objects.requireNonNull(evolution);
+    }
+
+    @Override
     public void doubted(String why) {
         if (!why.isEmpty()) {
             books.failures().warn("the state of the device is in doubt: " + why);
@@ -150,7 +163,7 @@ final class CoreOutputs implements Outputs {
 
     /** An event that neither model knows is told once a burst: until another one comes. */
     private void warnOfUnknown(Occurrence.Heard heard, Outcome outcome, String detail) {
-        if (outcome == Outcome.HANDLED || names.knows(heard.event())) {
+        if (outcome == Outcome.HANDLED || knowledge.get().eventNames().knows(heard.event())) {
             unknown = null;
         } else if (!heard.event().equals(unknown)) {
             unknown = heard.event();

@@ -47,6 +47,14 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
         attached(names, loopConfig.clock());
     }
 
+    /** From now on it tells by these names. */
+    final void tellBy(EventNames names) {
+        eventNames = names;
+    }
+
+    /** @throws IllegalArgumentException if it tells an event that is not among {@code names} */
+    void requireKnown(EventNames names) {}
+
     /** It has become part of a converter, whose time {@code clock} is. */
     void attached(EventNames names, Clock clock) {}
 

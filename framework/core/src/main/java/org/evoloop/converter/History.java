@@ -95,6 +95,11 @@ final class History {
         line.set(recorded, time, took, occurrence, before, after, outcome, decision, detail, left);
     }
 
+    /** How many there have been. */
+    long number() {
+        return before + recorded;
+    }
+
     /** The last one that was recorded. */
     HistoryEntry last() {
         return Objects.requireNonNull(lines[(int) ((recorded - 1) % size)]).toEntry(before);

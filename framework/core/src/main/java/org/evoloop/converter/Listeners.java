@@ -112,6 +112,12 @@ final class Listeners {
         }
     }
 
+    void evolved(Evolution.Result result) {
+        if (!all.isEmpty()) {
+            tell(listener -> listener.evolved(result));
+        }
+    }
+
     void failed(Failure<Occurrence> failure) {
         if (!all.isEmpty()) {
             tell(listener -> listener.failed(failure));

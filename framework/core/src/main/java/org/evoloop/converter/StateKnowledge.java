@@ -243,8 +243,8 @@ public class StateKnowledge extends Knowledge {
         return attached == null ? pair.initial() : attached.configuration();
     }
 
-    /** Where the states are kept from now on. */
-    final void attach(CoreDriver joined) {
+    /** Where the states are kept from now on; null if they are not any more. */
+    final void attach(@Nullable CoreDriver joined) {
         driver = joined;
     }
 

@@ -3,11 +3,12 @@ package org.evoloop.converter;
 import static java.util.Objects.requireNonNull;
 
 import java.time.Instant;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
+import java.util.function.Function;
 import java.util.function.Supplier;
 import org.evoloop.evolution.DecisionTable;
+import org.evoloop.evolution.ModelPair;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.loop.Component;
 import org.evoloop.loop.LoopConfig;
@@ -49,8 +50,10 @@ public final class SystemEventConverter implements AutoCloseable {
     private final Listeners listeners;
     private final ChangeLock changes;
     private final Stopping stopping;
+    private final Evolver evolver;
     private Assembly assembly = new Assembly();
     private @Nullable StateKnowledge knowledge;
+    private volatile @Nullable Function<ModelPair, ? extends StateKnowledge> knowledgeFactory;
     private volatile @Nullable DeviceLink link;
     private @Nullable ConverterJournal journal;
     private volatile @Nullable ConverterShell shell;
@@ -66,6 +69,7 @@ public final class SystemEventConverter implements AutoCloseable {
         this.listeners = new Listeners(config, failures);
         this.changes = new ChangeLock(config.name(), this::isComponent, this::ownsCurrentThread);
         this.stopping = new Stopping(config.name());
+        this.evolver = new Evolver(config, changes, belongings, () -> assembly);
     }
 
     /** Adds a monitor, also while the converter runs. @throws IllegalStateException if the name is taken */
@@ -102,6 +106,25 @@ public final class SystemEventConverter implements AutoCloseable {
             }
             knowledge = stateKnowledge;
         });
+    }
+
+    /**
+     * Says how knowledge is made of other models, before {@link #build}: those to which a converter had evolved before its
+     * process ended, and those that {@link #knowledgeOf} is asked for.
+     */
+    public void addKnowledgeFactory(Function<ModelPair, ? extends StateKnowledge> factory) {
+        requireNonNull(factory, "the knowledge factory is null");
+        changes.change(() -> knowledgeFactory = factory);
+    }
+
+    /**
+     * Makes knowledge of other models, to {@link #evolve} to.
+     *
+     * @throws IllegalStateException if it was not said how, see {@link #addKnowledgeFactory}
+     * @throws ModelException if the models are no evolution
+     */
+    public StateKnowledge knowledgeOf(ModelPair models) {
+        return Construction.knowledgeOf(models, knowledgeFactory);
     }
 
     /** From now on {@code listener} is notified of what this converter does. */
@@ -162,7 +185,7 @@ public final class SystemEventConverter implements AutoCloseable {
         ConverterShell built = shell;
         Assembly changed = assembly.with(component);
         if (built != null) {
-            DecisionTable table = changed.decisions(built.knowledge);
+            DecisionTable table = changed.decisions(built.knowledge());
             taking(component, () -> built.join(component));
             built.use(table, changed.executes());
         }
@@ -198,67 +221,20 @@ public final class SystemEventConverter implements AutoCloseable {
         if (shell != null) {
             throw new IllegalStateException("converter " + config.name() + " has been built before");
         }
-        List<String> missing = new ArrayList<>();
-        if (known == null) {
-            missing.add("no knowledge, call addKnowledge");
-        }
-        if (!assembly.has(Component.Role.EXECUTE)) {
-            missing.add("no execute component, call addExecute");
-        }
-        if (known == null || !missing.isEmpty()) {
-            throw new IllegalStateException("converter " + config.name() + ": " + String.join("; ", missing));
-        }
-        if (!assembly.has(Component.Role.ANALYZE)) {
-            assembly.add(new EventAnalyze());
-        }
-        if (!assembly.has(Component.Role.PLAN)) {
-            assembly.add(new EventPlan());
-        }
-        takeAll(known);
+        Construction construction = new Construction(config, belongings, assembly);
+        StateKnowledge complete = construction.complete(known);
         try {
-            shell = build(known);
+            StateKnowledge present = construction.present(complete, journal, knowledgeFactory);
+            shell = construction.build(
+                    present,
+                    table -> new ConverterShell(
+                            config, present, table, failures, listeners, changes::isClosing, journal));
+            closedAt = config.clock().wallTime();
         } catch (RuntimeException refused) {
             belongings.giveBackAll(null);
             closeJournal();
             throw refused;
         }
-    }
-
-    private void takeAll(StateKnowledge known) {
-        List<String> problems = new ArrayList<>();
-        String another = "make one for each converter";
-        belongings.take(config.clock(), "its clock", another, problems);
-        belongings.take(known, known.name(), another, problems);
-        for (Component component : assembly.all()) {
-            belongings.take(component, component.name(), another, problems);
-        }
-        if (!problems.isEmpty()) {
-            belongings.giveBackAll(null);
-            throw new IllegalStateException("converter " + config.name() + ": " + String.join("; ", problems));
-        }
-    }
-
-    private ConverterShell build(StateKnowledge known) {
-        known.register();
-        List<String> problems = new ArrayList<>(known.problems());
-        DecisionTable table = null;
-        try {
-            table = assembly.decisions(known);
-        } catch (ModelException undecidable) {
-            problems.add(undecidable.getMessage());
-        }
-        if (table == null || !problems.isEmpty()) {
-            throw new ModelException(String.join("\n", problems));
-        }
-        ConverterShell built =
-                new ConverterShell(config, known, table, failures, listeners, changes::isClosing, journal);
-        built.use(table, assembly.executes());
-        for (Component component : assembly.all()) {
-            built.join(component);
-        }
-        built.loop.build();
-        closedAt = config.clock().wallTime();
-        return built;
     }
 
     /** Opens the loop; does nothing if it is open. @throws IllegalStateException if it is not built, or has ended */
@@ -339,7 +315,7 @@ public final class SystemEventConverter implements AutoCloseable {
             if (built != null) {
                 built.loop.close();
                 letGo(built);
-                belongings.giveBackAll(built.knowledge);
+                belongings.giveBackAll(built.knowledge());
             }
             closeJournal();
         });
@@ -362,7 +338,7 @@ public final class SystemEventConverter implements AutoCloseable {
     private void removeInTurn(ConverterShell built, String name) {
         Assembly changed = assembly.without(name);
         DecisionTable table = changed.has(Component.Role.EXECUTE)
-                ? changed.decisions(built.knowledge)
+                ? changed.decisions(built.knowledge())
                 : built.driver.rules().table();
         built.loop.remove(name);
         belongings.giveBack(assembly.require(name));
@@ -385,7 +361,7 @@ public final class SystemEventConverter implements AutoCloseable {
     private void exchangeInTurn(ConverterShell built, String name, Component next) {
         built.loop.requireExchangeable(name, next);
         Assembly changed = assembly.with(name, next);
-        DecisionTable table = changed.decisions(built.knowledge);
+        DecisionTable table = changed.decisions(built.knowledge());
         taking(next, () -> {
             built.attach(next);
             built.loop.exchange(name, next, () -> built.use(table, changed.executes()));
@@ -409,6 +385,31 @@ public final class SystemEventConverter implements AutoCloseable {
         return spares.names();
     }
 
+    /**
+     * Puts other models, and what is known with them, in the place of the present ones, between two events: no event is
+     * lost, none is heard twice, and timers keep what is left of them. Waits until that is possible; in a converter without
+     * threads it must be possible at once. Until something else is changed, {@link #rollBack} leads back.
+     *
+     * @return what became of the current states
+     * @throws ModelException if the models are no evolution, do not fit the components, or cannot take over from where the
+     *     system is; or if no way would lead back, and the evolution does not say that none has to
+     * @throws EvolutionException if it was not possible in time; the message says what was in the way, and nothing has changed
+     * @throws IllegalStateException if the converter has ended, or {@code next} belongs to another converter
+     */
+    public Evolution.Result evolve(Evolution evolution) {
+        return evolver.evolve(built(), evolution);
+    }
+
+    /**
+     * Puts the models before the last {@link #evolve} back in their place, in the same way.
+     *
+     * @throws IllegalStateException if there was none, or it was one without a way back
+     * @throws EvolutionException as in {@link #evolve}
+     */
+    public Evolution.Result rollBack() {
+        return evolver.rollBack(built(), "as its owner asked for");
+    }
+
     /** Queues an occurrence as if a monitor had reported it; false if it was refused or dropped. */
     public boolean offer(Occurrence occurrence) {
         return built().loop.offer(occurrence);
@@ -426,7 +427,9 @@ public final class SystemEventConverter implements AutoCloseable {
 
     /** The step of a converter without threads: converts one event that waits; false if none does. */
     public boolean step() {
-        return built().loop.step();
+        boolean stepped = built().loop.step();
+        evolver.stepped();
+        return stepped;
     }
 
     /** The time that it goes by. */
@@ -436,7 +439,7 @@ public final class SystemEventConverter implements AutoCloseable {
 
     /** What the converter knows. @throws IllegalStateException if it is not built yet */
     public StateKnowledge knowledge() {
-        return built().knowledge;
+        return built().knowledge();
     }
 
     /** The events that its execute components can send to the device. @throws IllegalStateException if it is not built yet */
@@ -446,7 +449,7 @@ public final class SystemEventConverter implements AutoCloseable {
 
     /** A snapshot of the status. @throws IllegalStateException if the converter is not built yet */
     public ConverterStatus status() {
-        return built().status(link, closedAt);
+        return built().status(evolver.describe(), link, closedAt);
     }
 
     /** The last events and what became of them, oldest first. */

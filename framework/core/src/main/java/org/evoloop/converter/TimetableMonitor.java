@@ -55,10 +55,15 @@ public final class TimetableMonitor extends PushMonitor {
         return this;
     }
 
+    @Override
+    void requireKnown(EventNames names) {
+        entries.forEach(entry -> names.require(new Event(entry.event())));
+    }
+
     /** @throws IllegalArgumentException if neither model knows one of the events */
     @Override
     void attached(EventNames names, Clock clock) {
-        entries.forEach(entry -> names.require(new Event(entry.event())));
+        requireKnown(names);
         TimesOfDay<String> times = new TimesOfDay<>(zone, clock.wallTime());
         entries.forEach(entry -> times.add(entry.time(), entry.days(), entry.event()));
         wait(times, clock);

@@ -126,6 +126,11 @@ final class Transcript {
         }
     }
 
+    /** Other models have taken over; nobody waits for the logger here. */
+    synchronized void evolved(Occurrence.Evolved occurrence) {
+        line("***  The converter has {}.  ***  ", occurrence.label());
+    }
+
     /** An occurrence has come to its end, or its plan was overtaken. */
     void ended(Occurrence occurrence, Configuration now) {
         if (occurrence != about) {

@@ -33,17 +33,18 @@ final class Visits implements VisitHost {
     private static final int MOST_DOUBLINGS = 5;
 
     private final LoopConfig config;
-    private final StateKnowledge knowledge;
+    private final CurrentKnowledge knowledge;
     private final Transcript transcript;
     private final FailureLog failures;
     private final FunctionRunner functions;
     private @Nullable MapeLoop<Occurrence, ?, ?> loop;
     private @Nullable HostedVisit current;
     private NewFunction function = NewFunction.none();
+    private Map<Event, Long> deadlines = Map.of();
     private int retries;
     private volatile @Nullable WorkEvent recorded;
 
-    Visits(LoopConfig config, StateKnowledge knowledge, Transcript transcript, FailureLog failures) {
+    Visits(LoopConfig config, CurrentKnowledge knowledge, Transcript transcript, FailureLog failures) {
         this.config = config;
         this.knowledge = knowledge;
         this.transcript = transcript;
@@ -66,13 +67,31 @@ final class Visits implements VisitHost {
         functions.begin(entered);
         current = entered;
         Transition by = enter.by();
-        function = by == null ? NewFunction.none() : knowledge.action(by);
-        if (enter.deadlines().isEmpty()) {
+        function = by == null ? NewFunction.none() : knowledge.get().action(by);
+        set(Map.of(), enter.deadlines(), entered);
+    }
+
+    /** The current visit goes on in a state of other models, as does what runs in it. */
+    synchronized void carryOver(Output.CarryOver over) {
+        HostedVisit goingOn = current;
+        if (goingOn != null && goingOn.number() == over.visit()) {
+            goingOn.goOnIn(over.state());
+            set(deadlines, over.deadlines(), goingOn);
+        }
+    }
+
+    /** Sets those that are not set. One that is over still rings, which the core ignores. */
+    private void set(Map<Event, Long> before, Map<Event, Long> now, HostedVisit visit) {
+        deadlines = now;
+        if (now.isEmpty()) {
             return;
         }
-        long now = config.clock().nanoTime();
-        for (Map.Entry<Event, Long> timer : enter.deadlines().entrySet()) {
-            entered.onClock(Duration.ofNanos(Math.max(0, timer.getValue() - now)), () -> fire(entered, timer.getKey()));
+        long nanos = config.clock().nanoTime();
+        for (Map.Entry<Event, Long> timer : now.entrySet()) {
+            if (!timer.getValue().equals(before.get(timer.getKey()))) {
+                Duration left = Duration.ofNanos(Math.max(0, timer.getValue() - nanos));
+                visit.onClock(left, () -> fire(visit, timer.getKey()));
+            }
         }
     }
 
@@ -155,12 +174,12 @@ final class Visits implements VisitHost {
 
     @Override
     public boolean accepts(Visit asking, Event event) {
-        return knowledge.models().evolved().hasTransition(asking.state(), event);
+        return knowledge.get().models().evolved().hasTransition(asking.state(), event);
     }
 
     @Override
     public void requireKnown(Event event) {
-        knowledge.eventNames().require(event);
+        knowledge.get().eventNames().require(event);
     }
 
     @Override

@@ -177,7 +177,7 @@ final class Conversion {
             // Its timers start anew: what was impossible now may be possible the next time.
             ledger.stay.leave(ledger.out);
         }
-        boolean again = ledger.enterAgain();
+        boolean again = ledger.enterAgain(occurrence);
         ledger.out.settle(ledger.place.at());
         ledger.start(visit, again);
     }
@@ -215,7 +215,7 @@ final class Conversion {
         long visit = ledger.stay.number();
         progress.end();
         ledger.ended(pending.occurrence(), before, outcome, null, reason);
-        ledger.start(visit, ledger.enterAgain());
+        ledger.start(visit, ledger.enterAgain(pending.occurrence()));
     }
 
     /** A component was given up, maybe with a step on its way. */

@@ -26,6 +26,7 @@ public final class Core implements Inputs {
     private final Ledger ledger;
     private final Arrivals arrivals;
     private final Conversion conversion;
+    private final Takeover takeover;
 
     /** A converter that has not been opened yet, in the initial states of its models. */
     public Core(Rules rules, Outputs outputs) {
@@ -37,6 +38,7 @@ public final class Core implements Inputs {
         this.ledger = new Ledger(rules, snapshot, outputs);
         this.arrivals = new Arrivals(ledger);
         this.conversion = new Conversion(ledger);
+        this.takeover = new Takeover(ledger);
     }
 
     private static Snapshot fresh(Rules rules) {
@@ -75,7 +77,7 @@ public final class Core implements Inputs {
         boolean cutOff = !ledger.stay.isOver();
         ledger.stay.leave(ledger.out);
         if (cutOff) {
-            ledger.enterAfterCut();
+            ledger.enterAsLeft();
         } else {
             ledger.enter(ledger.stay.by(), Set.of());
         }
@@ -181,6 +183,17 @@ public final class Core implements Inputs {
         ledger.rules = rules;
         // Another component may be able to tell what the one before it could not.
         ledger.ask();
+    }
+
+    @Override
+    public void evolved(Swap swap, long atNanos) {
+        ledger.isAt(atNanos);
+        takeover.take(swap);
+    }
+
+    /** What keeps the models of {@code swap} from taking over now, for people; empty if nothing does. */
+    public String hindrance(Swap swap) {
+        return takeover.hindrance(swap);
     }
 
     /** An occurrence that nobody has been told of yet, and that cannot be taken, whatever the state of the converter. */

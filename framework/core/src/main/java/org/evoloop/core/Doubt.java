@@ -30,6 +30,11 @@ public record Doubt(String why, long number, Step step, long stepsBefore, List<O
         return new Doubt(why, number, step, stepsBefore, meanwhile, nowSettled);
     }
 
+    /** The same as other models have it. */
+    Doubt of(Step sameStep, List<Occurrence> sameMeanwhile) {
+        return new Doubt(why, number, sameStep, stepsBefore, sameMeanwhile, settled);
+    }
+
     Doubt later(long nanos) {
         return new Doubt(why, number, step, stepsBefore, Reframed.later(meanwhile, nanos), settled);
     }

@@ -162,4 +162,15 @@ public sealed interface Input {
             told.changed(rules, atNanos);
         }
     }
+
+    /**
+     * Other models take over. That happens between two events, and only where it is possible, see {@link
+     * Core#hindrance}; otherwise it counts for nothing.
+     */
+    record Evolved(Swap swap, long atNanos) implements Input {
+        @Override
+        public void applyTo(Inputs told) {
+            told.evolved(swap, atNanos);
+        }
+    }
 }

@@ -69,4 +69,7 @@ public interface Inputs {
 
     /** See {@link Input.Changed}. */
     void changed(Rules rules, long atNanos);
+
+    /** See {@link Input.Evolved}. */
+    void evolved(Swap swap, long atNanos);
 }

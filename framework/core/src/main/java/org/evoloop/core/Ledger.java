@@ -90,8 +90,8 @@ final class Ledger {
         stay.enter(place.at().evolved(), by, kept, rules, nowNanos, out);
     }
 
-    /** Enters the state whose visit was cut off: what is left of its timers counts, and what it has raised. */
-    void enterAfterCut() {
+    /** Enters the state whose visit was cut off, or goes on in other models: what is left of its timers counts, and what it has raised. */
+    void enterAsLeft() {
         Set<String> kept = new HashSet<>();
         for (Event timer : rules.timers().of(place.at().evolved()).keySet()) {
             kept.add(timer.name());
@@ -107,13 +107,19 @@ final class Ledger {
         progress.replace(pending -> pending.carriedOver(before, stay.number()));
     }
 
-    /** Enters the current state anew if its visit has ended without another state being entered; returns whether it has. */
-    boolean enterAgain() {
+    /**
+     * Enters the current state anew if its visit has ended without another state being entered; returns whether it has.
+     *
+     * @param after what has come to its end; when other models have taken over, what is left of the timers counts
+     */
+    boolean enterAgain(Occurrence after) {
         boolean again = stay.isOver() && open && !line.isRetryNext();
-        if (again) {
+        if (again && after instanceof Occurrence.Evolved) {
+            enterAsLeft();
+        } else if (again) {
             enter(stay.by(), Set.of());
         }
-        return again;
+        return again && !(after instanceof Occurrence.Evolved);
     }
 
     /** The function of the current state begins, if another visit than {@code before} has begun and the state is new. */

@@ -4,8 +4,8 @@ import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
+import java.util.function.Function;
 import java.util.function.Predicate;
-import java.util.function.UnaryOperator;
 import org.evoloop.evolution.Occurrence;
 import org.jspecify.annotations.Nullable;
 
@@ -93,10 +93,16 @@ final class Line {
         return first != null && first.occurrence() instanceof Occurrence.InDoubt;
     }
 
-    void replace(UnaryOperator<Pending> another) {
+    /** @param another what waits in place of each; null if nothing does */
+    void replace(Function<Pending, @Nullable Pending> another) {
         List<Pending> all = waiting();
         waiting.clear();
-        all.forEach(pending -> waiting.add(another.apply(pending)));
+        for (Pending pending : all) {
+            Pending next = another.apply(pending);
+            if (next != null) {
+                waiting.add(next);
+            }
+        }
     }
 
     int size() {

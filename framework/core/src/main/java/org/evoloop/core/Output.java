@@ -5,6 +5,7 @@ import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Step;
+import org.evoloop.migration.Fate;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.Transition;
@@ -52,6 +53,13 @@ public sealed interface Output {
      */
     record Enter(long visit, State state, @Nullable Transition by, Map<Event, Long> deadlines) implements Directive {}
 
+    /**
+     * The visit goes on in a state of other models.
+     *
+     * @param deadlines when its timers are due from now on
+     */
+    record CarryOver(long visit, State state, Map<Event, Long> deadlines) implements Directive {}
+
     /** An occurrence has been dealt with; the device may be given what it needs in these states. */
     record Settle(Configuration now) implements Directive {}
 
@@ -85,6 +93,13 @@ public sealed interface Output {
 
     /** Whether the record is in doubt has changed; {@code why} is empty if it no longer is. */
     record Doubted(String why) implements Notice {}
+
+    /**
+     * Other models have taken over: what is said from now on is in their terms.
+     *
+     * @param before where device and evolved system were, in terms of the models before
+     */
+    record Evolved(Occurrence.Evolved occurrence, Configuration before, Fate.Maps fate) implements Notice {}
 
     /**
      * An occurrence has come to its end, and this is what became of it.

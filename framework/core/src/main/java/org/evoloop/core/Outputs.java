@@ -5,6 +5,7 @@ import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Step;
+import org.evoloop.migration.Fate;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.Transition;
@@ -49,6 +50,11 @@ public interface Outputs {
     /** As {@link Output.Enter}. */
     default void enter(long visit, State state, @Nullable Transition by, Map<Event, Long> deadlines) {
         say(new Output.Enter(visit, state, by, deadlines));
+    }
+
+    /** As {@link Output.CarryOver}. */
+    default void carryOver(long visit, State state, Map<Event, Long> deadlines) {
+        say(new Output.CarryOver(visit, state, deadlines));
     }
 
     /** As {@link Output.Settle}. */
@@ -99,6 +105,11 @@ public interface Outputs {
     /** As {@link Output.Doubted}. */
     default void doubted(String why) {
         say(new Output.Doubted(why));
+    }
+
+    /** As {@link Output.Evolved}. */
+    default void evolved(Occurrence.Evolved occurrence, Configuration before, Fate.Maps fate) {
+        say(new Output.Evolved(occurrence, before, fate));
     }
 
     /** As {@link Output.Ended}. */

@@ -2,6 +2,7 @@ package org.evoloop.core;
 
 import java.util.List;
 import org.evoloop.evolution.Occurrence;
+import org.evoloop.statemachine.Event;
 
 /** Occurrences as another visit, or another clock, has them. */
 final class Reframed {
@@ -9,6 +10,11 @@ final class Reframed {
 
     static Occurrence inVisit(Occurrence occurrence, long visit) {
         return of(occurrence, visit, occurrence.observedNanos());
+    }
+
+    /** The event of a timer that has another name by now. */
+    static Occurrence as(Event event, Occurrence.Heard heard) {
+        return heard(event, heard, heard.visit(), heard.observedNanos());
     }
 
     static Occurrence later(Occurrence occurrence, long nanos) {
@@ -21,19 +27,19 @@ final class Reframed {
 
     private static Occurrence of(Occurrence occurrence, long visit, long atNanos) {
         if (occurrence instanceof Occurrence.Heard heard) {
-            return new Occurrence.Heard(
-                    heard.event(),
-                    heard.values(),
-                    heard.source(),
-                    heard.deviceActed(),
-                    heard.holding(),
-                    visit,
-                    atNanos);
+            return heard(heard.event(), heard, visit, atNanos);
         } else if (occurrence instanceof Occurrence.Asked asked) {
             return new Occurrence.Asked(asked.event(), asked.values(), visit, atNanos);
         } else if (occurrence instanceof Occurrence.Found found) {
             return new Occurrence.Found(found.state(), atNanos);
+        } else if (occurrence instanceof Occurrence.Evolved evolved) {
+            return new Occurrence.Evolved(evolved.model(), atNanos);
         }
         return new Occurrence.InDoubt(((Occurrence.InDoubt) occurrence).why(), atNanos);
+    }
+
+    private static Occurrence heard(Event event, Occurrence.Heard heard, long visit, long atNanos) {
+        return new Occurrence.Heard(
+                event, heard.values(), heard.source(), heard.deviceActed(), heard.holding(), visit, atNanos);
     }
 }

@@ -1,12 +1,11 @@
 package org.evoloop.core;
 
-import java.time.Duration;
-import java.util.Map;
 import java.util.function.Predicate;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.DecisionTable;
 import org.evoloop.evolution.Occurrence;
+import org.evoloop.evolution.Timers;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 
@@ -20,13 +19,6 @@ import org.evoloop.statemachine.State;
  * @since 0.1
  */
 public record Rules(DecisionTable table, Timers timers, int queueCapacity) {
-
-    /** The timers of states. */
-    @FunctionalInterface
-    public interface Timers {
-        /** Every event that is raised by itself in {@code state}, and after how long. */
-        Map<Event, Duration> of(State state);
-    }
 
     /**
      * What an occurrence means when it has its turn: a pure function.
@@ -49,7 +41,7 @@ public record Rules(DecisionTable table, Timers timers, int queueCapacity) {
         if (occurrence instanceof Occurrence.Asked asked) {
             return table.ask(at, asked.event(), holds);
         }
-        return new Decision.Inquiry(at);
+        return occurrence instanceof Occurrence.Evolved ? table.settle(at) : new Decision.Inquiry(at);
     }
 
     /** What a fact means to the new model: that is in the table, unless the device has gone on since. */

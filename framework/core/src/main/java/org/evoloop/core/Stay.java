@@ -65,14 +65,37 @@ final class Stay {
         Map<Event, Duration> timers = rules.timers().of(state);
         if (!timers.isEmpty() || !deadlines.isEmpty()) {
             deadlines.keySet().removeIf(event -> !kept.contains(event.name()));
-            timers.forEach((event, delay) -> {
-                // One that is kept but gone has been heard in an earlier visit of the state around.
-                if (!kept.contains(event.name())) {
-                    deadlines.put(event, atNanos + delay.toNanos());
-                }
-            });
+            begin(timers, kept, atNanos);
         }
         out.enter(number, state, leading, inOrder());
+    }
+
+    /**
+     * The same visit in {@code state} of other models.
+     *
+     * @param left the deadlines of timers that go on
+     * @param kept the names of those, heard or not
+     */
+    void goOn(
+            State state,
+            @Nullable Transition leading,
+            Map<Event, Long> left,
+            Set<String> kept,
+            Rules rules,
+            long atNanos) {
+        by = leading;
+        deadlines.clear();
+        deadlines.putAll(left);
+        begin(rules.timers().of(state), kept, atNanos);
+    }
+
+    private void begin(Map<Event, Duration> timers, Set<String> kept, long atNanos) {
+        timers.forEach((event, delay) -> {
+            // One that is kept but gone has been heard before.
+            if (!kept.contains(event.name())) {
+                deadlines.put(event, atNanos + delay.toNanos());
+            }
+        });
     }
 
     /** When the timers are due, in the order in which they were set. */

@@ -47,6 +47,9 @@ public final class DecisionTable {
 
     private int explored;
 
+    /** How many were reached by events as they should go. */
+    private int expected;
+
     private final Map<Event, Integer> numbers = new HashMap<>();
     private final Map<String, Integer> numbersByName = new HashMap<>();
     private final DecisionCells asked;
@@ -83,8 +86,8 @@ public final class DecisionTable {
         DecisionTable table = new DecisionTable(pair, device);
         table.reach(pair.initial());
         table.explore(false, table.problems);
-        int expected = table.reached.size();
-        for (int situation = 0; situation < expected; situation++) {
+        table.expected = table.reached.size();
+        for (int situation = 0; situation < table.expected; situation++) {
             table.follow(situation, table.interference(table.reached.get(situation), situation), table.hazards);
         }
         table.explore(true, table.hazards);
@@ -415,15 +418,21 @@ public final class DecisionTable {
         return new Configuration(original, same.isEmpty() ? original : same.get(0));
     }
 
+    /** Whether events as they should go can lead there. */
+    public boolean standsTogether(Configuration at) {
+        int situation = situation(at);
+        return situation >= 0 && situation < expected;
+    }
+
     /**
-     * What it takes that device and evolved system stand together, where another pair of models has led: nothing if events
-     * as they should go can lead there; else a way to a state of the device in which the new model's may be.
+     * What it takes that device and evolved system stand together, where another pair of models has led: nothing if they do;
+     * else a way to a state of the device in which the new model's may be.
      *
      * @param at in states of these models
      * @return a {@link Decision.Sending}, or {@link Decision.Impossible}
      */
     public synchronized Decision settle(Configuration at) {
-        return conversion.settle(at, situations.containsKey(at) ? List.of(at.original()) : companions(at.evolved()));
+        return conversion.settle(at, standsTogether(at) ? List.of(at.original()) : companions(at.evolved()));
     }
 
     /** The states of the device in which {@code evolved} may be: those that it is, or for a new one all that go with it. */
@@ -431,7 +440,7 @@ public final class DecisionTable {
         List<State> same = pair.deviceStates(evolved);
         return !same.isEmpty()
                 ? same
-                : situations.keySet().stream()
+                : reached.subList(0, expected).stream()
                         .filter(at -> at.evolved().equals(evolved))
                         .map(Configuration::original)
                         .toList();

@@ -164,4 +164,31 @@ public sealed interface Occurrence {
             return "in doubt: " + why;
         }
     }
+
+    /**
+     * Other models have taken over, and device and new model do not stand together in them yet.
+     *
+     * @param model the name of the new model
+     */
+    record Evolved(String model, long observedNanos) implements Occurrence {
+        @Override
+        public String label() {
+            return "evolved to " + model;
+        }
+
+        @Override
+        public Source source() {
+            return Source.OWNER;
+        }
+
+        @Override
+        public boolean isFact() {
+            return true;
+        }
+
+        @Override
+        public String toString() {
+            return label();
+        }
+    }
 }

@@ -15,7 +15,9 @@ public enum Source {
     /** A timer that the framework keeps for a state. */
     TIMER,
     /** A new function that runs on this computer. */
-    FUNCTION;
+    FUNCTION,
+    /** Whoever looks after the converter. */
+    OWNER;
 
     /** Whether somebody outside operated a control; all else is internal to the evolved system. */
     public boolean isButton() {

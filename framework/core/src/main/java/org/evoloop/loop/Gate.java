@@ -1,5 +1,6 @@
 package org.evoloop.loop;
 
+import java.time.Duration;
 import org.evoloop.time.OwnedThread;
 
 /**
@@ -75,6 +76,37 @@ final class Gate<O> {
      */
     void quietlyUnlessTold(Runnable change) {
         quietly(Thread.currentThread() instanceof OwnedThread, change);
+    }
+
+    /**
+     * Runs {@code change} while no occurrence is in the loop and none begins; nothing is given up for it.
+     *
+     * @param limit how long the occurrence that is in the loop is waited for
+     * @return whether it came to its end; if not, nothing was changed
+     */
+    boolean between(Duration limit, Runnable change) {
+        boolean interrupted = false;
+        boolean quiet;
+        lock.acquire();
+        try {
+            sequencer.hold(true);
+            interrupted =
+                    config.threads() && sequencer.awaitQuiet(limit, Thread.currentThread() instanceof OwnedThread);
+            quiet = sequencer.isQuiet();
+        } finally {
+            sequencer.release();
+        }
+        try {
+            if (quiet) {
+                change.run();
+            }
+        } finally {
+            hold(false);
+            if (interrupted) {
+                Thread.currentThread().interrupt();
+            }
+        }
+        return quiet;
     }
 
     private void quietly(boolean impatient, Runnable change) {

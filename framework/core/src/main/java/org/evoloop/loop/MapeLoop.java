@@ -2,6 +2,7 @@ package org.evoloop.loop;
 
 import static java.util.Objects.requireNonNull;
 
+import java.time.Duration;
 import java.util.List;
 import org.evoloop.time.Threads;
 import org.jspecify.annotations.Nullable;
@@ -162,6 +163,21 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
                 meanwhile.run();
             });
             awaitEnd(worker.threadToEnd());
+        }
+    }
+
+    /**
+     * Runs {@code change}, of which user code may be part, between two occurrences: none is in the loop, and none begins
+     * meanwhile.
+     *
+     * @param limit how long the occurrence that is in the loop is waited for
+     * @return whether it came to its end; if not, {@code change} was not run
+     * @throws IllegalStateException if the loop has ended, or the caller is one of its threads
+     */
+    public boolean between(Duration limit, Runnable change) {
+        synchronized (admin) {
+            requireUsable();
+            return gate.between(limit, change);
         }
     }
 

@@ -291,7 +291,7 @@ final class Sequencer<O> {
     boolean awaitQuiet(Duration limit, boolean impatient) {
         boolean interrupted = false;
         long left = limit.toNanos();
-        while ((busy != null || breakingOff) && left > 0) {
+        while (!isQuiet() && left > 0) {
             try {
                 left = ended.awaitNanos(left);
             } catch (InterruptedException e) {
@@ -302,6 +302,11 @@ final class Sequencer<O> {
             }
         }
         return interrupted;
+    }
+
+    /** Whether no occurrence is in the loop. */
+    boolean isQuiet() {
+        return busy == null && !breakingOff;
     }
 
     /** While it is held, nothing begins. */

@@ -5,6 +5,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import org.evoloop.evolution.DecisionTable;
+import org.evoloop.evolution.Timers;
 import org.evoloop.migration.Carried.How;
 import org.evoloop.migration.Carried.Part;
 import org.evoloop.statemachine.Event;
@@ -18,20 +19,28 @@ import org.evoloop.statemachine.StateMachine;
  */
 final class Belongings {
     private final DecisionTable running;
+    private final Timers runningTimers;
     private final DecisionTable next;
+    private final Timers nextTimers;
     private final Mapping mapping;
 
-    Belongings(DecisionTable running, DecisionTable next, Mapping mapping) {
+    Belongings(DecisionTable running, Timers runningTimers, DecisionTable next, Timers nextTimers, Mapping mapping) {
         this.running = running;
+        this.runningTimers = runningTimers;
         this.next = next;
+        this.nextTimers = nextTimers;
         this.mapping = mapping;
     }
 
-    /** Timers first, those of {@code from} before those that only {@code to} has. */
-    List<Carried> carried(State from, State to) {
+    /**
+     * Timers first, those of {@code from} before those that only {@code to} has.
+     *
+     * @param atOnce whether nothing has to be sent before {@code to} begins; no function runs meanwhile
+     */
+    List<Carried> carried(State from, State to, boolean atOnce) {
         List<Carried> all = new ArrayList<>();
-        Set<String> begun = new LinkedHashSet<>(timers(next.models().evolved(), to));
-        for (String timer : timers(running.models().evolved(), from)) {
+        Set<String> begun = new LinkedHashSet<>(names(nextTimers, to));
+        for (String timer : names(runningTimers, from)) {
             Mapping.TimerOf key = new Mapping.TimerOf(plain(from), timer);
             String becomes = mapping.timers().getOrDefault(key, timer);
             boolean goesOn = begun.remove(becomes);
@@ -39,18 +48,18 @@ final class Belongings {
             all.add(new Carried(Part.TIMER, timer, goesOn ? becomes : timer, how));
         }
         begun.forEach(timer -> all.add(new Carried(Part.TIMER, timer, timer, How.STARTED)));
-        functions(from, to, all);
+        functions(from, to, atOnce, all);
         return all;
     }
 
-    private void functions(State from, State to, List<Carried> all) {
+    private void functions(State from, State to, boolean atOnce, List<Carried> all) {
         String before = running.isNew(from) ? function(running.models().evolved(), from) : "";
         String after = next.isNew(to) ? function(next.models().evolved(), to) : "";
         boolean same = !before.isEmpty()
                 && !after.isEmpty()
                 && (before.equals(after) || mapping.keptFunctions().contains(plain(from)));
         if (same) {
-            boolean anew = mapping.restartedFunctions().contains(plain(from));
+            boolean anew = !atOnce || mapping.restartedFunctions().contains(plain(from));
             all.add(new Carried(Part.FUNCTION, before, after, anew ? How.RESTARTED : How.KEPT));
             return;
         }
@@ -66,8 +75,8 @@ final class Belongings {
         return running.models().evolved().withoutMemory(from);
     }
 
-    private static List<String> timers(StateMachine machine, State state) {
-        return machine.timers(state).keySet().stream().map(Event::name).toList();
+    private static List<String> names(Timers timers, State state) {
+        return timers.of(state).keySet().stream().map(Event::name).toList();
     }
 
     private static String function(StateMachine machine, State state) {

@@ -16,11 +16,12 @@ public sealed interface Fate {
     /**
      * The swap is possible.
      *
-     * @param to where device and evolved system stand afterwards
+     * @param at where device and evolved system are as soon as the next models take over
+     * @param to where they stand when all steps have been sent
      * @param steps what is sent to get there; mostly nothing
      * @param carried what becomes of the timers and the functions of both states
      */
-    record Maps(Configuration to, List<Step> steps, List<Carried> carried) implements Fate {
+    record Maps(Configuration at, Configuration to, List<Step> steps, List<Carried> carried) implements Fate {
         public Maps {
             steps = List.copyOf(steps);
             carried = List.copyOf(carried);

@@ -4,6 +4,9 @@ import java.util.HashMap;
 import java.util.HashSet;
 import java.util.Map;
 import java.util.Set;
+import java.util.TreeMap;
+import java.util.function.UnaryOperator;
+import java.util.stream.Collectors;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.statemachine.ModelException;
 import org.evoloop.statemachine.State;
@@ -56,6 +59,32 @@ public record Mapping(
      */
     public static Mapping parse(String file, String text, ModelPair running, ModelPair next) {
         return MappingText.parse(file, text, running, next);
+    }
+
+    /**
+     * What leads back. Of several states that become one, the first by name is what that one becomes again.
+     */
+    public Mapping reversed() {
+        Map<State, State> back = reversed(states);
+        UnaryOperator<State> there = state -> states.getOrDefault(state, state);
+        Map<TimerOf, String> timersBack = new HashMap<>();
+        timers.forEach((timer, name) -> timersBack.put(new TimerOf(there.apply(timer.state()), name), timer.timer()));
+        Set<TimerOf> restarted = restartedTimers.stream()
+                .map(timer -> new TimerOf(there.apply(timer.state()), timer.timer()))
+                .collect(Collectors.toSet());
+        return new Mapping(
+                reversed(device),
+                back,
+                timersBack,
+                restarted,
+                restartedFunctions.stream().map(there).collect(Collectors.toSet()),
+                keptFunctions.stream().map(there).collect(Collectors.toSet()));
+    }
+
+    private static Map<State, State> reversed(Map<State, State> there) {
+        Map<State, State> back = new HashMap<>();
+        new TreeMap<>(there).forEach((from, to) -> back.putIfAbsent(to, from));
+        return back;
     }
 
     /** The same with {@code next} in place of {@code state} of the running new model. */

@@ -12,6 +12,7 @@ import java.util.Set;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.DecisionTable;
+import org.evoloop.evolution.Timers;
 import org.evoloop.evolution.Turn;
 import org.evoloop.statemachine.Event;
 
@@ -37,15 +38,17 @@ public record Migration(List<Line> lines) {
         return lines.stream().noneMatch(line -> line.fate() instanceof Fate.Stuck);
     }
 
-    /**
-     * The plan of a swap from the models of {@code running} to those of {@code next}.
-     *
-     * @param mapping of states that both have
-     */
+    /** The plan of a swap from the models of {@code running} to those of {@code next}, with the timers that are drawn. */
     public static Migration plan(DecisionTable running, DecisionTable next, Mapping mapping) {
-        Placement placement = new Placement(running, next, mapping);
+        Timers drawn = Timers.drawnIn(running.models().evolved());
+        Timers nextDrawn = Timers.drawnIn(next.models().evolved());
+        return plan(running, new Succession(running, drawn, next, nextDrawn, mapping));
+    }
+
+    /** The plan of a swap from the models of {@code running}, as {@code succession} tells of each pair of states. */
+    public static Migration plan(DecisionTable running, Succession succession) {
         Map<Configuration, Fate> fates = new LinkedHashMap<>();
-        running.configurations().forEach(at -> fates.put(at, placement.fate(at)));
+        running.configurations().forEach(at -> fates.put(at, succession.fate(at)));
         Map<Configuration, Integer> distances = distances(running, fates);
         List<Line> lines = new ArrayList<>();
         fates.forEach((at, fate) -> lines.add(new Line(at, wait(running, at, fate, distances))));

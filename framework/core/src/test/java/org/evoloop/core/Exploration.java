@@ -92,7 +92,7 @@ final class Exploration {
         List<Output> said = List.of();
         Snapshot after = before;
         if (move.input() != null) {
-            Wiring.Result result = wiring.tell(scene.rules(), before, move.input());
+            Wiring.Result result = wiring.tell(at.world().rules(), before, move.input());
             said = result.said();
             after = result.after();
             world.heard(move.input(), said, after);
@@ -113,7 +113,7 @@ final class Exploration {
             key.add(parts.computeIfAbsent(part, unknown -> parts.size()));
         }
         if (seen.add(key)) {
-            visitor.accept(scene.rules(), situation.snapshot());
+            visitor.accept(situation.world().rules(), situation.snapshot());
             frontier.add(situation);
         }
     }

@@ -43,8 +43,25 @@ class ExplorationTest {
         explore(scene, TO_THE_END);
     }
 
+    static Stream<Scene> evolving() {
+        return Stream.of(Scene.dancingRobot(), Scene.busyRobot())
+                .flatMap(scene -> Stream.of(
+                        scene.with(2, Act.EVOLVE, Act.PRESS).with(1, Act.OWN),
+                        scene.with(2, Act.PRESS).with(1, Act.EVOLVE, Act.RAISE, Act.STOP),
+                        scene.with(1, Act.EVOLVE, Act.PRESS, Act.OWN, Act.GIVE_UP),
+                        scene.with(1, Act.EVOLVE, Act.PRESS, Act.OWN, Act.JUMP),
+                        scene.with(1, Act.PRESS, Act.ASK, Act.EVOLVE, Act.FAIL, Act.END)))
+                .flatMap(ExplorationTest::bestAndWorst);
+    }
+
+    @ParameterizedTest
+    @MethodSource("evolving")
+    void allStoriesInWhichOtherModelsTakeOver(Scene scene) {
+        explore(scene, TO_THE_END);
+    }
+
     static Stream<Scene> everything() {
-        return Stream.of(Scene.bulb(), Scene.robot())
+        return Stream.of(Scene.bulb(), Scene.dancingRobot())
                 .map(scene -> scene.with(2, Act.values()))
                 .flatMap(ExplorationTest::bestAndWorst);
     }

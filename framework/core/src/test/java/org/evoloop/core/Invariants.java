@@ -45,7 +45,7 @@ final class Invariants {
 
     private String recordIsDevice() {
         boolean quiet = world.untold.isEmpty()
-                && new Core(world.scene.rules(), after, output -> {}).doubt().isEmpty();
+                && new Core(world.rules(), after, output -> {}).doubt().isEmpty();
         return quiet && !after.at().original().equals(world.device)
                 ? "record: the device is in " + world.device + ", the record says " + after.at()
                 : "";
@@ -193,6 +193,6 @@ final class Invariants {
     }
 
     private boolean isDevicesOwn(Event event) {
-        return world.scene.rules().table().isDevicesOwn(event);
+        return world.rules().table().isDevicesOwn(event);
     }
 }

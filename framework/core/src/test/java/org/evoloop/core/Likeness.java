@@ -57,6 +57,7 @@ final class Likeness {
                 world.answer,
                 world.plans,
                 world.phase,
+                world.evolved,
                 world.left);
     }
 

@@ -92,7 +92,7 @@ final class Living {
     }
 
     private StateMachine model() {
-        return world.scene.rules().table().models().original();
+        return world.rules().table().models().original();
     }
 
     /** An adapter that keeps the order tells what happened first; another tells facts while an effect waits for its turn. */
@@ -113,7 +113,7 @@ final class Living {
 
     private Move tells(Token token, World next) {
         if (token instanceof Token.Own own) {
-            boolean alone = world.scene.rules().table().isDevicesOwn(own.event());
+            boolean alone = world.rules().table().isDevicesOwn(own.event());
             return Move.told(
                     new Input.Observed(new Occurrence.Heard(
                             own.event(), Values.NONE, Source.DEVICE, !alone, Set.of(), Occurrence.ANY_VISIT, time)),

@@ -3,6 +3,7 @@ package org.evoloop.core;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Objects;
 import java.util.Set;
 import org.evoloop.core.Scene.Act;
 import org.evoloop.core.World.Phase;
@@ -109,8 +110,16 @@ final class Moves {
         if (world.may(Act.END)) {
             end();
         }
+        Swap swap = world.scene.swap(world.evolved);
+        if (world.may(Act.EVOLVE)
+                && new Core(world.rules(), now, output -> {}).hindrance(swap).isEmpty()) {
+            World next = world.spent(Act.EVOLVE);
+            next.evolved = !world.evolved;
+            next.device = Objects.requireNonNull(swap.succession().deviceState(world.device));
+            found.add(Move.told(new Input.Evolved(swap, time), next));
+        }
         if (world.may(Act.CHANGE)) {
-            found.add(Move.told(new Input.Changed(world.scene.rules(), time), world.spent(Act.CHANGE)));
+            found.add(Move.told(new Input.Changed(world.rules(), time), world.spent(Act.CHANGE)));
         }
     }
 

@@ -79,6 +79,34 @@ enum Mutation {
                     : after;
         }
     },
+    OTHER_MODELS_FORGET_WHAT_WAITS("sum", Scene.dancingRobot().with(1, Act.PRESS, Act.EVOLVE)) {
+        @Override
+        Snapshot undo(Snapshot before, Input input, Snapshot after) {
+            return input instanceof Input.Evolved ? Snapshots.waiting(after, List.of()) : after;
+        }
+    },
+    OTHER_MODELS_BEGIN_WHERE_THEY_WOULD_INITIALLY("record", Scene.dancingRobot().with(1, Act.OWN, Act.EVOLVE)) {
+        @Override
+        Snapshot undo(Snapshot before, Input input, Snapshot after) {
+            return input instanceof Input.Evolved evolved
+                    ? Snapshots.at(
+                            after, evolved.swap().rules().table().models().initial())
+                    : after;
+        }
+    },
+    OTHER_MODELS_TAKE_OVER_AS_IF_DEVICE_AND_SYSTEM_STOOD_TOGETHER(
+            "stuck", Scene.busyRobot().with(2, Act.PRESS).with(1, Act.EVOLVE)) {
+        @Override
+        Snapshot undo(Snapshot before, Input input, Snapshot after) {
+            return input instanceof Input.Evolved
+                    ? Snapshots.waiting(
+                            Snapshots.tally(after, before.tally()),
+                            after.waiting().stream()
+                                    .filter(pending -> !(pending.occurrence() instanceof Occurrence.Evolved))
+                                    .toList())
+                    : after;
+        }
+    },
     THE_QUEUE_DOES_NOT_WAIT("order", Scene.bulb().with(2, Act.PRESS)) {
         @Override
         Snapshot ahead(Snapshot before, Input input) {

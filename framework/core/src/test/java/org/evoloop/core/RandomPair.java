@@ -35,6 +35,30 @@ public final class RandomPair {
         return new RandomPair(seed).draw();
     }
 
+    /** The device of {@code seed} with the new model of another seed. */
+    static Scene other(long seed, long another) {
+        ModelPair pair = new ModelPair(models(seed).original(), models(another).evolved());
+        return Scene.of("new model of seed " + another, pair, Map.of("W", "late"), "a b", "a", 2);
+    }
+
+    /** The same pair whose new model can do more: it has another state, and ways there and back. */
+    static Scene more(long seed) {
+        ModelPair same = models(seed);
+        StateMachine evolved = same.evolved();
+        StateMachineBuilder builder =
+                StateMachine.named("more").initial(evolved.initial().name());
+        evolved.states().forEach(state -> builder.state(state.name()));
+        evolved.events().forEach(event -> builder.event(event.name()));
+        evolved.transitions().forEach(transition -> builder.transition(transition, ""));
+        builder.state("M");
+        for (State state : evolved.states()) {
+            builder.transition(state.name(), "more", "M");
+            builder.transition("M", "to" + state, state.name());
+        }
+        ModelPair pair = new ModelPair(same.original(), builder.build());
+        return Scene.of("more of seed " + seed, pair, Map.of("W", "late"), "a b", "a", 2);
+    }
+
     private ModelPair draw() {
         List<String> all = new ArrayList<>(DEVICE);
         all.addAll(NEW);

@@ -1,5 +1,7 @@
 package org.evoloop.core;
 
+import static org.evoloop.Machines.machine;
+
 import java.time.Duration;
 import java.util.EnumMap;
 import java.util.List;
@@ -11,18 +13,24 @@ import org.evoloop.PaperModels;
 import org.evoloop.evolution.DecisionTable;
 import org.evoloop.evolution.DeviceEvents;
 import org.evoloop.evolution.ModelPair;
+import org.evoloop.migration.Mapping;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
+import org.evoloop.statemachine.StateMachine;
 
 /**
  * What is explored: a pair with its timers, and how often each thing may happen from outside.
  *
+ * @param next by what it goes after it has evolved, and evolves back from
+ * @param mapping of the states of both
  * @param inOrder whether the adapter tells effects of steps in their place among what the device does by itself
  * @param canLocate whether the device can tell where it is
  */
 record Scene(
         String name,
         Rules rules,
+        Rules next,
+        Mapping mapping,
         Set<Event> presses,
         Set<Event> own,
         Set<Event> raised,
@@ -44,6 +52,8 @@ record Scene(
         ASK,
         /** The converter is closed, or opened again. */
         STOP,
+        /** Other models take over. */
+        EVOLVE,
         /** Components are exchanged. */
         CHANGE,
         /** A component fails. */
@@ -80,15 +90,74 @@ record Scene(
             int queueCapacity) {
         Set<Event> sent = events(sendable);
         Set<Event> own = events(spontaneous);
-        DecisionTable table = DecisionTable.compile(pair, new DeviceEvents(sent, own));
+        Rules rules = rules(pair, timers, sendable, spontaneous, queueCapacity);
         pair.original().triggers().stream()
                 .filter(event -> !sent.contains(event))
                 .forEach(own::add);
         Set<Event> raised = pair.evolved().triggers().stream()
                 .filter(event -> !pair.original().triggers().contains(event))
                 .collect(Collectors.toSet());
-        Rules rules = new Rules(table, state -> timersOf(timers, state), queueCapacity);
-        return new Scene(name, rules, sent, own, raised, true, true, Map.of());
+        return new Scene(name, rules, rules, Mapping.byName(), sent, own, raised, true, true, Map.of());
+    }
+
+    private static Rules rules(
+            ModelPair pair, Map<String, String> timers, String sendable, String spontaneous, int queueCapacity) {
+        DecisionTable table = DecisionTable.compile(pair, new DeviceEvents(events(sendable), events(spontaneous)));
+        return new Rules(table, state -> timersOf(timers, state), queueCapacity);
+    }
+
+    /** The robot, which may learn to dance and forget its detour by SpotWait. */
+    static Scene dancingRobot() {
+        return robot().evolvingTo(
+                        "dancing",
+                        "Clean Spot",
+                        machine(
+                                "dancing",
+                                "Off Clean -> On",
+                                "On Clean -> Clean",
+                                "Clean Clean -> On",
+                                "On Spot -> Move",
+                                "Move arriveSpot -> Spot",
+                                "Spot endSpot -> On",
+                                "On timeout -> Dance",
+                                "Dance Clean -> Clean",
+                                "Dance timeout -> On"));
+    }
+
+    /** The robot, which may learn to move while it cleans: it has to be sent there. */
+    static Scene busyRobot() {
+        return robot().evolvingTo(
+                        "busy",
+                        "",
+                        machine(
+                                "busy",
+                                "Off Clean -> On",
+                                "On Clean -> Clean",
+                                "Clean Clean -> On",
+                                "Clean Spot -> Move",
+                                "Move arriveSpot -> On",
+                                "Move timeout -> Clean",
+                                "On Spot -> Spot",
+                                "Spot endSpot -> On"));
+    }
+
+    private Scene evolvingTo(String learnt, String spontaneous, StateMachine evolved) {
+        ModelPair pair = new ModelPair(rules.table().models().original(), evolved);
+        Map<String, String> timers = Map.of("SpotWait", "timeout", "Dance", "timeout", "Move", "timeout");
+        Rules other = rules(pair, timers, "Clean Spot", spontaneous, 2);
+        return new Scene(
+                name + ", " + learnt, rules, other, Mapping.byName(), presses, own, raised, inOrder, canLocate, times);
+    }
+
+    /** The same, which may evolve to the pair of {@code other} and back. */
+    Scene evolvingTo(Scene other, Mapping names) {
+        String both = name + ", evolving to " + other.name;
+        return new Scene(both, rules, other.rules, names, presses, own, raised, inOrder, canLocate, times);
+    }
+
+    /** There, or back. */
+    Swap swap(boolean back) {
+        return back ? Swap.of(next, rules, mapping.reversed()) : Swap.of(rules, next, mapping);
     }
 
     private static Map<Event, Duration> timersOf(Map<String, String> timers, State state) {
@@ -97,7 +166,10 @@ record Scene(
     }
 
     private static Set<Event> events(String names) {
-        return Stream.of(names.split(" ")).map(Event::new).collect(Collectors.toSet());
+        return Stream.of(names.split(" "))
+                .filter(name -> !name.isEmpty())
+                .map(Event::new)
+                .collect(Collectors.toSet());
     }
 
     /** The same in which {@code act} may happen so often. */
@@ -105,7 +177,7 @@ record Scene(
         Map<Act, Integer> more = new EnumMap<>(Act.class);
         more.putAll(times);
         more.put(act, most);
-        return new Scene(name, rules, presses, own, raised, inOrder, canLocate, more);
+        return new Scene(name, rules, next, mapping, presses, own, raised, inOrder, canLocate, more);
     }
 
     Scene with(int most, Act... acts) {
@@ -118,12 +190,12 @@ record Scene(
 
     /** The same with an adapter that tells an effect when {@code send} returns. */
     Scene outOfOrder() {
-        return new Scene(name, rules, presses, own, raised, false, canLocate, times);
+        return new Scene(name, rules, next, mapping, presses, own, raised, false, canLocate, times);
     }
 
     /** The same with a device that cannot tell where it is. */
     Scene mute() {
-        return new Scene(name, rules, presses, own, raised, inOrder, false, times);
+        return new Scene(name, rules, next, mapping, presses, own, raised, inOrder, false, times);
     }
 
     /** Every kind of adapter and device. */

@@ -13,12 +13,10 @@ import org.evoloop.statemachine.State;
 final class Told {
     final Core core;
     final List<Output> said = new ArrayList<>();
-    private final Rules rules;
     private long now;
 
     Told(Scene scene) {
-        rules = scene.rules();
-        core = new Core(rules, said::add);
+        core = new Core(scene.rules(), said::add);
         tell(new Input.Opened(now));
     }
 
@@ -58,7 +56,7 @@ final class Told {
     Told planned() {
         Work work = work();
         return tell(new Input.Planned(
-                number(), rules.decide(core.at(), core.steps(), work.pending(), guard -> false), now));
+                number(), core.rules().decide(core.at(), core.steps(), work.pending(), guard -> false), now));
     }
 
     Told sending() {

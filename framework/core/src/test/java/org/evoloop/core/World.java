@@ -46,6 +46,9 @@ final class World {
     Set<Decision> plans = new LinkedHashSet<>();
 
     Phase phase = Phase.CLOSED;
+    /** Whether it goes by the scene's next rules. */
+    boolean evolved;
+
     Map<Scene.Act, Integer> left;
 
     World(Scene scene) {
@@ -66,11 +69,17 @@ final class World {
         answer = same.answer;
         plans = new LinkedHashSet<>(same.plans);
         phase = same.phase;
+        evolved = same.evolved;
         left = new EnumMap<>(same.left);
     }
 
     World copy() {
         return new World(this);
+    }
+
+    /** By what the core goes now. */
+    Rules rules() {
+        return evolved ? scene.next() : scene.rules();
     }
 
     boolean may(Scene.Act act) {
@@ -85,12 +94,7 @@ final class World {
 
     /** What the device's model does on {@code trigger}. */
     void take(Event trigger) {
-        device = scene.rules()
-                .table()
-                .models()
-                .original()
-                .nextState(device, trigger)
-                .orElse(device);
+        device = rules().table().models().original().nextState(device, trigger).orElse(device);
     }
 
     void noLongerSent() {
@@ -126,7 +130,7 @@ final class World {
         if (work == null || work.decision() != null) {
             plans.clear();
         } else {
-            plans.add(scene.rules().decide(after.at(), after.steps(), work.pending(), guard -> false));
+            plans.add(rules().decide(after.at(), after.steps(), work.pending(), guard -> false));
         }
     }
 }

@@ -137,6 +137,13 @@ final class Directory implements AutoCloseable {
         return path.resolve(String.format(Locale.ROOT, "%010d", number) + SUFFIX);
     }
 
+    /** The file of a segment that is being prepared; one that a process has left behind is gone. */
+    Path prepared() throws IOException {
+        Path file = path.resolve("prepared");
+        Files.deleteIfExists(file);
+        return file;
+    }
+
     private static long number(Path segment) {
         return Long.parseLong(segment.getFileName().toString().replace(SUFFIX, ""));
     }

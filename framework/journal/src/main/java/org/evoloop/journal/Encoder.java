@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Map;
 import org.evoloop.core.Inputs;
 import org.evoloop.core.Rules;
+import org.evoloop.core.Swap;
 import org.evoloop.core.text.DecisionKind;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
@@ -16,7 +17,7 @@ import org.jspecify.annotations.Nullable;
 
 /** Writes down each input that it is told; {@link Decoder} reads it. */
 final class Encoder implements Inputs {
-    final Bytes bytes = new Bytes();
+    Bytes bytes = new Bytes();
     private final Masks masks;
 
     /** @param masks what is not written */
@@ -32,6 +33,12 @@ final class Encoder implements Inputs {
     private void begin(Kind kind, long number) {
         begin(kind);
         bytes.number(number);
+    }
+
+    /** @throws IllegalStateException since other models stand in the head of another segment */
+    @Override
+    public void evolved(Swap swap, long atNanos) {
+        throw new IllegalStateException("other models are no record");
     }
 
     @Override

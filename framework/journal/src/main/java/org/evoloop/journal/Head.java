@@ -22,6 +22,7 @@ import org.evoloop.statemachine.StateMachine;
  * The first record of a segment: by what it was written, and when.
  *
  * @param fingerprint of the models, see {@link Fingerprint}
+ * @param built of the models with which the converter was built, and from which it may have evolved
  * @param models both models
  * @param boot which start of the computer it was written in; empty if that cannot be told
  * @param wallNanos the time of day when the segment began, in nanoseconds since 1970
@@ -32,6 +33,7 @@ import org.evoloop.statemachine.StateMachine;
  */
 record Head(
         String fingerprint,
+        String built,
         ModelPair models,
         String boot,
         long wallNanos,
@@ -40,7 +42,8 @@ record Head(
         Map<State, Map<Event, Duration>> timers,
         int queueCapacity) {
 
-    static Head of(String fingerprint, Rules rules, long wallNanos, long nowNanos) {
+    /** @param built the fingerprint of the models with which the converter was built */
+    static Head of(String fingerprint, String built, Rules rules, long wallNanos, long nowNanos) {
         ModelPair models = rules.table().models();
         Map<State, Map<Event, Duration>> timers = new TreeMap<>();
         for (State state : models.evolved().states()) {
@@ -51,6 +54,7 @@ record Head(
         }
         return new Head(
                 fingerprint,
+                built,
                 models,
                 Boot.ID,
                 wallNanos,
@@ -68,8 +72,11 @@ record Head(
                 && queueCapacity == other.queueCapacity;
     }
 
-    /** By what the segment was written, for the same models as {@code present}. */
-    Rules rules(Rules present) {
+    /** By what the segment was written; {@code present} has decisions to begin with if its models have this fingerprint. */
+    Rules rules(Rules present, String presentFingerprint) {
+        if (!fingerprint.equals(presentFingerprint)) {
+            return rules();
+        }
         DecisionTable table = present.table();
         if (!device.equals(table.device())) {
             table = DecisionTable.compile(table.models(), device);
@@ -91,6 +98,7 @@ record Head(
     void write(Bytes bytes) {
         bytes.clear();
         bytes.text(fingerprint);
+        bytes.text(built);
         MachineBytes.write(bytes, models.original());
         MachineBytes.write(bytes, models.evolved());
         bytes.text(boot);
@@ -128,6 +136,7 @@ record Head(
 
     static Head read(Cursor cursor) {
         String fingerprint = cursor.text();
+        String built = cursor.text();
         StateMachine original = MachineBytes.read(cursor);
         ModelPair models = new ModelPair(original, MachineBytes.read(cursor));
         String boot = cursor.text();
@@ -140,7 +149,7 @@ record Head(
         }
         int capacity = (int) cursor.number();
         cursor.requireEnd();
-        return new Head(fingerprint, models, boot, wallNanos, nowNanos, device, timers, capacity);
+        return new Head(fingerprint, built, models, boot, wallNanos, nowNanos, device, timers, capacity);
     }
 
     private static DeviceEvents device(Cursor cursor) {

@@ -3,6 +3,7 @@ package org.evoloop.journal;
 import static java.util.Objects.requireNonNull;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.function.Consumer;
@@ -11,6 +12,7 @@ import org.evoloop.core.Core;
 import org.evoloop.core.Inputs;
 import org.evoloop.core.Rules;
 import org.evoloop.core.Snapshot;
+import org.evoloop.evolution.ModelPair;
 import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 
@@ -46,6 +48,9 @@ public final class Journal implements ConverterJournal {
     private final Forcing forcing;
     private final Masks masks;
     private @Nullable Segments segments;
+
+    /** The fingerprint of the models with which the converter was built, if it has evolved since. */
+    private @Nullable String built;
 
     private Journal(Path path, int segmentBytes, long keptBytes, Forcing forcing, Masks masks) {
         this.path = requireNonNull(path, "the directory of a journal is null");
@@ -109,24 +114,54 @@ public final class Journal implements ConverterJournal {
         return forcing;
     }
 
+    /** @throws JournalException if its newest segment is damaged, or cannot be read */
+    @Override
+    public @Nullable ModelPair evolvedFrom(ModelPair models) {
+        String fingerprint = Fingerprint.of(models);
+        List<Path> all = Files.isDirectory(path) ? Directory.segments(path) : List.of();
+        for (int index = all.size() - 1; index >= 0; index--) {
+            if (SegmentReader.writtenBytes(all.get(index)) > 0) {
+                Head newest = new SegmentReader(all.get(index)).head();
+                if (newest.built().equals(fingerprint) && !newest.fingerprint().equals(fingerprint)) {
+                    built = fingerprint;
+                    return newest.models();
+                }
+                return null;
+            }
+        }
+        return null;
+    }
+
     /** @throws JournalException if it cannot be gone on with */
     @Override
     public @Nullable Snapshot open(Rules rules, Clock usedClock, Past past) {
         Directory opened = new Directory(path);
         try {
-            String fingerprint = Fingerprint.of(rules.table().models());
+            ModelPair models = rules.table().models();
+            String fingerprint = Fingerprint.of(models);
             Replay replay = new Replay(rules, fingerprint, past);
             replay.of(opened.last(segmentBytes));
             segments = new Segments(
                     this,
                     opened,
                     usedClock,
-                    fingerprint,
+                    models,
+                    built == null ? fingerprint : built,
                     String.valueOf(path.toAbsolutePath().getFileName()));
             return replay.result(usedClock);
         } catch (RuntimeException refused) {
             opened.close();
             throw refused;
+        }
+    }
+
+    /** @throws JournalException if it cannot be written */
+    @Override
+    public void prepare(Rules rules) {
+        try {
+            requireNonNull(segments, "the journal is not open").prepare(rules);
+        } catch (IOException | InternalError e) {
+            throw Directory.cannotBeWritten(path, e);
         }
     }
 

@@ -11,7 +11,7 @@ final class Preamble {
     static final int BYTES = 32;
 
     /** The version that is written and read. */
-    static final int VERSION = 2;
+    static final int VERSION = 3;
 
     private static final long MAGIC = 0x45564F4C4F4F504AL; // EVOLOOPJ
     private static final int CHECKED_BYTES = 12;

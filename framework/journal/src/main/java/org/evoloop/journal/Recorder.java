@@ -5,6 +5,7 @@ import java.util.function.Consumer;
 import org.evoloop.core.Core;
 import org.evoloop.core.Inputs;
 import org.evoloop.core.Rules;
+import org.evoloop.core.Swap;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.statemachine.Event;
@@ -45,7 +46,7 @@ final class Recorder implements Inputs {
             }
         } catch (IOException | InternalError e) {
             kept = false;
-            segments.suspend();
+            segments.fail();
             if (worked) {
                 failed.accept(Directory.cannotBeWritten(segments.path(), e));
             }
@@ -105,6 +106,27 @@ final class Recorder implements Inputs {
             encoder.changed(rules, atNanos);
         } while (!append());
         core.changed(rules, atNanos);
+    }
+
+    /**
+     * Other models stand in the head of another segment, together with what is known in them: as soon as it has begun they
+     * have taken over.
+     */
+    @Override
+    public void evolved(Swap swap, long atNanos) {
+        Core evolved = new Core(core.rules(), core.snapshot(), output -> {});
+        evolved.evolved(swap, atNanos);
+        Bytes names;
+        try {
+            names = segments.beginPrepared(evolved);
+        } catch (IOException | InternalError e) {
+            throw new JournalException(
+                    "the journal " + segments.path() + " cannot be written, so the models stay; make room on its disk",
+                    e);
+        }
+        // Where that fails, the segment before goes on, with the names that it knows.
+        encoder.bytes = names;
+        core.evolved(swap, atNanos);
     }
 
     @Override

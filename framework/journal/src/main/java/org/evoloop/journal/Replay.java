@@ -35,8 +35,8 @@ final class Replay {
 
     /** @throws JournalException if one is damaged, or of other models */
     void of(List<Path> segments) {
-        for (Path segment : segments) {
-            of(segment);
+        for (int index = 0; index < segments.size(); index++) {
+            of(segments.get(index), index == segments.size() - 1);
         }
     }
 
@@ -45,8 +45,13 @@ final class Replay {
         tell(file, new SegmentReader(file));
     }
 
-    private void of(Path file) {
+    private void of(Path file, boolean newest) {
         SegmentReader segment = new SegmentReader(file);
+        if (newest) {
+            // Those before may be of models from which the converter has evolved.
+            Fingerprint.requireSame(
+                    file, segment.head(), fingerprint, present.table().models());
+        }
         Core core = tell(file, segment);
         if (segment.isTorn()) {
             LOG.warn(
@@ -65,9 +70,8 @@ final class Replay {
 
     private Core tell(Path file, SegmentReader segment) {
         Head head = segment.head();
-        Fingerprint.requireSame(file, head, fingerprint, present.table().models());
-        Rules rules = head.rules(present);
-        Core core = new Core(rules, snapshot(file, segment), past);
+        Rules rules = head.rules(present, fingerprint);
+        Core core = new Core(rules, snapshot(file, segment, rules), past);
         past.at(() -> head.wallTime(core.nowNanos()), core::nowNanos);
         Decoder decoder = new Decoder(segment.cursor(), rules);
         while (segment.next()) {
@@ -91,9 +95,9 @@ final class Replay {
         }
     }
 
-    private Snapshot snapshot(Path file, SegmentReader segment) {
+    private static Snapshot snapshot(Path file, SegmentReader segment, Rules rules) {
         try {
-            return SnapshotText.read(present, segment.snapshot());
+            return SnapshotText.read(rules, segment.snapshot());
         } catch (SnapshotException e) {
             throw new JournalException(file + ", record 0: " + e.getMessage());
         }

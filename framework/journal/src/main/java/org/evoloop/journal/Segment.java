@@ -6,6 +6,7 @@ import java.nio.ByteBuffer;
 import java.nio.MappedByteBuffer;
 import java.nio.channels.FileChannel;
 import java.nio.channels.FileChannel.MapMode;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 
@@ -18,7 +19,7 @@ import java.nio.file.StandardOpenOption;
 final class Segment implements AutoCloseable {
     private static final int CHUNK_BYTES = 1 << 16;
 
-    private final Path file;
+    private Path file;
     private final FileChannel channel;
     private final MappedByteBuffer map;
     private volatile int end = Preamble.BYTES;
@@ -45,6 +46,27 @@ final class Segment implements AutoCloseable {
 
     Path file() {
         return file;
+    }
+
+    /** How many bytes it takes on the disk while it is written. */
+    int size() {
+        return map.capacity();
+    }
+
+    /** Gives the file another name, before it {@linkplain #begin is one}. */
+    void moveTo(Path name) throws IOException {
+        Files.move(file, name);
+        file = name;
+    }
+
+    /** It is not needed: nothing is left of it. */
+    void discard() {
+        try {
+            channel.close();
+            Files.deleteIfExists(file);
+        } catch (IOException left) {
+            // The next one that is prepared takes its place.
+        }
     }
 
     /** Appends a record; false if there is no room for it. */

@@ -7,6 +7,7 @@ import java.util.concurrent.TimeUnit;
 import org.evoloop.core.Core;
 import org.evoloop.core.Rules;
 import org.evoloop.core.text.SnapshotText;
+import org.evoloop.evolution.ModelPair;
 import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 
@@ -21,19 +22,28 @@ final class Segments implements AutoCloseable {
     private final Journal options;
     private final Directory directory;
     private final Clock clock;
-    private final String fingerprint;
+    private final String built;
+    private ModelPair models;
+    private String fingerprint;
     private final @Nullable Forcer forcer;
     private @Nullable Segment segment;
+    private volatile @Nullable Prepared prepared;
     private @Nullable Head head;
     private boolean closed;
     private boolean failing;
     private long failedNanos;
 
-    Segments(Journal options, Directory directory, Clock clock, String fingerprint, String name) {
+    /** A segment with nothing but its head, and the names that stand there. */
+    private record Prepared(Rules rules, Head head, Bytes names, Segment segment) {}
+
+    /** @param built the fingerprint of the models with which the converter was built */
+    Segments(Journal options, Directory directory, Clock clock, ModelPair models, String built, String name) {
         this.options = options;
         this.directory = directory;
         this.clock = clock;
-        this.fingerprint = fingerprint;
+        this.built = built;
+        this.models = models;
+        this.fingerprint = Fingerprint.of(models);
         this.forcer = options.forcing() == Forcing.NEVER ? null : new Forcer(name);
     }
 
@@ -70,30 +80,36 @@ final class Segments implements AutoCloseable {
         return true;
     }
 
-    /** Begins another segment with what {@code core} knows. */
+    /** Begins another segment with what {@code core} knows; where that fails, the one before can still be written. */
     void begin(Core core, Bytes bytes) throws IOException {
-        byte[] snapshot = SnapshotText.write(masks().of(core.snapshot())).getBytes(StandardCharsets.UTF_8);
-        Head begun = Head.of(fingerprint, core.rules(), Times.nanos(clock.wallTime()), clock.nanoTime());
+        byte[] snapshot = snapshot(core);
+        Head begun = head(core.rules());
         int unwritten = bytes.length();
         bytes.forgetNames();
         begun.write(bytes);
-        int least = Preamble.BYTES + bytes.length() + snapshot.length + unwritten + LEAST_ROOM;
+        Segment next = new Segment(directory.next(), size(bytes.length() + snapshot.length + unwritten));
+        next.append(bytes.array(), bytes.length());
+        begin(next, snapshot, begun);
+    }
+
+    private byte[] snapshot(Core core) {
+        return SnapshotText.write(masks().of(core.snapshot())).getBytes(StandardCharsets.UTF_8);
+    }
+
+    private int size(int written) {
+        return Math.max(options.segmentBytes(), Preamble.BYTES + written + LEAST_ROOM);
+    }
+
+    private void begin(Segment next, byte[] snapshot, Head begun) throws IOException {
+        next.append(snapshot, snapshot.length);
+        next.begin();
+        directory.add(next.file(), next.size());
         end();
-        try {
-            int size = Math.max(options.segmentBytes(), least);
-            Segment next = new Segment(directory.next(), size);
-            next.append(bytes.array(), bytes.length());
-            next.append(snapshot, snapshot.length);
-            next.begin();
-            directory.add(next.file(), size);
-            segment = next;
-        } catch (IOException | InternalError e) {
-            failing = true;
-            failedNanos = System.nanoTime();
-            throw e;
-        }
+        segment = next;
         failing = false;
         head = begun;
+        models = begun.models();
+        fingerprint = begun.fingerprint();
         if (options.forcing() == Forcing.PER_INTENT) {
             segment.force();
         }
@@ -101,6 +117,58 @@ final class Segments implements AutoCloseable {
             forcer.use(segment);
         }
         directory.prune(options.keptBytes());
+    }
+
+    /** Writes beforehand with what a segment by {@code rules} begins, in a file that is none yet. */
+    void prepare(Rules rules) throws IOException {
+        discardPrepared();
+        Bytes names = new Bytes();
+        Head begun = head(rules);
+        begun.write(names);
+        Segment next = new Segment(directory.prepared(), size(2 * LEAST_ROOM + names.length()));
+        next.append(names.array(), names.length());
+        prepared = new Prepared(rules, begun, names, next);
+    }
+
+    /**
+     * Begins the segment that was prepared, with what {@code core} knows, which goes by the same rules.
+     *
+     * @return the names that stand in its head
+     */
+    Bytes beginPrepared(Core core) throws IOException {
+        Prepared ready = prepared;
+        if (ready == null || !ready.rules().equals(core.rules())) {
+            Bytes names = new Bytes();
+            begin(core, names);
+            return names;
+        }
+        byte[] snapshot = snapshot(core);
+        prepared = null;
+        if (snapshot.length > LEAST_ROOM) {
+            ready.segment().discard();
+            begin(core, ready.names());
+        } else {
+            ready.segment().moveTo(directory.next());
+            begin(ready.segment(), snapshot, ready.head());
+        }
+        return ready.names();
+    }
+
+    private void discardPrepared() {
+        Prepared unused = prepared;
+        prepared = null;
+        if (unused != null) {
+            unused.segment().discard();
+        }
+    }
+
+    private Head head(Rules rules) {
+        return Head.of(fingerprintOf(rules), built, rules, Times.nanos(clock.wallTime()), clock.nanoTime());
+    }
+
+    private String fingerprintOf(Rules rules) {
+        ModelPair present = rules.table().models();
+        return present.equals(models) ? fingerprint : Fingerprint.of(present);
     }
 
     private void end() throws IOException {
@@ -119,15 +187,25 @@ final class Segments implements AutoCloseable {
         try {
             end();
         } catch (IOException | InternalError lost) {
-            failing = true;
-            failedNanos = System.nanoTime();
+            fails();
         }
+    }
+
+    private void fails() {
+        failing = true;
+        failedNanos = System.nanoTime();
+    }
+
+    /** Nothing could be written: for a while no segment is begun. */
+    void fail() {
+        suspend();
+        fails();
     }
 
     /** Whether the segment was begun with these rules. */
     boolean isBy(Rules rules) {
         Head begun = head;
-        return begun != null && begun.hasRulesOf(Head.of(fingerprint, rules, 0, 0));
+        return begun != null && begun.hasRulesOf(head(rules));
     }
 
     /** Something is about to be sent. */
@@ -141,6 +219,7 @@ final class Segments implements AutoCloseable {
     @Override
     public void close() {
         closed = true;
+        discardPrepared();
         if (forcer != null) {
             forcer.close();
         }

@@ -215,4 +215,60 @@ class ConverterRecoveryTest {
                 .isInstanceOf(IllegalStateException.class)
                 .hasMessage("converter robot has been built before");
     }
+
+    @Test
+    void modelsThatTookOverCountInTheNextProcessToo() throws Exception {
+        robot.press("Clean");
+        robot.press("Spot");
+        robot.settle();
+        robot.press("arriveSpot");
+        robot.evolve(Robot.withoutSpotWait());
+        robot.copyAndRevive();
+
+        assertThat(robot.converter.knowledge().models().evolved().name()).isEqualTo("direct");
+        assertThat(robot.states()).isEqualTo("(On, Move)");
+        robot.converter.start();
+        robot.settle();
+        assertThat(robot.states()).as("what waited when they took over").isEqualTo("(Spot, Spot)");
+        robot.copyAndRevive();
+        assertThat(robot.converter.knowledge().models().evolved().name()).isEqualTo("direct");
+        assertThat(robot.converter.history(100))
+                .extracting(entry -> entry.occurrence().label())
+                .containsExactly("Clean", "Spot", "arriveSpot");
+
+        robot.evolve(Robot.models("original", "Clean"));
+        robot.copyAndRevive();
+        assertThat(robot.converter.knowledge().models().evolved().name()).isEqualTo("new");
+        assertThat(robot.states()).isEqualTo("(Spot, Spot)");
+    }
+
+    @Test
+    void modelsOfWhichNobodyCanMakeKnowledgeAreNamed() {
+        robot.evolve(Robot.withoutSpotWait());
+        robot.copy();
+        robot.evolving = false;
+        assertThatThrownBy(() -> robot.revive(Duration.ZERO))
+                .hasMessage("nobody has said how knowledge of the models 'original' and 'direct' is made; call"
+                        + " addKnowledgeFactory");
+        robot.evolving = true;
+        robot.copyAndRevive();
+    }
+
+    @Test
+    void aJournalThatCannotBeWrittenKeepsOtherModelsOut() throws Exception {
+        robot.press("Clean");
+        robot.settle();
+        robot.blockJournal();
+        assertThatThrownBy(() -> robot.evolve(Robot.withoutSpotWait()))
+                .hasMessageContaining("cannot be written, so the models stay; make room on its disk");
+        assertThat(robot.converter.knowledge().models()).isSameAs(Robot.MODELS);
+        robot.unblockJournal();
+        robot.press("Spot");
+        robot.settle();
+        assertThat(robot.states())
+                .as("the journal of the models that stay is written")
+                .isEqualTo("(On, Move)");
+        robot.copyAndRevive();
+        assertThat(robot.states()).isEqualTo("(On, Move)");
+    }
 }

@@ -116,7 +116,7 @@ class DamageTest {
         assertThatThrownBy(() -> Kept.recovered(Robot.RULES, journal, clock))
                 .isInstanceOf(JournalException.class)
                 .hasMessage(segment
-                        + ", byte 8: it is written in version 9 of the format, and this Evoloop reads version 2;"
+                        + ", byte 8: it is written in version 9 of the format, and this Evoloop reads version 3;"
                         + " go on with the Evoloop that wrote it, or begin with an empty directory");
     }
 

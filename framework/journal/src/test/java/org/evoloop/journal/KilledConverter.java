@@ -10,6 +10,7 @@ import java.util.Set;
 import java.util.concurrent.LinkedBlockingQueue;
 import org.evoloop.converter.ConverterListener;
 import org.evoloop.converter.EventExecute;
+import org.evoloop.converter.Evolution;
 import org.evoloop.converter.HistoryEntry;
 import org.evoloop.converter.PushMonitor;
 import org.evoloop.converter.SystemEventConverter;
@@ -17,6 +18,7 @@ import org.evoloop.evolution.Step;
 import org.evoloop.evolution.Values;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.time.SystemClock;
+import org.evoloop.time.Threads;
 
 /**
  * The process that {@link KillTest} kills: a converter whose device and whose controller are at the other ends of its standard
@@ -68,7 +70,8 @@ final class KilledConverter {
         Buttons buttons = new Buttons();
         converter.addMonitor(buttons);
         converter.addExecute(new Remote());
-        converter.addKnowledge(new Ring());
+        converter.addKnowledge(new Ring(Ring.MODELS));
+        converter.addKnowledgeFactory(Ring::new);
         converter.journal(Journal.in(Path.of(args[0])).withSegmentBytes(1 << 16).withForcing(Forcing.valueOf(args[1])));
         converter.addListener(new ConverterListener() {
             @Override
@@ -78,12 +81,26 @@ final class KilledConverter {
         });
         converter.build();
         converter.history().forEach(KilledConverter::print);
+        OUT.println("model " + model(converter));
         OUT.println("doubt " + converter.status().doubt());
         converter.start();
         OUT.println("started");
         serve(converter, buttons);
         converter.close();
         System.exit(0);
+    }
+
+    private static String model(SystemEventConverter converter) {
+        return converter.knowledge().models().evolved().name();
+    }
+
+    /** To the larger ring, or from there to the usual one. */
+    private static void evolve(SystemEventConverter converter) {
+        boolean larger = model(converter).equals(Ring.LARGER.evolved().name());
+        Ring next = new Ring(larger ? Ring.MODELS : Ring.LARGER);
+        OUT.println("evolving to " + next.models().evolved().name());
+        converter.evolve(Evolution.to(next));
+        OUT.println("model " + model(converter));
     }
 
     private static void serve(SystemEventConverter converter, Buttons buttons) throws Exception {
@@ -95,6 +112,7 @@ final class KilledConverter {
                     buttons.press(words[1], Integer.parseInt(words[2]));
                     OUT.println("accepted " + words[2]);
                 }
+                case "evolve" -> Threads.start("evolve", () -> evolve(converter));
                 case "status" ->
                     OUT.println("at " + converter.status().states().original() + " "
                             + converter.status().states().evolved() + " "

@@ -69,12 +69,24 @@ final class Lives {
                 started.await(30, TimeUnit.SECONDS);
                 press(controller, 1 + random.nextInt(8));
             }
+            if (random.nextBoolean()) {
+                controller.println("evolve");
+                awaitEvolving(process);
+                process.waitFor(random.nextInt(random.nextInt(3) == 0 ? 500_000 : 50_000), TimeUnit.MICROSECONDS);
+            }
             process.waitFor(random.nextInt(25_000), TimeUnit.MICROSECONDS);
             press(controller, random.nextInt(3));
             process.waitFor(random.nextInt(5_000), TimeUnit.MICROSECONDS);
             process.destroyForcibly();
             process.waitFor();
             reader.join();
+        }
+    }
+
+    /** Waits until the converter is about to put other models in. */
+    private synchronized void awaitEvolving(Process process) throws InterruptedException {
+        while (process.isAlive() && model.equals(evolvingTo)) {
+            wait(50);
         }
     }
 
@@ -116,6 +128,13 @@ final class Lives {
                 replies.println("done " + words[1]);
             }
             case "where" -> replies.println("in " + STATES.get(device));
+            case "evolving" -> evolvingTo = words[2];
+            case "model" -> {
+                assertThat(words[1]).as("wholly one or wholly the other").isIn(model, evolvingTo);
+                evolved += words[1].equals(model) ? 0 : 1;
+                model = words[1];
+                evolvingTo = model;
+            }
             case "accepted" -> accepted.add(Integer.parseInt(words[1]));
             case "ended" -> ended.put(Integer.parseInt(words[1]), words[2] + " " + (words.length > 3 ? words[3] : ""));
             case "doubt" -> {
@@ -124,12 +143,19 @@ final class Lives {
                 }
             }
             case "started" -> started.countDown();
-            default -> at = line;
+            case "at" -> at = line;
+            default -> {}
         }
         notifyAll();
     }
 
     private String at = "";
+
+    // Which models the converter has, and to which it may have evolved since it said so.
+
+    private String model = "new";
+    private String evolvingTo = "new";
+    private int evolved;
 
     /** The last life, which ends when nothing waits any more. */
     void liveToTheEnd() throws Exception {
@@ -197,6 +223,7 @@ final class Lives {
 
     @Override
     public synchronized String toString() {
-        return accepted.size() + " presses accepted, " + told.size() + " commands, " + doubts.size() + " in doubt";
+        return accepted.size() + " presses accepted, " + told.size() + " commands, " + doubts.size()
+                + " in doubt, evolved " + evolved + " times";
     }
 }

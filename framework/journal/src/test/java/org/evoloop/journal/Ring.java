@@ -2,6 +2,8 @@ package org.evoloop.journal;
 
 import org.evoloop.converter.StateKnowledge;
 import org.evoloop.evolution.ModelPair;
+import org.evoloop.function.NewFunction;
+import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
 
 /** A device that goes from A to B to C and round again, and a new model in which one event takes it two steps on. */
@@ -23,7 +25,29 @@ final class Ring extends StateKnowledge {
                     .transition("C", "skip", "B")
                     .build());
 
-    Ring() {
-        super(MODELS);
+    /** The same with a state more. */
+    static final ModelPair LARGER = new ModelPair(
+            MODELS.original(),
+            StateMachine.named("larger")
+                    .initial("A")
+                    .transition("A", "next", "B")
+                    .transition("B", "next", "C")
+                    .transition("C", "next", "A")
+                    .transition("A", "skip", "C")
+                    .transition("B", "skip", "A")
+                    .transition("C", "skip", "B")
+                    .transition("A", "rest", "Rest")
+                    .transition("Rest", "next", "B")
+                    .build());
+
+    Ring(ModelPair models) {
+        super(models);
+    }
+
+    @Override
+    protected void registerNewFunctions() {
+        if (models().evolved().hasState(new State("Rest"))) {
+            function("Rest", NewFunction.none());
+        }
     }
 }

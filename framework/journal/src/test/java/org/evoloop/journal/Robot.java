@@ -50,6 +50,20 @@ final class Robot {
                 evolved.build());
     }
 
+    /** A robot that goes back to On after cleaning, with no waiting in between. */
+    static ModelPair withoutSpotWait() {
+        StateMachineBuilder evolved = StateMachine.named("direct")
+                .initial("Off")
+                .transition("Off", "Clean", "On")
+                .transition("On", "Spot", "Move")
+                .transition("Move", "arriveSpot", "Spot")
+                .transition("Spot", "endSpot", "On")
+                .transition("Clean", "Clean", "On");
+        evolved.transition(
+                new Transition(new State("On"), new Event("Clean"), new State("Clean"), List.of("beep"), false), "");
+        return new ModelPair(MODELS.original(), evolved.build());
+    }
+
     static Rules rules(ModelPair models, int queueCapacity) {
         DeviceEvents device = new DeviceEvents(
                 Set.of(new Event("Clean"), new Event("Spot")),

@@ -9,12 +9,15 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import org.evoloop.converter.EventExecute;
+import org.evoloop.converter.Evolution;
 import org.evoloop.converter.PushMonitor;
 import org.evoloop.converter.StateKnowledge;
 import org.evoloop.converter.SystemEventConverter;
+import org.evoloop.evolution.ModelPair;
 import org.evoloop.evolution.Step;
 import org.evoloop.function.NewFunction;
 import org.evoloop.loop.LoopConfig;
+import org.evoloop.statemachine.State;
 import org.evoloop.time.ManualClock;
 
 /** The robot with one converter after the other; each goes on with a copy of the journal of the one before. */
@@ -30,6 +33,9 @@ final class Robots implements AutoCloseable {
 
     /** Where the device says that it is; empty if it cannot tell. */
     Optional<String> answer = Optional.empty();
+
+    /** Whether the next converter can make knowledge of other models. */
+    boolean evolving = true;
 
     private final Path directory;
     private int lives;
@@ -64,14 +70,16 @@ final class Robots implements AutoCloseable {
     }
 
     private final class Knowing extends StateKnowledge {
-        Knowing() {
-            super(Robot.MODELS);
+        Knowing(ModelPair models) {
+            super(models);
         }
 
         @Override
         protected void registerNewFunctions() {
-            timer("SpotWait", "timeout", Duration.ofSeconds(5));
-            function("SpotWait", NewFunction.none());
+            if (models().evolved().hasState(new State("SpotWait"))) {
+                timer("SpotWait", "timeout", Duration.ofSeconds(5));
+                function("SpotWait", NewFunction.none());
+            }
             function("Move", visit -> done.add("move"));
             effect("beep", () -> {
                 done.add("beep");
@@ -87,7 +95,10 @@ final class Robots implements AutoCloseable {
         buttons = new Buttons();
         converter.addMonitor(buttons);
         converter.addExecute(new Driver());
-        converter.addKnowledge(new Knowing());
+        converter.addKnowledge(new Knowing(Robot.MODELS));
+        if (evolving) {
+            converter.addKnowledgeFactory(Knowing::new);
+        }
         converter.journal(Journal.in(journal()).withForcing(Forcing.NEVER));
         converter.build();
     }
@@ -99,6 +110,20 @@ final class Robots implements AutoCloseable {
     void press(String event) throws InterruptedException {
         buttons.press(event);
         converter.observe(buttons);
+    }
+
+    /** Nothing new can be written to the journal. */
+    void blockJournal() throws IOException {
+        Files.move(journal(), directory.resolve("elsewhere"));
+    }
+
+    void unblockJournal() throws IOException {
+        Files.move(directory.resolve("elsewhere"), journal());
+    }
+
+    /** Other models take over; timers and functions go by name. */
+    void evolve(ModelPair models) {
+        converter.evolve(Evolution.to(new Knowing(models)));
     }
 
     void settle() throws InterruptedException {

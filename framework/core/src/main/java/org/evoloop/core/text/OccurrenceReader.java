@@ -27,6 +27,7 @@ final class OccurrenceReader {
             case "heard" -> heard(observedNanos);
             case "asked" -> asked(observedNanos);
             case "found" -> new Occurrence.Found(names.originalState(), observedNanos);
+            case "evolved" -> new Occurrence.Evolved(lines.text(), observedNanos);
             case "in-doubt" -> new Occurrence.InDoubt(lines.text(), observedNanos);
             default -> throw lines.damaged("'" + kind + "' is no occurrence");
         };

@@ -146,6 +146,10 @@ final class SnapshotWriter {
             text.append("in-doubt");
             word(inDoubt.observedNanos());
             word(new Quoted(inDoubt.why()));
+        } else if (occurrence instanceof Occurrence.Evolved evolved) {
+            text.append("evolved");
+            word(evolved.observedNanos());
+            word(new Quoted(evolved.model()));
         }
         text.append('\n');
     }

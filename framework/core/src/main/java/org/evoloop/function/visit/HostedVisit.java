@@ -27,7 +27,7 @@ public final class HostedVisit implements Visit {
     /** So many times may be waited for at once. */
     static final int MOST_TIMERS = 10_000;
 
-    private final State state;
+    private volatile State state;
     private final long number;
     private final VisitHost host;
     private final Object lock = new Object();
@@ -75,6 +75,11 @@ public final class HostedVisit implements Visit {
         this.state = state;
         this.number = number;
         this.host = host;
+    }
+
+    /** It goes on in a state of other models. */
+    public void goOnIn(State next) {
+        state = next;
     }
 
     @Override

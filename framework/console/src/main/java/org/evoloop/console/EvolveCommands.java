@@ -1,0 +1,160 @@
+package org.evoloop.console;
+
+import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.List;
+import java.util.Locale;
+import java.util.function.Function;
+import java.util.stream.Collectors;
+import org.evoloop.converter.Evolution;
+import org.evoloop.converter.Probation;
+import org.evoloop.converter.SystemEventConverter;
+import org.evoloop.evolution.ModelPair;
+import org.evoloop.migration.Mapping;
+import org.evoloop.statemachine.Names;
+import org.evoloop.statemachine.StateMachine;
+import org.jspecify.annotations.Nullable;
+
+/** The commands that put other models in while a converter runs, and take them back. */
+final class EvolveCommands {
+    private static final List<String> OPTIONS = List.of(
+            "--original", "--mapping", "--when-idle", "--within", "--probation", "--probation-events", "--no-way-back");
+    private static final int LONGEST_SECONDS = 86_400;
+
+    private final SystemEventConverter converter;
+    private final Function<String, StateMachine> models;
+
+    private EvolveCommands(SystemEventConverter converter, Function<String, StateMachine> models) {
+        this.converter = converter;
+        this.models = models;
+    }
+
+    /** @param models reads the machine that {@code FILE#NAME} names */
+    static List<ConsoleCommand> of(SystemEventConverter converter, Function<String, StateMachine> models) {
+        EvolveCommands own = new EvolveCommands(converter, models);
+        return List.of(
+                ConsoleCommand.of("evolve FILE#NAME [OPTION...]", """
+                                puts another new model in, between two events
+                                --original FILE#NAME: the device has another model, too
+                                --mapping FILE: what states, timers and functions become that do not go by their names
+                                --when-idle SECONDS: only when nothing has happened for so long
+                                --within SECONDS: how long to wait until it is possible, 30 if not told
+                                --probation SECONDS: rolls back if anything goes wrong meanwhile
+                                --probation-events N: the same for so many events
+                                --no-way-back: also if no way leads back from some of its states""", own::evolve)
+                        .completing(before -> before.isEmpty() ? List.of() : OPTIONS),
+                ConsoleCommand.of("rollback", "puts the models before the last evolve back in", own::rollBack));
+    }
+
+    private void evolve(List<String> arguments, PrintStream out) {
+        Asked asked = new Asked(new ArrayDeque<>(arguments.subList(1, arguments.size())));
+        ModelPair running = converter.knowledge().models();
+        String original = asked.original;
+        ModelPair next = new ModelPair(
+                original == null ? running.original() : models.apply(original), models.apply(arguments.get(0)));
+        Evolution evolution = Evolution.to(converter.knowledgeOf(next))
+                .withMapping(asked.mapping(running, next))
+                .withDeadline(asked.within)
+                .whenIdle(asked.idle)
+                .withProbation(new Probation(asked.probation, asked.events, Probation.NONE.watch()));
+        say(converter.evolve(asked.wayBack ? evolution : evolution.withoutWayBack()), out);
+        if (!asked.probation.isZero() || asked.events > 0) {
+            out.println("on probation: rolls back by itself if anything goes wrong");
+        }
+    }
+
+    private void rollBack(List<String> arguments, PrintStream out) {
+        say(converter.rollBack(), out);
+    }
+
+    private static void say(Evolution.Result result, PrintStream out) {
+        out.println("evolved to '" + result.model() + "': " + result.before() + " is " + result.after());
+        if (!result.steps().isEmpty()) {
+            out.println("the device is sent "
+                    + result.steps().stream()
+                            .map(step -> step.trigger().toString())
+                            .collect(Collectors.joining(", ")));
+        }
+        result.carried().forEach(carried -> out.println("  " + carried));
+    }
+
+    /** The options as they were typed. */
+    private static final class Asked {
+        @Nullable
+        String original;
+
+        @Nullable
+        String mapping;
+
+        Duration idle = Duration.ZERO;
+        Duration within = Duration.ofSeconds(30);
+        Duration probation = Duration.ZERO;
+        int events;
+        boolean wayBack = true;
+
+        Asked(Deque<String> words) {
+            while (!words.isEmpty()) {
+                String option = words.remove();
+                switch (option) {
+                    case "--original" -> original = value(option, words);
+                    case "--mapping" -> mapping = value(option, words);
+                    case "--when-idle" -> idle = seconds(option, words);
+                    case "--within" -> within = seconds(option, words);
+                    case "--probation" -> probation = seconds(option, words);
+                    case "--probation-events" -> events = number(option, words);
+                    case "--no-way-back" -> wayBack = false;
+                    default ->
+                        throw new IllegalArgumentException("evolve has no option " + Names.shown(option)
+                                + meantOr(option, "; it takes " + String.join(", ", OPTIONS)));
+                }
+            }
+        }
+
+        private static String meantOr(String option, String otherwise) {
+            String meant = Names.meant(option, OPTIONS);
+            return meant.isEmpty() ? otherwise : meant;
+        }
+
+        private static String value(String option, Deque<String> words) {
+            String value = words.poll();
+            if (value == null) {
+                throw new IllegalArgumentException(option + " needs a value; see help evolve");
+            }
+            return value;
+        }
+
+        private static Duration seconds(String option, Deque<String> words) {
+            return Duration.ofSeconds(number(option, words));
+        }
+
+        private static int number(String option, Deque<String> words) {
+            String text = value(option, words);
+            if (!text.matches("[0-9]{1,5}") || Integer.parseInt(text) > LONGEST_SECONDS) {
+                throw new IllegalArgumentException(String.format(
+                        Locale.ROOT,
+                        "%s takes a number from 0 to %d, not '%s'",
+                        option,
+                        LONGEST_SECONDS,
+                        Names.shown(text)));
+            }
+            return Integer.parseInt(text);
+        }
+
+        Mapping mapping(ModelPair running, ModelPair next) {
+            if (mapping == null) {
+                return Mapping.byName();
+            }
+            try {
+                return Mapping.parse(mapping, Files.readString(Path.of(mapping)), running, next);
+            } catch (IOException e) {
+                throw new IllegalArgumentException(
+                        mapping + " cannot be read (" + e.getMessage() + "); name a file of mapping rules", e);
+            }
+        }
+    }
+}

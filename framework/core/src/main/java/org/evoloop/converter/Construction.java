@@ -1,0 +1,115 @@
+package org.evoloop.converter;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Function;
+import org.evoloop.evolution.DecisionTable;
+import org.evoloop.evolution.ModelPair;
+import org.evoloop.loop.Component;
+import org.evoloop.loop.LoopConfig;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * How a converter is built of what was added to it.
+ *
+ * <p>Threading: guarded by its converter.
+ */
+final class Construction {
+    private final LoopConfig config;
+    private final Belongings belongings;
+    private final Assembly assembly;
+
+    Construction(LoopConfig config, Belongings belongings, Assembly assembly) {
+        this.config = config;
+        this.belongings = belongings;
+        this.assembly = assembly;
+    }
+
+    /**
+     * Adds what need not be said, and takes all of it.
+     *
+     * @throws IllegalStateException if something is missing, or belongs to another converter
+     */
+    StateKnowledge complete(@Nullable StateKnowledge known) {
+        List<String> problems = new ArrayList<>();
+        if (known == null) {
+            problems.add("no knowledge, call addKnowledge");
+        }
+        if (!assembly.has(Component.Role.EXECUTE)) {
+            problems.add("no execute component, call addExecute");
+        }
+        if (known == null || !problems.isEmpty()) {
+            throw refused(problems);
+        }
+        if (!assembly.has(Component.Role.ANALYZE)) {
+            assembly.add(new EventAnalyze());
+        }
+        if (!assembly.has(Component.Role.PLAN)) {
+            assembly.add(new EventPlan());
+        }
+        String another = "make one for each converter";
+        belongings.take(config.clock(), "its clock", another, problems);
+        belongings.take(known, known.name(), another, problems);
+        for (Component component : assembly.all()) {
+            belongings.take(component, component.name(), another, problems);
+        }
+        if (!problems.isEmpty()) {
+            belongings.giveBackAll(null);
+            throw refused(problems);
+        }
+        return known;
+    }
+
+    private IllegalStateException refused(List<String> problems) {
+        return new IllegalStateException("converter " + config.name() + ": " + String.join("; ", problems));
+    }
+
+    /**
+     * What the converter knew when its process ended: {@code built}, or knowledge of the models to which it had evolved.
+     *
+     * @throws IllegalStateException if it had evolved, and it was not said how knowledge is made
+     */
+    StateKnowledge present(
+            StateKnowledge built,
+            @Nullable ConverterJournal journal,
+            @Nullable Function<ModelPair, ? extends StateKnowledge> factory) {
+        ModelPair evolved = journal == null ? null : journal.evolvedFrom(built.models());
+        if (evolved == null) {
+            return built;
+        }
+        StateKnowledge present = knowledgeOf(evolved, factory);
+        List<String> problems = new ArrayList<>();
+        belongings.take(present, present.name(), "make another one", problems);
+        if (!problems.isEmpty()) {
+            throw refused(problems);
+        }
+        return present;
+    }
+
+    /** @throws IllegalStateException if there is no factory */
+    static StateKnowledge knowledgeOf(
+            ModelPair models, @Nullable Function<ModelPair, ? extends StateKnowledge> factory) {
+        if (factory == null) {
+            throw new IllegalStateException("nobody has said how knowledge of the models '"
+                    + models.original().name() + "' and '" + models.evolved().name()
+                    + "' is made; call addKnowledgeFactory");
+        }
+        return factory.apply(models);
+    }
+
+    /**
+     * Checks everything, and gives every component its thread.
+     *
+     * @param shell made of the decisions
+     */
+    ConverterShell build(StateKnowledge known, Function<DecisionTable, ConverterShell> shell) {
+        DecisionTable table = assembly.compile(known);
+        ConverterShell built = shell.apply(table);
+        built.use(table, assembly.executes());
+        for (Component component : assembly.all()) {
+            built.join(component);
+        }
+        built.loop.build();
+        return built;
+    }
+}

@@ -1,0 +1,206 @@
+package org.evoloop.converter;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Supplier;
+import java.util.stream.Collectors;
+import org.evoloop.core.Rules;
+import org.evoloop.core.Swap;
+import org.evoloop.evolution.DecisionTable;
+import org.evoloop.loop.LoopConfig;
+import org.evoloop.migration.Fate;
+import org.evoloop.migration.Mapping;
+import org.evoloop.migration.Migration;
+import org.evoloop.statemachine.ModelException;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Puts other models in while a converter runs. Everything is checked and compiled beforehand; then it is tried between two
+ * events, again after each event, until it is possible or its time is over.
+ *
+ * <p>Threading: thread-safe; the converter may be changed by others while it waits.
+ */
+final class Evolver {
+    /** Nobody says when a stopped converter is started, or another clock has gone on: it is looked at so often. */
+    private static final long LOOK_MILLIS = 20;
+
+    private final LoopConfig config;
+    private final ChangeLock changes;
+    private final Belongings belongings;
+    private final Supplier<Assembly> assembly;
+
+    /** Guarded by {@code changes}, as all that is changed here. */
+    private volatile @Nullable WayBack wayBack;
+
+    private volatile @Nullable Trial trial;
+
+    /** What leads back to the models before. */
+    private record WayBack(StateKnowledge from, StateKnowledge to, Mapping mapping) {}
+
+    /** What has been checked and compiled, as long as the converter has this knowledge and these components. */
+    private record Prepared(StateKnowledge present, Assembly components, Swap swap) {}
+
+    Evolver(LoopConfig config, ChangeLock changes, Belongings belongings, Supplier<Assembly> assembly) {
+        this.config = config;
+        this.changes = changes;
+        this.belongings = belongings;
+        this.assembly = assembly;
+    }
+
+    /** As {@link SystemEventConverter#evolve}. */
+    Evolution.Result evolve(ConverterShell shell, Evolution evolution) {
+        StateKnowledge next = evolution.next();
+        changes.change(() -> take(next));
+        try {
+            return evolve(shell, evolution, false);
+        } catch (RuntimeException refused) {
+            belongings.giveBack(next);
+            throw refused;
+        }
+    }
+
+    /** As {@link SystemEventConverter#rollBack}. */
+    Evolution.Result rollBack(ConverterShell shell, String why) {
+        WayBack back = wayBack;
+        if (back == null || back.from() != shell.knowledge()) {
+            throw new IllegalStateException("there is nothing to roll back to: the converter " + config.name()
+                    + " has not evolved, or said that it need not be undone");
+        }
+        shell.books.transcript().notice("***  The converter rolls back, " + why + ".  ***  ");
+        return evolve(shell, Evolution.to(back.to()).withMapping(back.mapping()).withoutWayBack(), true);
+    }
+
+    private void take(StateKnowledge next) {
+        List<String> problems = new ArrayList<>();
+        belongings.take(next, next.name(), "make another one", problems);
+        if (!problems.isEmpty()) {
+            throw new IllegalStateException(String.join("; ", problems));
+        }
+    }
+
+    /** @param back whether it leads back, which is the end of it */
+    private Evolution.Result evolve(ConverterShell shell, Evolution evolution, boolean back) {
+        long begun = config.clock().nanoTime();
+        Attempt attempt = new Attempt(shell, evolution, back);
+        while (true) {
+            changes.change(attempt);
+            if (attempt.result != null) {
+                return attempt.result;
+            }
+            boolean late =
+                    config.clock().nanoTime() - begun >= evolution.deadline().toNanos();
+            if (late || !config.threads()) {
+                throw new EvolutionException("the converter " + config.name() + " has not evolved to '"
+                        + evolution.next().models().evolved().name() + "'"
+                        + (late ? " within " + evolution.deadline().toSeconds() + " s" : "") + ": "
+                        + attempt.hindrance);
+            }
+            try {
+                shell.driver.awaitEnded(LOOK_MILLIS);
+            } catch (InterruptedException told) {
+                Thread.currentThread().interrupt();
+                throw new EvolutionException("the converter " + config.name() + " has not evolved: "
+                        + Thread.currentThread().getName() + " was told to end");
+            }
+        }
+    }
+
+    /** Checks everything, and compiles what the next models make of each event. */
+    private Prepared prepare(ConverterShell shell, Evolution evolution, boolean back) {
+        StateKnowledge next = evolution.next();
+        StateKnowledge present = shell.knowledge();
+        Assembly components = assembly.get();
+        DecisionTable table = components.compile(next);
+        components.monitors().forEach(monitor -> monitor.requireKnown(next.eventNames()));
+        Rules running = shell.driver.rules();
+        Rules rules = new Rules(table, next::timersOf, running.queueCapacity());
+        if (evolution.needsWayBack() && !back) {
+            requireWayBack(Swap.of(rules, running, evolution.mapping().reversed()), rules, running);
+        }
+        shell.driver.prepare(rules);
+        return new Prepared(present, components, Swap.of(running, rules, evolution.mapping()));
+    }
+
+    private static void requireWayBack(Swap back, Rules rules, Rules running) {
+        String stuck = Migration.plan(rules.table(), back.succession()).lines().stream()
+                .filter(line -> line.fate() instanceof Fate.Stuck)
+                .map(line -> "  " + line.at() + ": " + ((Fate.Stuck) line.fate()).because())
+                .collect(Collectors.joining("\n"));
+        if (!stuck.isEmpty()) {
+            throw new ModelException(
+                    "from some states of '" + rules.table().models().evolved().name()
+                            + "' no way leads back to '"
+                            + running.table().models().evolved().name()
+                            + "'; map them, or say that no way back is needed:\n" + stuck);
+        }
+    }
+
+    /** One try, in its turn among all changes. */
+    private final class Attempt implements Runnable {
+        private final ConverterShell shell;
+        private final Evolution evolution;
+        private final boolean back;
+        private @Nullable Prepared prepared;
+        private String hindrance = "";
+        private Evolution.@Nullable Result result;
+
+        Attempt(ConverterShell shell, Evolution evolution, boolean back) {
+            this.shell = shell;
+            this.evolution = evolution;
+            this.back = back;
+        }
+
+        @Override
+        public void run() {
+            Prepared ready = prepared;
+            if (ready == null || ready.components() != assembly.get() || ready.present() != shell.knowledge()) {
+                ready = prepare(shell, evolution, back);
+                prepared = ready;
+            }
+            StateKnowledge next = evolution.next();
+            try {
+                List<EventMonitor> monitors = ready.components().monitors();
+                result = shell.evolve(ready.swap(), next, evolution.idle(), monitors);
+            } catch (EvolutionException notNow) {
+                hindrance = String.valueOf(notNow.getMessage());
+                return;
+            }
+            Mapping reversed = evolution.mapping().reversed();
+            boolean leadsBack = !back && evolution.needsWayBack();
+            endTrial();
+            wayBack = leadsBack ? new WayBack(next, ready.present(), reversed) : null;
+            if (back) {
+                belongings.giveBack(ready.present());
+            } else if (leadsBack && evolution.probation().isAny()) {
+                trial = new Trial(config, shell, evolution.probation(), why -> rollBack(shell, why));
+            }
+        }
+    }
+
+    private void endTrial() {
+        Trial ending = trial;
+        trial = null;
+        if (ending != null) {
+            ending.end();
+        }
+    }
+
+    /** A step has been taken in a converter without threads. */
+    void stepped() {
+        Trial running = trial;
+        if (running != null) {
+            running.stepped();
+        }
+    }
+
+    /** Which models took over from which, for people, as long as a way leads back; else empty. */
+    String describe() {
+        WayBack back = wayBack;
+        Trial running = trial;
+        return back == null
+                ? ""
+                : "'" + back.from().models().evolved().name() + "', which took over from '"
+                        + back.to().models().evolved().name() + "'"
+                        + (running == null || running.isOver() ? "" : ", on probation " + running.describe());
+    }
+}

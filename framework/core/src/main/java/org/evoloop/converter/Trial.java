@@ -1,0 +1,129 @@
+package org.evoloop.converter;
+
+import java.util.function.Consumer;
+import org.evoloop.core.Outcome;
+import org.evoloop.evolution.Decision;
+import org.evoloop.loop.LoopConfig;
+import org.evoloop.time.Clock;
+import org.evoloop.time.Threads;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Watches a converter on probation, and rolls back at the first fault.
+ *
+ * <p>Threading: thread-safe; it never rolls back on the thread of the listeners, which must not wait.
+ */
+final class Trial implements ConverterListener {
+    private final LoopConfig config;
+    private final ConverterShell shell;
+    private final Probation probation;
+    private final Consumer<String> rollBack;
+
+    /** The last event before it. */
+    private final long first;
+
+    private final long begunNanos;
+    private final Clock.@Nullable Timer end;
+    private long events;
+    private volatile boolean over;
+    private @Nullable String fault;
+
+    /** Begins at once. */
+    Trial(LoopConfig config, ConverterShell shell, Probation probation, Consumer<String> rollBack) {
+        this.config = config;
+        this.shell = shell;
+        this.probation = probation;
+        this.rollBack = rollBack;
+        this.first = shell.driver.recorded();
+        this.begunNanos = config.clock().nanoTime();
+        shell.books.listeners().add(this);
+        this.end = probation.time().isZero() ? null : config.clock().schedule(probation.time(), this::end);
+    }
+
+    /** The models stay. Idempotent. */
+    synchronized void end() {
+        if (!over) {
+            over = true;
+            shell.books.listeners().remove(this);
+            if (end != null) {
+                end.cancel();
+            }
+        }
+    }
+
+    boolean isOver() {
+        return over;
+    }
+
+    /** For messages: {@code for 40 s}. */
+    synchronized String describe() {
+        long passed = config.clock().nanoTime() - begunNanos;
+        String time = probation.time().isZero()
+                ? ""
+                : Math.max(0, probation.time().minusNanos(passed).toSeconds()) + " s";
+        String number = probation.events() == 0 ? "" : probation.events() - events + " events";
+        return "for " + time + (time.isEmpty() || number.isEmpty() ? "" : " or ") + number;
+    }
+
+    @Override
+    public void ended(HistoryEntry entry) {
+        if (over || entry.number() <= first) {
+            return;
+        }
+        String why = fault(entry);
+        if (!why.isEmpty()) {
+            fail(why);
+            return;
+        }
+        synchronized (this) {
+            events++;
+        }
+        if (probation.events() > 0 && events >= probation.events()) {
+            end();
+        }
+    }
+
+    private String fault(HistoryEntry entry) {
+        if (entry.outcome() == Outcome.FAILED) {
+            return entry.occurrence().label() + " failed: " + entry.detail();
+        }
+        return entry.decision() instanceof Decision.Resynchronization
+                ? "the device was " + entry.occurrence().label() + " when it was taken to be in "
+                        + entry.before().original()
+                : probation.watch().faultIn(entry);
+    }
+
+    @Override
+    public void doubted(String why) {
+        // One that is reported late may have been settled before it began.
+        if (!why.isEmpty() && !over && !shell.driver.doubt().isEmpty()) {
+            fail("the record is in doubt: " + why);
+        }
+    }
+
+    private void fail(String why) {
+        end();
+        if (config.threads()) {
+            Threads.start("converter-" + config.name() + "-rollback", () -> rollBack(why));
+        } else {
+            fault = why;
+        }
+    }
+
+    /** In a converter without threads, whoever takes the steps rolls back. */
+    void stepped() {
+        String why = fault;
+        fault = null;
+        if (why != null) {
+            rollBack(why);
+        }
+    }
+
+    private void rollBack(String why) {
+        try {
+            rollBack.accept(why);
+        } catch (EvolutionException | IllegalStateException impossible) {
+            shell.books.failures().warn(why + "; " + impossible.getMessage());
+        }
+    }
+}

@@ -1,0 +1,131 @@
+package org.evoloop.migration;
+
+import java.util.List;
+import java.util.Map;
+import org.evoloop.evolution.Configuration;
+import org.evoloop.evolution.Decision;
+import org.evoloop.evolution.DecisionTable;
+import org.evoloop.evolution.Step;
+import org.evoloop.evolution.Timers;
+import org.evoloop.statemachine.State;
+import org.evoloop.statemachine.StateMachine;
+import org.evoloop.statemachine.Transition;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What becomes of what is known in the running models when the next ones take over. A state is where the mapping says, else
+ * under the same name, else drawn in the same place.
+ *
+ * <p>Threading: thread-safe.
+ *
+ * @since 0.1
+ */
+public final class Succession {
+    private final DecisionTable running;
+    private final DecisionTable next;
+    private final Mapping mapping;
+    private final StateMachine oldDevice;
+    private final StateMachine oldSystem;
+    private final Belongings belongings;
+
+    /**
+     * @param runningTimers of the running new model
+     * @param nextTimers of the next new model
+     */
+    public Succession(
+            DecisionTable running, Timers runningTimers, DecisionTable next, Timers nextTimers, Mapping mapping) {
+        this.running = running;
+        this.next = next;
+        this.mapping = mapping;
+        this.oldDevice = running.models().original();
+        this.oldSystem = running.models().evolved();
+        this.belongings = new Belongings(running, runningTimers, next, nextTimers, mapping);
+    }
+
+    /** What becomes of {@code at} now; {@link Fate.Stuck} if nothing can, whatever may happen later. */
+    public Fate fate(Configuration at) {
+        State device = deviceState(at.original());
+        if (device == null) {
+            return unknown("original", "device", at.original());
+        }
+        State system = same(at.evolved(), oldSystem, next.models().evolved(), mapping.states(), device);
+        if (system == null) {
+            return unknown("new", "state", at.evolved());
+        }
+        Configuration there = new Configuration(device, system);
+        if (!running.standsTogether(at)) {
+            // A plan broke off, the new model has not followed the device yet, or somebody has operated that.
+            return new Fate.Maps(there, there, List.of(), belongings.carried(at.evolved(), system, true));
+        }
+        Decision settled = next.settle(there);
+        if (settled instanceof Decision.Impossible impossible) {
+            return new Fate.Stuck(impossible.reason());
+        }
+        List<Step> steps = settled.steps();
+        return new Fate.Maps(there, settled.after(), steps, belongings.carried(at.evolved(), system, steps.isEmpty()));
+    }
+
+    /** What {@code state} of the running original model is in the next one; null if it is nothing there. */
+    public @Nullable State deviceState(State state) {
+        return same(state, oldDevice, next.models().original(), mapping.device(), null);
+    }
+
+    /** What {@code step} of the running original model is in the next one; null if it is nothing there. */
+    public @Nullable Step step(Step step) {
+        State source = deviceState(step.source());
+        Transition transition = source == null
+                ? null
+                : next.models().original().transition(source, step.event()).orElse(null);
+        return transition == null ? null : new Step(transition, step.trigger(), step.byDevice(), step.conditional());
+    }
+
+    /**
+     * The transition of the next new model that leads into {@code state} as {@code by} led into its predecessor; for a new
+     * state of which there is none, the one drawn first. It tells which function runs there.
+     */
+    public @Nullable Transition entry(State state, @Nullable Transition by) {
+        StateMachine now = next.models().evolved();
+        State source = by == null ? null : same(by.source(), oldSystem, now, mapping.states(), null);
+        Transition like = by == null || source == null
+                ? null
+                : now.transition(source, by.event()).orElse(null);
+        if (like != null && like.target().equals(state)) {
+            return like;
+        }
+        return !next.isNew(state)
+                ? null
+                : now.transitions().stream()
+                        .filter(transition -> transition.target().equals(state) && !transition.internal())
+                        .findFirst()
+                        .orElse(null);
+    }
+
+    private static Fate unknown(String model, String keyword, State state) {
+        return new Fate.Stuck("the next " + model + " model has no state " + state + "; map it: " + keyword + " "
+                + state + " -> STATE");
+    }
+
+    /** @param device where the device will be, which tells apart states that differ in what is remembered; null if not known */
+    private @Nullable State same(
+            State state, StateMachine old, StateMachine now, Map<State, State> mapped, @Nullable State device) {
+        State plain = old.withoutMemory(state);
+        State wanted = mapped.getOrDefault(state, mapped.get(plain));
+        List<State> candidates = now.alike(wanted == null ? state : wanted);
+        if (candidates.isEmpty()) {
+            candidates = now.alike(wanted == null ? plain : wanted);
+        }
+        if (candidates.isEmpty() && wanted == null) {
+            List<String> drawn = old.paths(state);
+            candidates = now.states().stream()
+                    .filter(other -> now.paths(other).equals(drawn))
+                    .toList();
+        }
+        for (State candidate : candidates) {
+            if (candidate.equals(state)
+                    || (device != null && next.configurations().contains(new Configuration(device, candidate)))) {
+                return candidate;
+            }
+        }
+        return candidates.isEmpty() ? null : candidates.get(0);
+    }
+}

@@ -1,0 +1,236 @@
+package org.evoloop.converter;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.evoloop.Machines.machine;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.Stream;
+import org.evoloop.evolution.ModelPair;
+import org.evoloop.function.NewFunction;
+import org.evoloop.function.Visit;
+import org.evoloop.migration.Mapping;
+import org.evoloop.statemachine.ModelException;
+import org.evoloop.statemachine.State;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+
+/** A music player whose owner puts other models in while it plays. */
+class EvolutionTest {
+    private final List<Visit> fadings = new ArrayList<>();
+    private final Player player = new Player(fading(fadings));
+
+    private static NewFunction fading(List<Visit> visits) {
+        return visit -> {
+            visits.add(visit);
+            visit.onEnd(() -> visits.remove(visit));
+        };
+    }
+
+    @AfterEach
+    void close() {
+        player.close();
+    }
+
+    /** What the player can do already, and more, where {@code functions} are new. */
+    private static StateKnowledge knowledge(List<String> functions, NewFunction function, String... more) {
+        String[] device = {
+            "Stopped play -> Playing",
+            "Playing pause -> Paused",
+            "Paused play -> Playing",
+            "Playing stop -> Stopped",
+            "Paused stop -> Stopped"
+        };
+        String[] lines =
+                Stream.concat(Arrays.stream(device), Arrays.stream(more)).toArray(String[]::new);
+        ModelPair models = new ModelPair(Player.MODELS.original(), machine("next", lines));
+        return new StateKnowledge(models) {
+            @Override
+            protected void registerNewFunctions() {
+                functions.forEach(state -> function(state, function));
+            }
+        };
+    }
+
+    private StateKnowledge dozing(NewFunction function) {
+        return knowledge(
+                List.of("Fading", "Dozing"),
+                function,
+                "Playing fade -> Fading",
+                "Fading stop -> Stopped",
+                "Fading tm(10s) -> Stopped",
+                "Paused doze -> Dozing",
+                "Dozing play -> Playing");
+    }
+
+    private void playAndFade() {
+        player.press("play");
+        player.press("fade");
+        player.settle();
+        assertThat(player.states()).hasToString("(Playing, Fading)");
+    }
+
+    @Test
+    void aFunctionThatRunsGoesOnAndWhatItRaisesIsHeard() throws Exception {
+        playAndFade();
+        Visit fading = fadings.get(0);
+        Evolution.Result result = player.converter.evolve(Evolution.to(knowledge(
+                List.of("Fading"),
+                NewFunction.none(),
+                "Playing fade -> Fading",
+                "Fading faded -> Paused",
+                "Fading stop -> Stopped")));
+
+        assertThat(result.after()).hasToString("(Playing, Fading)");
+        assertThat(result.carried()).hasToString("[function Fading kept]");
+        assertThat(fadings).containsExactly(fading);
+        fading.raise("faded");
+        player.settle();
+        assertThat(player.states()).as("by the next model").hasToString("(Paused, Paused)");
+        assertThat(player.sent).containsExactly("play", "pause");
+    }
+
+    @Test
+    void eventsThatWaitAreDecidedByTheNextModels() {
+        player.press("play");
+        player.settle();
+        player.press("pause");
+        player.press("play");
+        player.converter.evolve(Evolution.to(dozing(NewFunction.none())));
+        player.settle();
+        assertThat(player.outcomes()).containsExactly("play HANDLED", "pause HANDLED", "play HANDLED");
+        player.press("pause");
+        player.press("doze");
+        player.settle();
+        assertThat(player.states()).hasToString("(Paused, Dozing)");
+    }
+
+    @Test
+    void whatTheDeviceHasDoneIsKnownAfterwards() {
+        player.press("play");
+        player.settle();
+        player.acts("pause");
+        player.converter.evolve(Evolution.to(dozing(NewFunction.none())));
+        player.settle();
+        assertThat(player.states()).hasToString("(Paused, Paused)");
+        assertThat(player.sent).containsExactly("play");
+    }
+
+    @Test
+    void aTimerKeepsWhatIsLeftOfItUnderAnotherName() {
+        StateKnowledge first = dozing(NewFunction.none());
+        player.converter.evolve(Evolution.to(first));
+        playAndFade();
+        player.clock.advance(Duration.ofSeconds(8));
+        StateKnowledge next =
+                knowledge(List.of("Muting"), NewFunction.none(), "Playing fade -> Muting", "Muting tm(20s) -> Paused");
+        Mapping mapping = Mapping.parse(
+                "m", "state Fading -> Muting\ntimer tm(10s) of Fading -> tm(20s)\n", first.models(), next.models());
+        Evolution.Result result =
+                player.converter.evolve(Evolution.to(next).withMapping(mapping).withoutWayBack());
+        assertThat(result.carried()).extracting(Object::toString).contains("timer tm(10s) kept as tm(20s)");
+        player.clock.advance(Duration.ofMillis(1_999));
+        player.settle();
+        assertThat(player.states()).hasToString("(Playing, Muting)");
+        player.clock.advance(Duration.ofMillis(1));
+        player.settle();
+        assertThat(player.states()).hasToString("(Paused, Paused)");
+    }
+
+    @Test
+    void theDeviceIsSentToWhereBothStandTogether() {
+        playAndFade();
+        Evolution.Result result = player.converter.evolve(Evolution.to(knowledge(
+                        List.of("Fading"), fading(fadings), "Paused fade -> Fading", "Fading stop -> Stopped"))
+                .withoutWayBack());
+        assertThat(result.steps()).hasToString("[Playing --pause--> Paused]");
+        assertThat(fadings).as("nothing runs before the device is there").isEmpty();
+        player.settle();
+        assertThat(player.sent).containsExactly("play", "pause");
+        assertThat(player.states()).hasToString("(Paused, Fading)");
+        assertThat(fadings).hasSize(1);
+        assertThat(player.last().occurrence().label()).isEqualTo("evolved to next");
+    }
+
+    @Test
+    void rollingBackLeadsToTheModelsBefore() {
+        playAndFade();
+        Visit fading = fadings.get(0);
+        player.converter.evolve(Evolution.to(dozing(NewFunction.none())));
+        assertThat(player.converter.rollBack().model()).isEqualTo("new");
+        assertThat(fadings).containsExactly(fading);
+        player.press("faded");
+        player.settle();
+        assertThat(player.states()).hasToString("(Stopped, Stopped)");
+        assertThatThrownBy(player.converter::rollBack).hasMessageContaining("nothing to roll back to");
+    }
+
+    @Test
+    void aFailedEventOnProbationRollsBack() {
+        player.converter.evolve(
+                Evolution.to(dozing(NewFunction.none())).withProbation(Probation.of(Duration.ofMinutes(1))));
+        player.press("play");
+        player.settle();
+        assertThat(player.converter.knowledge().models().evolved().name()).isEqualTo("next");
+        player.before = () -> {
+            throw new IllegalStateException("the cable is loose");
+        };
+        player.press("pause");
+        player.settle();
+        assertThat(player.converter.knowledge().models()).isSameAs(Player.MODELS);
+    }
+
+    @Test
+    void aProbationEnds() {
+        player.converter.evolve(
+                Evolution.to(dozing(NewFunction.none())).withProbation(Probation.of(Duration.ofMinutes(1))));
+        player.clock.advance(Duration.ofMinutes(1));
+        player.before = () -> {
+            throw new IllegalStateException("the cable is loose");
+        };
+        player.press("play");
+        player.settle();
+        assertThat(player.converter.knowledge().models().evolved().name()).isEqualTo("next");
+    }
+
+    @Test
+    void whatIsImpossibleIsRefusedAndChangesNothing() {
+        playAndFade();
+        assertThatThrownBy(() -> player.converter.evolve(Evolution.to(knowledge(List.of(), NewFunction.none()))))
+                .isInstanceOf(EvolutionException.class)
+                .hasMessageContaining("the next new model has no state Fading; map it: state Fading -> STATE");
+        assertThatThrownBy(() -> player.converter.evolve(
+                        Evolution.to(knowledge(List.of(), NewFunction.none(), "Playing fade -> Fading"))))
+                .isInstanceOf(ModelException.class)
+                .hasMessageContaining("new state Fading has no function");
+        assertThatThrownBy(() -> player.converter.evolve(Evolution.to(knowledge(
+                        List.of("Fading", "Dead"),
+                        NewFunction.none(),
+                        "Playing fade -> Fading",
+                        "Fading stop -> Stopped",
+                        "Playing die -> Dead"))))
+                .isInstanceOf(ModelException.class)
+                .hasMessageContaining("from some states of 'next' no way leads back to 'new'")
+                .hasMessageContaining("(Playing, Dead)");
+        assertThat(player.converter.knowledge().models()).isSameAs(Player.MODELS);
+        assertThat(fadings).hasSize(1);
+        player.press("faded");
+        player.settle();
+        assertThat(player.states()).hasToString("(Stopped, Stopped)");
+    }
+
+    @Test
+    void knowledgeThatWasRefusedCanBeUsedAgain() {
+        playAndFade();
+        StateKnowledge next = knowledge(List.of(), NewFunction.none());
+        assertThatThrownBy(() -> player.converter.evolve(Evolution.to(next))).isInstanceOf(EvolutionException.class);
+        player.press("stop");
+        player.settle();
+        player.converter.evolve(Evolution.to(next));
+        assertThat(player.converter.knowledge()).isSameAs(next);
+        assertThat(next.getCurrentState()).isEqualTo(new State("Stopped"));
+    }
+}
