@@ -39,9 +39,12 @@ class SumTest {
                         + tally.failed()
                         + tally.dropped()
                         + tally.refused();
-                assertThat(ended + core.waiting() + (core.isBusy() ? 1 : 0))
-                        .as("%s after %s of %s", tally, input, inputs)
-                        .isEqualTo(tally.observed());
+                long sum = ended + core.waiting() + (core.isBusy() ? 1 : 0);
+                if (sum != tally.observed()) {
+                    assertThat(sum)
+                            .as("%s after %s of %s", tally, input, inputs)
+                            .isEqualTo(tally.observed());
+                }
             }
         }
     }
