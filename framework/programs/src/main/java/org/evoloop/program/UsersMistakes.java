@@ -53,6 +53,7 @@ public final class UsersMistakes {
         }
         if (mistake.getArgSpec() instanceof OptionSpec option
                 && option.typeInfo().isEnum()
+                && option.converters().length == 0
                 && mistake.getValue() != null) {
             return option.longestName() + ": '" + mistake.getValue() + "' is none of "
                     + String.join(", ", option.typeInfo().getEnumConstantNames())
