@@ -30,6 +30,8 @@ class LogTest {
                 .collect(Collectors.joining(File.pathSeparator));
         ProcessBuilder program = new ProcessBuilder(
                         System.getProperty("java.home") + "/bin/java",
+                        "-XX:+UseSerialGC",
+                        "-XX:TieredStopAtLevel=1",
                         "-cp",
                         classPath,
                         Main.class.getName(),

@@ -27,8 +27,13 @@ class MainTest {
     private @Nullable Process program;
 
     private Process program(File directory, String... options) throws IOException {
-        List<String> command = new ArrayList<>(
-                List.of(System.getProperty("java.home") + "/bin/java", "-cp", classPath(), Main.class.getName()));
+        List<String> command = new ArrayList<>(List.of(
+                System.getProperty("java.home") + "/bin/java",
+                "-XX:+UseSerialGC",
+                "-XX:TieredStopAtLevel=1",
+                "-cp",
+                classPath(),
+                Main.class.getName()));
         command.addAll(List.of(options));
         Process started = new ProcessBuilder(command).directory(directory).start();
         program = started;

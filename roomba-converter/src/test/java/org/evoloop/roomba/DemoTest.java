@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.EnabledOnOs;
@@ -63,9 +64,18 @@ class DemoTest {
         assertThat(result.status()).isZero();
     }
 
-    @ParameterizedTest
-    @ValueSource(strings = {ONE_PROCESS, TWO_PROCESSES})
-    void remoteStartIsThePapersFirstListing(String processes) throws Exception {
+    @Test
+    void remoteStartIsThePapersFirstListing() throws Exception {
+        remoteStart(ONE_PROCESS);
+    }
+
+    @Test
+    @Tag("slow")
+    void remoteStartIsThePapersFirstListingInTwoProcesses() throws Exception {
+        remoteStart(TWO_PROCESSES);
+    }
+
+    private void remoteStart(String processes) throws Exception {
         Program.Result result = Program.run(folder, "demo", "--scenario", "remote-start", processes);
         assertPlayed(result, "remote-start");
         assertThat(tidy(result.out())).isEqualTo(expected("remote-start"));

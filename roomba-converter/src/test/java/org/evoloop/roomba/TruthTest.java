@@ -124,7 +124,7 @@ class TruthTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"PAPER, 300", "HOME, 200", "GUEST, 50"})
+    @CsvSource({"PAPER, 100", "HOME, 70", "GUEST, 30"})
     void isKnownAfterSomeRandomSequences(Evolution evolution, int sequences) {
         search(evolution, 20_261_121, sequences);
     }

@@ -33,7 +33,12 @@ class ConsoleProcessTest {
                 .filter(entry -> !new File(entry).getName().startsWith("jline"))
                 .collect(Collectors.joining(File.pathSeparator));
         program = new ProcessBuilder(
-                        System.getProperty("java.home") + "/bin/java", "-cp", classPath, ConsoleProgram.class.getName())
+                        System.getProperty("java.home") + "/bin/java",
+                        "-XX:+UseSerialGC",
+                        "-XX:TieredStopAtLevel=1",
+                        "-cp",
+                        classPath,
+                        ConsoleProgram.class.getName())
                 .redirectErrorStream(true)
                 .start();
         keyboard = program.outputWriter(StandardCharsets.UTF_8);

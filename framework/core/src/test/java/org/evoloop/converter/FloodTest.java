@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test;
 
 /** What comes in masses takes no more than its share of memory and log, and the newest place of the device is never lost. */
 class FloodTest {
-    private static final int MANY = 100_000;
+    private static final int MANY = 20_000;
 
     /** 1,024 wait at the monitor, as many and the queue's eight in the core. */
     private static final int MOST_WAITING = 1024 + 8;

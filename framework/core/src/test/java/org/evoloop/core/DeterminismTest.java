@@ -17,7 +17,7 @@ class DeterminismTest {
     private static final int LENGTH = 25;
 
     static LongStream seeds() {
-        return LongStream.concat(LongStream.rangeClosed(1, 9), LongStream.of(new Random().nextLong()));
+        return LongStream.concat(LongStream.rangeClosed(1, 2), LongStream.of(new Random().nextLong()));
     }
 
     @ParameterizedTest(name = "seed {0}")

@@ -22,9 +22,8 @@ class ExplorationTest {
         return Stream.of(scene, scene.mute().outOfOrder());
     }
 
-    static Stream<Scene> papersPairs() {
-        return Stream.of(Scene.bulb(), Scene.robot())
-                .flatMap(scene -> Stream.of(
+    private static Stream<Scene> littleOfEach(Scene scene) {
+        return Stream.of(
                         scene.with(3, Act.PRESS).with(2, Act.OWN),
                         scene.with(2, Act.PRESS, Act.GIVE_UP).with(1, Act.OWN),
                         scene.with(2, Act.PRESS, Act.OWN).with(1, Act.STOP),
@@ -33,13 +32,34 @@ class ExplorationTest {
                         scene.with(1, Act.PRESS, Act.ASK, Act.OWN, Act.CHANGE, Act.GIVE_UP),
                         scene.with(2, Act.PRESS, Act.FAIL).with(1, Act.OWN, Act.DISMISS),
                         scene.with(2, Act.PRESS, Act.END).with(1, Act.OWN),
-                        scene.with(1, Act.PRESS, Act.RAISE, Act.STOP, Act.END)))
+                        scene.with(1, Act.PRESS, Act.RAISE, Act.STOP, Act.END))
                 .flatMap(ExplorationTest::bestAndWorst);
     }
 
+    static Stream<Scene> ofTheBulb() {
+        return littleOfEach(Scene.bulb());
+    }
+
+    static Stream<Scene> ofTheRobot() {
+        return littleOfEach(Scene.robot());
+    }
+
     @ParameterizedTest
-    @MethodSource("papersPairs")
-    void allStoriesOfThePapersPairs(Scene scene) {
+    @MethodSource("ofTheBulb")
+    void allStoriesOfTheBulb(Scene scene) {
+        explore(scene, TO_THE_END);
+    }
+
+    @ParameterizedTest
+    @MethodSource("ofTheRobot")
+    void storiesOfTheRobot(Scene scene) {
+        explore(scene, 8);
+    }
+
+    @ParameterizedTest
+    @MethodSource("ofTheRobot")
+    @Tag("slow")
+    void allStoriesOfTheRobot(Scene scene) {
         explore(scene, TO_THE_END);
     }
 
@@ -106,6 +126,13 @@ class ExplorationTest {
     @ParameterizedTest
     @MethodSource("randomPairs")
     void storiesOfRandomPairs(Scene scene) {
+        explore(scene, 8);
+    }
+
+    @ParameterizedTest
+    @MethodSource("randomPairs")
+    @Tag("slow")
+    void longerStoriesOfRandomPairs(Scene scene) {
         explore(scene, 12);
     }
 

@@ -12,7 +12,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 /** Whatever happens in whatever order, what was observed is the sum of what became of it. */
 class SumTest {
-    private static final int STORIES = 2_000;
+    private static final int STORIES = 500;
     private static final int LENGTH = 60;
 
     static LongStream seeds() {
@@ -39,9 +39,12 @@ class SumTest {
                         + tally.failed()
                         + tally.dropped()
                         + tally.refused();
-                assertThat(ended + core.waiting() + (core.isBusy() ? 1 : 0))
-                        .as("%s after %s of %s", tally, input, inputs)
-                        .isEqualTo(tally.observed());
+                long sum = ended + core.waiting() + (core.isBusy() ? 1 : 0);
+                if (sum != tally.observed()) {
+                    assertThat(sum)
+                            .as("%s after %s of %s", tally, input, inputs)
+                            .isEqualTo(tally.observed());
+                }
             }
         }
     }

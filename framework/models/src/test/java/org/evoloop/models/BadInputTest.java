@@ -34,7 +34,7 @@ class BadInputTest {
     @Test
     void wrongWordsAreNamed() {
         assertRefused(Tool.run("draw", NEW), "draw", "models --help");
-        assertRefused(Tool.run("show", NEW, "--format", "gif"), "--format", "gif", "SVG");
+        assertRefused(Tool.run("show", NEW, "--format", "gif"), "--format", "gif", "svg");
         assertRefused(Tool.run("show", NEW, "--colour"), "--colour");
         assertRefused(Tool.run("show"), "FILE[#NAME]");
         assertRefused(Tool.run("diff", NEW), "NEW");

@@ -1,7 +1,13 @@
 package org.evoloop.program;
 
+import java.util.Locale;
+import java.util.Set;
 import java.util.function.Predicate;
+import org.jspecify.annotations.Nullable;
 import picocli.CommandLine;
+import picocli.CommandLine.Model.OptionSpec;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.UnmatchedArgumentException;
 
 /**
  * How a program tells what went wrong: what its user can mend is one message on stderr and exit status 2.
@@ -22,7 +28,7 @@ public final class UsersMistakes {
                 .setParameterExceptionHandler((mistake, given) -> {
                     CommandLine command = mistake.getCommandLine();
                     command.getErr()
-                            .println("error: " + mistake.getMessage() + " (see "
+                            .println("error: " + message(mistake) + " (see "
                                     + command.getCommandSpec().qualifiedName() + " --help)");
                     return CommandLine.ExitCode.USAGE;
                 })
@@ -34,5 +40,25 @@ public final class UsersMistakes {
                     failure.printStackTrace(command.getErr());
                     return CommandLine.ExitCode.SOFTWARE;
                 });
+    }
+
+    /** As picocli says it, where that reads well. */
+    private static @Nullable String message(ParameterException mistake) {
+        if (mistake instanceof UnmatchedArgumentException unmatched && !unmatched.isUnknownOption()) {
+            Set<String> commands = mistake.getCommandLine().getSubcommands().keySet();
+            return commands.isEmpty()
+                    ? "more than it takes: " + String.join(" ", unmatched.getUnmatched())
+                    : "there is no command '" + unmatched.getUnmatched().get(0) + "'; there are "
+                            + String.join(", ", commands);
+        }
+        if (mistake.getArgSpec() instanceof OptionSpec option
+                && option.typeInfo().isEnum()
+                && option.converters().length == 0
+                && mistake.getValue() != null) {
+            return option.longestName() + ": '" + mistake.getValue() + "' is none of "
+                    + String.join(", ", option.typeInfo().getEnumConstantNames())
+                            .toLowerCase(Locale.ROOT);
+        }
+        return mistake.getMessage();
     }
 }

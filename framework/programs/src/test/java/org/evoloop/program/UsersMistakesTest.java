@@ -13,6 +13,14 @@ class UsersMistakesTest {
 
     @CommandLine.Command(name = "lamp")
     private record Failing(Exception failure) implements Callable<Integer> {
+        enum Light {
+            COLD,
+            WARM
+        }
+
+        @CommandLine.Option(names = "--light")
+        void light(Light unused) {}
+
         @Override
         public Integer call() throws Exception {
             throw failure;
@@ -33,6 +41,32 @@ class UsersMistakesTest {
                 .asString()
                 .startsWith("error: Unknown option: '--dim'")
                 .endsWith("(see lamp --help)");
+    }
+
+    @Test
+    void aWordTooManyIsNamed() {
+        assertThat(run(new IllegalStateException(), "on", "off")).isEqualTo(2);
+        assertThat(told.toString().lines()).containsExactly("error: more than it takes: on off (see lamp --help)");
+    }
+
+    @Test
+    void wordsThatAreAllowedAreNamed() {
+        assertThat(run(new IllegalStateException(), "--light", "pink")).isEqualTo(2);
+        assertThat(told.toString().lines())
+                .containsExactly("error: --light: 'pink' is none of cold, warm (see lamp --help)");
+    }
+
+    @Test
+    void commandsThatThereAreAreNamed() {
+        CommandLine house = new CommandLine(
+                        CommandLine.Model.CommandSpec.create().name("house"))
+                .addSubcommand("lamp", new Failing(new IllegalStateException()))
+                .setErr(new PrintWriter(told, true));
+        assertThat(UsersMistakes.toldBy(house, IllegalArgumentException.class::isInstance)
+                        .execute("lmap"))
+                .isEqualTo(2);
+        assertThat(told.toString().lines())
+                .containsExactly("error: there is no command 'lmap'; there are lamp (see house --help)");
     }
 
     @Test

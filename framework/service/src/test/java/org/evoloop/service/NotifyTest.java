@@ -75,6 +75,8 @@ class NotifyTest {
     private void startLamp(String address, String watchdogMicros) throws IOException {
         ProcessBuilder builder = new ProcessBuilder(
                         System.getProperty("java.home") + "/bin/java",
+                        "-XX:+UseSerialGC",
+                        "-XX:TieredStopAtLevel=1",
                         "-cp",
                         System.getProperty("java.class.path"),
                         LampProgram.class.getName(),

@@ -43,7 +43,8 @@ class ServiceProcessTest {
         ProcessBuilder builder = new ProcessBuilder(
                         "sh",
                         "-c",
-                        "exec \"$0\" -cp \"$CP\" " + LampProgram.class.getName() + " \"$@\" " + input,
+                        "exec \"$0\" -XX:+UseSerialGC -XX:TieredStopAtLevel=1 -cp \"$CP\" "
+                                + LampProgram.class.getName() + " \"$@\" " + input,
                         System.getProperty("java.home") + "/bin/java")
                 .redirectErrorStream(true);
         builder.command().addAll(List.of(options));

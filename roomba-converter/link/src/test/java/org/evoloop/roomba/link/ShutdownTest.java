@@ -49,7 +49,15 @@ class ShutdownTest {
         String java = Path.of(System.getProperty("java.home"), "bin", "java").toString();
         String classPath = System.getProperty("java.class.path");
         String port = pty.path().toString();
-        return new ProcessBuilder(java, "-cp", classPath, Program.class.getName(), port, afterStart)
+        return new ProcessBuilder(
+                        java,
+                        "-XX:+UseSerialGC",
+                        "-XX:TieredStopAtLevel=1",
+                        "-cp",
+                        classPath,
+                        Program.class.getName(),
+                        port,
+                        afterStart)
                 .inheritIO()
                 .start();
     }

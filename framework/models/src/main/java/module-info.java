@@ -1,0 +1,32 @@
+/** State machine models on the command line: shown, compared, checked, and made into projects; and converters' journals. */
+@SuppressWarnings("requires-automatic")
+module org.evoloop.models {
+    requires static org.jspecify;
+    requires com.fasterxml.jackson.annotation;
+    requires info.picocli;
+    requires java.compiler;
+    requires java.sql;
+    requires java.xml;
+    requires net.automatalib.api;
+    requires net.automatalib.core;
+    requires net.automatalib.modelchecker.m3c;
+    requires org.eclipse.elk.alg.layered;
+    requires org.eclipse.elk.core;
+    requires org.eclipse.elk.graph;
+    requires org.eclipse.emf.common;
+    requires org.eclipse.emf.ecore;
+    requires org.evoloop.check;
+    requires org.evoloop.journal;
+    requires org.evoloop.program;
+    requires org.evoloop.xmi;
+    requires tools.jackson.databind;
+
+    opens org.evoloop.models to
+            info.picocli;
+    opens org.evoloop.models.evolution to
+            tools.jackson.databind;
+    opens org.evoloop.models.format to
+            tools.jackson.databind;
+    opens org.evoloop.models.record to
+            tools.jackson.databind;
+}
