@@ -101,6 +101,7 @@ final class CoreOutputs implements Outputs {
     public void decided(Pending pending, Decision decision, long waitedNanos) {
         books.transcript().decided(decision);
         books.latency().record(waitedNanos);
+        books.listeners().converted(waitedNanos);
         books.flight().decided(waitedNanos);
     }
 

@@ -1,5 +1,6 @@
 package org.evoloop.converter;
 
+import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.LinkedBlockingQueue;
@@ -96,6 +97,13 @@ final class Listeners {
         } else if (!waiting.offer(what) && !losing) {
             losing = true;
             LOG.warn("the listeners of {} are slower than its events; some are not told to them", config.name());
+        }
+    }
+
+    void converted(long waitedNanos) {
+        if (!all.isEmpty()) {
+            Duration waited = Duration.ofNanos(waitedNanos);
+            tell(listener -> listener.converted(waited));
         }
     }
 
