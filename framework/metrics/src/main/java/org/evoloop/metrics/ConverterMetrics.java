@@ -103,7 +103,7 @@ public final class ConverterMetrics implements MeterBinder {
                 "evoloop.device",
                 "What is known of the device",
                 status -> readings(
-                        status.link() == null || !status.link().up()
+                        status.link() == null
                                 ? List.of()
                                 : status.link().readings()));
         rows(
