@@ -85,7 +85,8 @@ final class RobotGuard implements GuardedDevice, AutoCloseable {
     public String makeSafeCommand() {
         String path = "'" + settings.path().toString().replace("'", "'\\''") + "'";
         // A port keeps the rate at which this program has found the robot, after its end, too.
-        return "rate=$(stty -F " + path + " speed) && { [ \"$rate\" = 19200 ] || rate=" + settings.baud() + "; } && stty -F "
+        return "rate=$(stty -F " + path + " speed) && { [ \"$rate\" = 19200 ] || rate=" + settings.baud()
+                + "; } && stty -F "
                 + path + " \"$rate\" raw -echo cs8 -parenb -cstopb -crtscts clocal && printf '" + octal(stop()) + "' > "
                 + path;
     }

@@ -16,9 +16,7 @@ import java.util.concurrent.TimeUnit;
 public final class Fork {
     /** As {@code ./evoloop} and the package start programs. */
     public static final List<String> SHIPPED_OPTIONS = List.of("@"
-            + Path.of(
-                    System.getProperty("evoloop.home", ""),
-                    "framework/package/root/usr/share/evoloop/jvm.options"));
+            + Path.of(System.getProperty("evoloop.home", ""), "framework/package/root/usr/share/evoloop/jvm.options"));
 
     private static final long LIMIT_MINUTES = 20;
 

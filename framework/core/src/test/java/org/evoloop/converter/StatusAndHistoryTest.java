@@ -174,8 +174,10 @@ class StatusAndHistoryTest {
     void whatWasReadFromADeviceThatIsGoneIsNotTold() {
         List<Reading> readings = List.of(Reading.of("battery", 93, "%"));
 
-        assertThat(new ConverterStatus.LinkStatus(true, "a cable", readings).readings()).isEqualTo(readings);
-        assertThat(new ConverterStatus.LinkStatus(false, "it is pulled", readings).readings()).isEmpty();
+        assertThat(new ConverterStatus.LinkStatus(true, "a cable", readings).readings())
+                .isEqualTo(readings);
+        assertThat(new ConverterStatus.LinkStatus(false, "it is pulled", readings).readings())
+                .isEmpty();
     }
 
     @Test

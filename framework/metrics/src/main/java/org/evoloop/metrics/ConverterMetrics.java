@@ -48,7 +48,21 @@ import org.evoloop.loop.LoopState;
 public final class ConverterMetrics implements MeterBinder {
     /** From the quickest that a loop is to the step limit's order, about 1, 2.5 and 5 of each power of ten. */
     private static final Duration[] BUCKETS = LongStream.of(
-                    50, 100, 250, 500, 1_000, 2_500, 5_000, 10_000, 25_000, 50_000, 100_000, 250_000, 1_000_000, 5_000_000, 30_000_000)
+                    50,
+                    100,
+                    250,
+                    500,
+                    1_000,
+                    2_500,
+                    5_000,
+                    10_000,
+                    25_000,
+                    50_000,
+                    100_000,
+                    250_000,
+                    1_000_000,
+                    5_000_000,
+                    30_000_000)
             .mapToObj(micros -> Duration.of(micros, ChronoUnit.MICROS))
             .toArray(Duration[]::new);
 
@@ -103,9 +117,7 @@ public final class ConverterMetrics implements MeterBinder {
                 "evoloop.device",
                 "What is known of the device",
                 status -> readings(
-                        status.link() == null
-                                ? List.of()
-                                : status.link().readings()));
+                        status.link() == null ? List.of() : status.link().readings()));
         rows(
                 registry,
                 "evoloop.function",
