@@ -15,7 +15,10 @@ import org.evoloop.loop.Failure;
  */
 public interface ConverterListener {
 
-    /** What an occurrence means has been decided; {@code waited} from its being observed, the conversion time. */
+    /**
+     * What an occurrence meant was decided so long after it had been observed: the conversion time. Told right before {@link
+     * #ended}.
+     */
     default void converted(Duration waited) {}
 
     /** An occurrence has come to its end, and this is what became of it. */
