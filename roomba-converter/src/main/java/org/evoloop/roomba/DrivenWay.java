@@ -27,9 +27,13 @@ final class DrivenWay implements SessionListener {
     private static final double BAR_MM = 500;
     private static final double FONT_PIXELS = 14;
     private static final String STYLE =
-            ".way { fill: none; stroke: #1971c2; stroke-width: 3; stroke-linejoin: round }\n"
-                    + ".robot { fill: #d0ebff; stroke: #0b3a66; stroke-width: 2 }\n"
-                    + ".bar { fill: none; stroke: #212529; stroke-width: 2 }\n.start { fill: #2f9e44 }\n.small { fill: #212529 }\n";
+            """
+            .way { fill: none; stroke: #1971c2; stroke-width: 3; stroke-linejoin: round }
+            .robot { fill: #d0ebff; stroke: #0b3a66; stroke-width: 2 }
+            .bar { fill: none; stroke: #212529; stroke-width: 2 }
+            .start { fill: #2f9e44 }
+            .small { fill: #212529 }
+            """;
 
     private final List<OdometryPose> points = new ArrayList<>();
     private double stepMm = FIRST_STEP_MM;

@@ -81,7 +81,6 @@ interface SimulatedWorld extends AutoCloseable {
      * A robot in this process.
      *
      * @param camera whether it carries one, in a room with a marker
-     * @param options more of the simulator's, such as {@code --baud=19200}
      * @throws IOException if this system has no pseudo-terminals
      */
     static SimulatedWorld inThisProcess(double speed, boolean camera) throws IOException {

@@ -70,7 +70,8 @@ public final class PageCost {
         ByteArrayOutputStream said = new ByteArrayOutputStream();
         Console console = new Console(robot.converter(), InputStream.nullInputStream(), System.out, System.err);
         List<Socket> viewers = new ArrayList<>();
-        try (Page page = Page.open(PageOptions.at("0"), console, new PrintStream(said, true, StandardCharsets.UTF_8))) {
+        Page page = Page.open(PageOptions.at("0"), console, new PrintStream(said, true, StandardCharsets.UTF_8));
+        try {
             int port = URI.create(said.toString(StandardCharsets.UTF_8).replaceFirst("(?s)page: (\\S+) .*", "$1"))
                     .getPort();
             for (int viewer = 0; viewer < VIEWERS + SLOW; viewer++) {
@@ -81,6 +82,7 @@ public final class PageCost {
             for (Socket viewer : viewers) {
                 viewer.close();
             }
+            page.close();
         }
     }
 

@@ -82,11 +82,11 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
     /** Tells a loop without threads, whoever calls; false if there is none yet. */
     final boolean hand(Occurrence occurrence) {
         MapeLoop<Occurrence, ?, ?> joined = loop;
-        boolean built = joined != null && joined.state() != LoopState.NEW;
-        if (built) {
-            joined.offer(occurrence);
+        if (joined == null || joined.state() == LoopState.NEW) {
+            return false;
         }
-        return built;
+        joined.offer(occurrence);
+        return true;
     }
 
     /**
