@@ -26,8 +26,7 @@ final class DrivenWay implements SessionListener {
     private static final double MARGIN_MM = RADIUS_MM + 80;
     private static final double BAR_MM = 500;
     private static final double FONT_PIXELS = 14;
-    private static final String STYLE =
-            """
+    private static final String STYLE = """
             .way { fill: none; stroke: #1971c2; stroke-width: 3; stroke-linejoin: round }
             .robot { fill: #d0ebff; stroke: #0b3a66; stroke-width: 2 }
             .bar { fill: none; stroke: #212529; stroke-width: 2 }

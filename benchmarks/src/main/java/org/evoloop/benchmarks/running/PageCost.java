@@ -4,6 +4,7 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.PrintStream;
+import java.net.InetAddress;
 import java.net.Socket;
 import java.net.URI;
 import java.nio.charset.StandardCharsets;
@@ -88,7 +89,7 @@ public final class PageCost {
 
     /** Looks, from the first byte of the answer on. */
     private static Socket look(int port, boolean reads) throws IOException {
-        Socket viewer = new Socket("127.0.0.1", port);
+        Socket viewer = new Socket(InetAddress.getLoopbackAddress(), port);
         viewer.getOutputStream()
                 .write(("GET /events HTTP/1.1\r\nHost: 127.0.0.1:" + port + "\r\n\r\n")
                         .getBytes(StandardCharsets.US_ASCII));
