@@ -17,6 +17,8 @@ PROJECT = Path(__file__).resolve().parents[3]
 ROOT = Path(os.environ.get("EVOLOOP_HOME_ASSISTANT", PROJECT / "target/home-assistant-root"))
 BROKER = shutil.which("mosquitto", path=os.environ["PATH"] + ":/usr/sbin") or "mosquitto"
 PATIENCE_S = 120
+# The first start fetches what the integrations need.
+INSTALLATION_S = 900
 
 CONFIGURATION = """
 homeassistant:
@@ -118,12 +120,12 @@ class House:
         self.stop("listener")
         self.stop("broker", signal.SIGKILL)
 
-    def start_home_assistant(self) -> None:
+    def start_home_assistant(self, limit_s: int = PATIENCE_S) -> None:
         self.newest.pop("homeassistant/status", None)
         # /proc is there for this process only, so nothing stays mounted.
         inside = 'mount -t proc proc "$0/proc" && exec chroot "$0" /venv/bin/hass -c /config'
         self.start("home-assistant", ["unshare", "--mount", "sh", "-c", inside, str(ROOT)])
-        self.wait("Home Assistant's birth", lambda: self.newest.get("homeassistant/status") == "online")
+        self.wait("Home Assistant's birth", lambda: self.newest.get("homeassistant/status") == "online", limit_s)
 
     def call(self, action: str, entity: str) -> None:
         self.publish("test/call", json.dumps({"action": action, "entity": entity}))
@@ -139,11 +141,11 @@ class House:
     def wait_shown(self, entity: str, state: str) -> None:
         self.wait(f"{entity} {state}", lambda: self.shown(entity) == state)
 
-    def wait(self, what: str, holds: Callable[[], bool]) -> None:
-        deadline = time.monotonic() + PATIENCE_S
+    def wait(self, what: str, holds: Callable[[], bool], limit_s: int = PATIENCE_S) -> None:
+        deadline = time.monotonic() + limit_s
         while not holds():
             if time.monotonic() > deadline:
-                raise AssertionError(f"{what}: not within {PATIENCE_S} s; last: {self.newest}")
+                raise AssertionError(f"{what}: not within {limit_s} s; last: {self.newest}")
             time.sleep(0.05)
 
     def warnings(self) -> list[str]:

@@ -9,7 +9,7 @@ import time
 import unittest
 from pathlib import Path
 
-from house import PROJECT, House
+from house import INSTALLATION_S, PROJECT, House
 
 BROKER_RESTARTS = int(os.environ.get("EVOLOOP_BROKER_RESTARTS", "50"))
 HOME_ASSISTANT_RESTARTS = int(os.environ.get("EVOLOOP_HOME_ASSISTANT_RESTARTS", "20"))
@@ -29,7 +29,7 @@ class HomeAssistantTest(unittest.TestCase):
         cls.addClassCleanup(cls.folder.cleanup)
         cls.addClassCleanup(cls.house.close)
         # The first start only installs what the integrations need; the second one's triggers know MQTT.
-        cls.house.start_home_assistant()
+        cls.house.start_home_assistant(INSTALLATION_S)
         cls.house.stop("home-assistant")
         (Path(cls.folder.name) / "home-assistant.log").unlink()
         cls.house.start_home_assistant()

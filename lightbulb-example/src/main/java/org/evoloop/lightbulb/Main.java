@@ -18,6 +18,7 @@ import org.evoloop.mqtt.HomeAssistant;
 import org.evoloop.mqtt.MqttOptions;
 import org.evoloop.page.Page;
 import org.evoloop.page.PageOptions;
+import org.evoloop.service.ErrorOutput;
 import org.evoloop.service.Service;
 import org.evoloop.service.ServiceOptions;
 import org.evoloop.statemachine.ModelException;
@@ -42,7 +43,7 @@ public final class Main {
         try {
             System.exit(run(OPTIONS.read(List.of(arguments), System.getenv())));
         } catch (ModelException | JournalException | IllegalArgumentException | IOException problem) {
-            System.err.println("error: " + problem.getMessage());
+            ErrorOutput.stream().println("error: " + problem.getMessage());
             System.exit(2);
         }
     }

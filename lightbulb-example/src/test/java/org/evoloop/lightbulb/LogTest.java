@@ -5,10 +5,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.File;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
+import org.assertj.core.api.InstanceOfAssertFactories;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.EnabledOnOs;
@@ -19,24 +21,26 @@ import org.junit.jupiter.api.io.TempDir;
 @EnabledOnOs(OS.LINUX)
 @Timeout(60)
 class LogTest {
+    /** Of such a broker the program warns. */
+    private static final String[] UNREACHABLE = {"--mqtt", "mqtt://127.0.0.1:1"};
+
     @TempDir
     private Path folder;
 
-    /** Of a broker that cannot be reached the program warns. */
-    private List<String> log(boolean inJournal) throws Exception {
+    private List<String> log(boolean inJournal, int status, String... options) throws Exception {
         Path log = Files.createFile(folder.resolve("log"));
         String classPath = Arrays.stream(System.getProperty("java.class.path").split(File.pathSeparator))
                 .filter(entry -> !entry.endsWith("test-classes"))
                 .collect(Collectors.joining(File.pathSeparator));
-        ProcessBuilder program = new ProcessBuilder(
-                        System.getProperty("java.home") + "/bin/java",
-                        "-XX:+UseSerialGC",
-                        "-XX:TieredStopAtLevel=1",
-                        "-cp",
-                        classPath,
-                        Main.class.getName(),
-                        "--mqtt",
-                        "mqtt://127.0.0.1:1")
+        List<String> command = new ArrayList<>(List.of(
+                System.getProperty("java.home") + "/bin/java",
+                "-XX:+UseSerialGC",
+                "-XX:TieredStopAtLevel=1",
+                "-cp",
+                classPath,
+                Main.class.getName()));
+        command.addAll(List.of(options));
+        ProcessBuilder program = new ProcessBuilder(command)
                 .directory(new File(System.getProperty("evoloop.root", "..")))
                 .redirectOutput(ProcessBuilder.Redirect.DISCARD)
                 .redirectError(log.toFile());
@@ -48,11 +52,10 @@ class LogTest {
         }
         Process lamp = program.start();
         try {
-            while (Files.size(log) == 0) {
-                assertThat(lamp.waitFor(100, TimeUnit.MILLISECONDS)).isFalse();
-            }
+            while (Files.size(log) == 0 && !lamp.waitFor(100, TimeUnit.MILLISECONDS)) {}
             lamp.outputWriter().close();
             assertThat(lamp.waitFor(20, TimeUnit.SECONDS)).isTrue();
+            assertThat(lamp.exitValue()).isEqualTo(status);
         } finally {
             lamp.destroyForcibly();
         }
@@ -61,11 +64,27 @@ class LogTest {
 
     @Test
     void systemdsJournalIsToldTheLevelOfEachLine() throws Exception {
-        assertThat(log(true)).isNotEmpty().allMatch(line -> line.startsWith("<4>"));
+        assertThat(log(true, 0, UNREACHABLE)).isNotEmpty().allMatch(line -> line.startsWith("<4>"));
     }
 
     @Test
     void aFileIsToldTimeAndLevel() throws Exception {
-        assertThat(log(false)).isNotEmpty().allMatch(line -> line.matches("[0-9:.]{12} WARN  .*"));
+        assertThat(log(false, 0, UNREACHABLE)).isNotEmpty().allMatch(line -> line.matches("[0-9:.]{12} WARN  .*"));
+    }
+
+    @Test
+    void whyAProgramEndsIsAnErrorInSystemdsJournal() throws Exception {
+        assertThat(log(true, 2, "--quite", "--wrong"))
+                .hasSizeGreaterThan(1)
+                .allMatch(line -> line.startsWith("<3>"))
+                .first(InstanceOfAssertFactories.STRING)
+                .startsWith("<3>error: ");
+    }
+
+    @Test
+    void whyAProgramEndsIsPlainElsewhere() throws Exception {
+        assertThat(log(false, 2, "--models", "missing.xml"))
+                .first(InstanceOfAssertFactories.STRING)
+                .startsWith("error: ");
     }
 }

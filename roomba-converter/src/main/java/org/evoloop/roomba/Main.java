@@ -1,6 +1,8 @@
 package org.evoloop.roomba;
 
 import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.charset.Charset;
 import java.util.Collections;
 import java.util.List;
 import org.evoloop.config.ConfigException;
@@ -16,6 +18,7 @@ import org.evoloop.roomba.link.SerialLink;
 import org.evoloop.roomba.session.connection.RobotException;
 import org.evoloop.roomba.simulator.SimulatorCommand;
 import org.evoloop.service.Ctl;
+import org.evoloop.service.ErrorOutput;
 import org.evoloop.statemachine.ModelException;
 import org.evoloop.xmi.XmiFile;
 import picocli.CommandLine;
@@ -93,6 +96,7 @@ public final class Main {
     }
 
     private static CommandLine withHandlers(CommandLine commandLine) {
+        commandLine.setErr(new PrintWriter(ErrorOutput.stream(), true, Charset.defaultCharset()));
         return UsersMistakes.toldBy(commandLine.setCaseInsensitiveEnumValuesAllowed(true), Main::isUsersMistake);
     }
 

@@ -84,8 +84,11 @@ final class RobotGuard implements GuardedDevice, AutoCloseable {
     @Override
     public String makeSafeCommand() {
         String path = "'" + settings.path().toString().replace("'", "'\\''") + "'";
-        return "stty -F " + path + " " + settings.baud() + " raw -echo cs8 -parenb -cstopb -crtscts clocal && printf '"
-                + octal(stop()) + "' > " + path;
+        // A port keeps the rate at which this program has found the robot, after its end, too.
+        return "rate=$(stty -F " + path + " speed) && { [ \"$rate\" = 19200 ] || rate=" + settings.baud()
+                + "; } && stty -F "
+                + path + " \"$rate\" raw -echo cs8 -parenb -cstopb -crtscts clocal && printf '" + octal(stop()) + "' > "
+                + path;
     }
 
     /**

@@ -171,7 +171,7 @@ final class RoombaCommand implements Callable<Integer> {
                                 (arguments, out) -> out.println(world.execute(String.join(" ", arguments))))
                         .completing(before -> before.isEmpty() ? WorldCommands.NAMES : WorldCommands.BUTTON_NAMES));
             }
-            Page.open(PageOptions.of(settings), console, System.err, world == null ? List.of() : pictures(world));
+            Page.open(PageOptions.of(settings), console, System.err, pictures(roomba, world));
             showAtHome(roomba, console);
             return service.run(console);
         }
@@ -192,8 +192,11 @@ final class RoombaCommand implements Callable<Integer> {
                 : RoombaConverter.connect(robot, config, how, read);
     }
 
-    /** What can be seen of a simulated robot, from above and with its own eye. */
-    private static List<Picture> pictures(SimulatedWorld world) {
+    /** What can be seen of a robot from above, and of a simulated one with its own eye. */
+    private static List<Picture> pictures(RoombaConverter roomba, @Nullable SimulatedWorld world) {
+        if (world == null) {
+            return List.of(DrivenWay.of(roomba.session()));
+        }
         Picture room = new Picture(
                 "Room",
                 "The room from above: walls, dock and marker, the way that the robot has driven, and where it is",

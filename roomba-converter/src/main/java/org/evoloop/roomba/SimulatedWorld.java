@@ -148,9 +148,10 @@ interface SimulatedWorld extends AutoCloseable {
      * A robot in a process of its own: nothing but the port, and its camera's address, joins it with whoever opens that.
      *
      * @param camera whether it carries one, in a room with a marker
+     * @param options more of the simulator's, such as {@code --baud=19200}
      * @throws IOException if it cannot be started
      */
-    static SimulatedWorld inAnotherProcess(double speed, boolean camera) throws IOException {
+    static SimulatedWorld inAnotherProcess(double speed, boolean camera, String... options) throws IOException {
         Path folder = Files.createTempDirectory("evoloop");
         Path port = folder.resolve("roomba");
         Path drawing = folder.resolve(DRAWING);
@@ -163,6 +164,7 @@ interface SimulatedWorld extends AutoCloseable {
                 "--link=" + port,
                 "--speed=" + speed,
                 "--svg=" + drawing));
+        command.addAll(List.of(options));
         if (camera) {
             command.addAll(
                     List.of("--room=" + markedRoom(folder), "--camera=0", "--camera-fps=" + CAMERA_FRAMES_PER_SECOND));

@@ -151,6 +151,14 @@ class GuardedRobotTest {
     }
 
     @Test
+    void aRobotAtItsOtherRateStandsAsWell() throws Exception {
+        robot.close();
+        robot = new OtherRobot("--baud=19200");
+        kill(1);
+        freeze(1);
+    }
+
+    @Test
     @Tag("slow")
     void theRobotStandsAfterEachOfAHundredKillsAndTwentyFreezes() throws Exception {
         kill(100);
@@ -181,12 +189,16 @@ class GuardedRobotTest {
         assertThat(later.drives()).isTrue();
         assertThat(log()).contains("link        up").doesNotContain("guarded");
 
+        stopPost();
+        assertMadeSafe(robot.truth());
+    }
+
+    private void stopPost() throws Exception {
         Path options = Files.writeString(
                 folder.resolve("roomba.yaml"), "program: roomba\nport: '" + robot.port() + "' # the robot's\n");
         Process stopPost = new ProcessBuilder("sh", MAKE_SAFE.toString(), options.toString())
                 .redirectErrorStream(true)
                 .start();
         assertThat(stopPost.waitFor()).isZero();
-        assertMadeSafe(robot.truth());
     }
 }

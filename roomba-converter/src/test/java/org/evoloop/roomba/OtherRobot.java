@@ -32,8 +32,9 @@ final class OtherRobot implements AutoCloseable {
     private final SimulatedWorld world;
     private final List<Process> converters = new ArrayList<>();
 
-    OtherRobot() throws IOException {
-        world = SimulatedWorld.inAnotherProcess(1, false);
+    /** @param options of the simulator */
+    OtherRobot(String... options) throws IOException {
+        world = SimulatedWorld.inAnotherProcess(1, false, options);
     }
 
     String port() {

@@ -14,17 +14,9 @@ import java.util.concurrent.TimeUnit;
  * found it prints as lines of a name and a number.
  */
 public final class Fork {
-    /** As {@code ./evoloop} starts programs. */
-    public static final List<String> SHIPPED_OPTIONS = List.of(
-            "-XX:+UseSerialGC",
-            "-XX:TieredStopAtLevel=1",
-            "-Xms16m",
-            "-XX:CompileCommand=quiet",
-            "-XX:CompileCommand=CompileThresholdScaling,org/evoloop/*.*,0.02",
-            "-XX:CompileCommand=CompileThresholdScaling,com/fazecast/*.*,0.02",
-            "-XX:CompileCommand=CompileThresholdScaling,java/util/*.*,0.02",
-            "-XX:CompileCommand=CompileThresholdScaling,org/slf4j/*.*,0.02",
-            "-XX:CompileCommand=CompileThresholdScaling,ch/qos/logback/*.*,0.02");
+    /** As {@code ./evoloop} and the package start programs. */
+    public static final List<String> SHIPPED_OPTIONS = List.of("@"
+            + Path.of(System.getProperty("evoloop.home", ""), "framework/package/root/usr/share/evoloop/jvm.options"));
 
     private static final long LIMIT_MINUTES = 20;
 

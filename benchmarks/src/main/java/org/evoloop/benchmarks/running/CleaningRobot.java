@@ -67,6 +67,10 @@ final class CleaningRobot implements AutoCloseable {
         }
     }
 
+    SystemEventConverter converter() {
+        return converter;
+    }
+
     Configuration states() {
         return converter.knowledge().configuration();
     }

@@ -26,6 +26,7 @@ public final class RunningSuite implements Suite {
     public List<Row> measure(boolean quick) throws Exception {
         Figures found =
                 Fork.of(RunningSuite.class, List.of(), quick ? "1" : "6").figures();
+        Figures page = Fork.of(PageCost.class, List.of(), quick ? "4" : "20").figures();
         return List.of(
                 new Row("the loop without threads, a cycle", "us", found.get("step"), Row.Goal.atMost(0.2)),
                 new Row("the same, allocated", "B", Math.rint(found.get("step bytes")), Row.Goal.atMost(0)),
@@ -41,6 +42,12 @@ public final class RunningSuite implements Suite {
                         found.get("path p50"),
                         Row.Goal.atMost(100),
                         Map.of("p99", found.get("path p99"))),
+                new Row(
+                        "a conversion every 2 ms with 5 viewers of the page and 2 who take nothing, median",
+                        "us",
+                        page.get("VIEWERS p50"),
+                        Row.Goal.atMostTimes(1.25, "without a page", page.get("NONE p50")),
+                        Map.of("p99", page.get("VIEWERS p99"), "p99 without", page.get("NONE p99"))),
                 new Row("flood of 4 monitors, in steps", "events/s", found.get("flood step"), Row.Goal.least(1e6)),
                 new Row("an idle minute's processor time", "ms", found.get("idle"), Row.Goal.atMost(10)));
     }

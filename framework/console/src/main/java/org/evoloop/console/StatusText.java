@@ -38,8 +38,9 @@ final class StatusText {
         line(out, "now", now(status));
         ConverterStatus.LinkStatus link = status.link();
         if (link != null) {
-            // What was read from a device that is gone may no longer be so.
-            if (link.up() && !link.readings().isEmpty()) {
+            if (!link.up()) {
+                line(out, "device", "unknown");
+            } else if (!link.readings().isEmpty()) {
                 line(out, "device", readings(link.readings()));
             }
             line(out, "link", (link.up() ? "up" : "down") + (link.text().isEmpty() ? "" : ", " + link.text()));

@@ -1,5 +1,6 @@
 package org.evoloop.converter;
 
+import java.time.Duration;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.loop.Failure;
@@ -13,6 +14,12 @@ import org.evoloop.loop.Failure;
  * @since 0.1
  */
 public interface ConverterListener {
+
+    /**
+     * What an occurrence meant was decided so long after it had been observed: the conversion time. Told right before {@link
+     * #ended}.
+     */
+    default void converted(Duration waited) {}
 
     /** An occurrence has come to its end, and this is what became of it. */
     default void ended(HistoryEntry entry) {}

@@ -32,6 +32,9 @@ final class ConverterShell implements LoopListener<Occurrence> {
     /** So long the event in the loop may keep everything else waiting before other models are tried again. */
     private static final Duration LONGEST_WAIT = Duration.ofSeconds(1);
 
+    /** A component that refuses so many events in a row by a rule of its own is hardly meant to. */
+    private static final int MOST_NULLS = 50;
+
     private final LoopConfig config;
     private final CurrentKnowledge knowledge;
     final Books books;
@@ -255,6 +258,21 @@ final class ConverterShell implements LoopListener<Occurrence> {
     public void givenUp(Failure<Occurrence> failure) {
         blame(failure);
         ends(failure, true);
+    }
+
+    @Override
+    public void returnedNull(String component, String role, int inARow) {
+        if (inARow % MOST_NULLS == 0) {
+            Failure<Occurrence> failure = new Failure<>(
+                    component,
+                    role,
+                    0,
+                    null,
+                    new Exception("has returned null " + MOST_NULLS
+                            + " times in a row, so these events were ignored; exchange it if that is not meant"));
+            loop.count(failure);
+            report(failure);
+        }
     }
 
     /** Names what a component that does not return was calling. */

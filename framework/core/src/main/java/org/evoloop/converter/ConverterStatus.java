@@ -89,6 +89,15 @@ public record ConverterStatus(
      */
     public record Fault(String part, long failures, String lastFailure) {}
 
-    /** The connection, see {@link DeviceLink}. */
-    public record LinkStatus(boolean up, String text, List<Reading> readings) {}
+    /**
+     * The connection, see {@link DeviceLink}.
+     *
+     * @param readings of the device now; none while it cannot be reached, whatever it told before
+     */
+    public record LinkStatus(boolean up, String text, List<Reading> readings) {
+        /** Leaves out readings that may no longer hold. */
+        public LinkStatus {
+            readings = up ? List.copyOf(readings) : List.of();
+        }
+    }
 }

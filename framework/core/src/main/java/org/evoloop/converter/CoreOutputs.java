@@ -103,6 +103,7 @@ final class CoreOutputs implements Outputs {
     public void decided(Pending pending, Decision decision, long waitedNanos) {
         books.transcript().decided(decision);
         books.latency().record(waitedNanos);
+        books.listeners().converted(waitedNanos);
         books.flight().decided(waitedNanos);
     }
 
@@ -136,7 +137,7 @@ final class CoreOutputs implements Outputs {
     @Override
     public void doubted(String why) {
         if (!why.isEmpty()) {
-            books.failures().warn("the state of the device is in doubt: " + why);
+            books.failures().warnSoon("the state of the device is in doubt: " + why);
         }
         books.listeners().doubted(why);
     }
@@ -150,12 +151,12 @@ final class CoreOutputs implements Outputs {
             @Nullable Decision decision,
             String detail) {
         if (decision instanceof Decision.Impossible impossible) {
-            books.failures().warn(occurrence + " in " + before + ": " + impossible.reason());
+            books.failures().warnSoon(occurrence + " in " + before + ": " + impossible.reason());
         }
         if (occurrence instanceof Occurrence.Heard heard) {
             warnOfUnknown(heard, outcome, detail);
         } else if (occurrence instanceof Occurrence.Found && outcome == Outcome.FAILED) {
-            books.failures().warn(detail);
+            books.failures().warnSoon(detail);
         }
         books.transcript().ended(occurrence, after);
         books.record(occurrence, before, after, outcome, decision, detail);
@@ -167,7 +168,7 @@ final class CoreOutputs implements Outputs {
             unknown = null;
         } else if (!heard.event().equals(unknown)) {
             unknown = heard.event();
-            books.failures().warn(detail + " (" + heard.source().name().toLowerCase(Locale.ROOT) + ")");
+            books.failures().warnSoon(detail + " (" + heard.source().name().toLowerCase(Locale.ROOT) + ")");
         }
     }
 }

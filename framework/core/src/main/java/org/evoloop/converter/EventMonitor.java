@@ -87,12 +87,14 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
         return joined != null && joined.state() != LoopState.NEW && !joined.has(this);
     }
 
-    /** Tells a loop without threads, whoever calls; does nothing if there is none yet. */
-    final void hand(Occurrence occurrence) {
+    /** Tells a loop without threads, whoever calls; false if there is none yet. */
+    final boolean hand(Occurrence occurrence) {
         MapeLoop<Occurrence, ?, ?> joined = loop;
-        if (joined != null && joined.state() != LoopState.NEW) {
-            joined.offer(occurrence);
+        if (joined == null || joined.state() == LoopState.NEW) {
+            return false;
         }
+        joined.offer(occurrence);
+        return true;
     }
 
     /**

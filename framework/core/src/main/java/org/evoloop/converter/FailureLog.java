@@ -1,13 +1,17 @@
 package org.evoloop.converter;
 
 import java.time.Duration;
+import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.RejectedExecutionException;
 import org.evoloop.loop.Failure;
+import org.evoloop.loop.LoopConfig;
 import org.evoloop.time.Clock;
+import org.evoloop.time.Threads;
+import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -25,15 +29,19 @@ final class FailureLog {
     private static final int INTERVAL_SECONDS = 10;
 
     private final Clock clock;
+    private final boolean threads;
+    private final ArrayDeque<String> soon = new ArrayDeque<>();
+    private boolean saying;
     private final Map<String, Long> counts = new LinkedHashMap<>();
     private final Map<String, ConverterStatus.Fault> faults = new LinkedHashMap<>();
     private long intervalNanos;
     private int lines;
     private long leftOut;
 
-    /** @param clock the time of intervals */
-    FailureLog(Clock clock) {
-        this.clock = clock;
+    /** @param config its clock is the time of intervals */
+    FailureLog(LoopConfig config) {
+        this.clock = config.clock();
+        this.threads = config.threads();
         this.intervalNanos = clock.nanoTime();
     }
 
@@ -78,9 +86,53 @@ final class FailureLog {
     }
 
     private void warn(String what, long count) {
-        if (Long.bitCount(count) == 1 && mayLog()) {
-            LOG.warn("{}{}", what, count == 1 ? "" : " (" + count + " times)");
+        if (isDue(count)) {
+            LOG.warn("{}", line(what, count));
         }
+    }
+
+    /** The same for whoever holds a lock, behind which nobody shall wait for a slow log: it does not wait. */
+    void warnSoon(String what) {
+        long count = count(what);
+        if (!isDue(count)) {
+            return;
+        }
+        synchronized (this) {
+            if (soon.size() >= DISTINCT) {
+                leftOut++;
+                return;
+            }
+            soon.add(line(what, count));
+            if (saying) {
+                return;
+            }
+            saying = true;
+        }
+        if (threads) {
+            Threads.start("mapek-log", this::saySoon);
+        } else {
+            saySoon();
+        }
+    }
+
+    private void saySoon() {
+        for (String line = nextLine(); line != null; line = nextLine()) {
+            LOG.warn("{}", line);
+        }
+    }
+
+    private synchronized @Nullable String nextLine() {
+        String line = soon.poll();
+        saying = line != null;
+        return line;
+    }
+
+    private static String line(String what, long count) {
+        return count == 1 ? what : what + " (" + count + " times)";
+    }
+
+    private boolean isDue(long count) {
+        return Long.bitCount(count) == 1 && mayLog();
     }
 
     /** A stack trace helps the author of a component, but not a user who has unplugged the device. */

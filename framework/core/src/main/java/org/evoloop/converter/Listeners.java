@@ -1,5 +1,6 @@
 package org.evoloop.converter;
 
+import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.LinkedBlockingQueue;
@@ -23,12 +24,17 @@ import org.slf4j.LoggerFactory;
 final class Listeners {
     private static final Logger LOG = LoggerFactory.getLogger(SystemEventConverter.class);
     private static final int MOST_WAITING = 1024;
+    private static final long NOT_CONVERTED = -1;
 
     private final LoopConfig config;
     private final FailureLog failures;
     private final List<ConverterListener> all = new CopyOnWriteArrayList<>();
     private final LinkedBlockingQueue<Consumer<ConverterListener>> waiting = new LinkedBlockingQueue<>(MOST_WAITING);
     private volatile @Nullable Thread thread;
+
+    /** The conversion time of the occurrence in progress; guarded by the lock of the {@link CoreDriver}. */
+    private long waitedNanos = NOT_CONVERTED;
+
     private volatile boolean losing;
     private volatile boolean closed;
 
@@ -99,10 +105,22 @@ final class Listeners {
         }
     }
 
+    /** The listeners are told with its end: waking their thread would delay the command. */
+    void converted(long nanos) {
+        waitedNanos = nanos;
+    }
+
     void ended(History history) {
         if (!all.isEmpty()) {
             HistoryEntry entry = history.last();
-            tell(listener -> listener.ended(entry));
+            // What is dropped meanwhile was not decided.
+            long waited = entry.decision() == null ? NOT_CONVERTED : waitedNanos;
+            tell(listener -> {
+                if (waited != NOT_CONVERTED) {
+                    listener.converted(Duration.ofNanos(waited));
+                }
+                listener.ended(entry);
+            });
         }
     }
 

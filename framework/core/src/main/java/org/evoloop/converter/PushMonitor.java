@@ -8,6 +8,8 @@ import java.util.concurrent.locks.LockSupport;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Values;
 import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /**
  * A monitor whose events come from other threads: a console, a driver's callback, a web server.
@@ -19,6 +21,7 @@ import org.jspecify.annotations.Nullable;
  * @since 0.1
  */
 public class PushMonitor extends EventMonitor {
+    private static final Logger LOG = LoggerFactory.getLogger(SystemEventConverter.class);
     private static final int MOST_KEPT = 1024;
     private static final long LOOK_NANOS = 100_000;
 
@@ -28,6 +31,7 @@ public class PushMonitor extends EventMonitor {
     private final AtomicInteger behind = new AtomicInteger();
 
     private boolean telling;
+    private boolean losing;
 
     /** A monitor with the name of its class. */
     public PushMonitor() {}
@@ -57,7 +61,7 @@ public class PushMonitor extends EventMonitor {
 
     /**
      * Reports an occurrence. While the converter is stopped it is refused, and counted by {@code status}. Until the converter is
-     * built, the last {@value #MOST_KEPT} are kept; when this monitor has been taken out of a converter, none is.
+     * built, the last {@value #MOST_KEPT} are kept, and a warning tells when more are lost; when this monitor has been taken out of a converter, none is.
      */
     protected final void push(Occurrence occurrence) {
         Objects.requireNonNull(occurrence, "the occurrence is null");
@@ -83,7 +87,13 @@ public class PushMonitor extends EventMonitor {
                 Occurrence oldest = pushed.poll();
                 if (oldest != null) {
                     behind.decrementAndGet();
-                    hand(oldest);
+                    if (!hand(oldest) && !losing) {
+                        losing = true;
+                        LOG.warn(
+                                "{} reports more than {} events before its converter is built; the oldest are lost",
+                                name(),
+                                MOST_KEPT);
+                    }
                 }
             }
             behind.incrementAndGet();

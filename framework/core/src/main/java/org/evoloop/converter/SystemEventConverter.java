@@ -65,7 +65,7 @@ public final class SystemEventConverter implements AutoCloseable {
     public SystemEventConverter(LoopConfig config) {
         this.config = requireNonNull(config, "the converter's config is null");
         this.belongings = new Belongings(config.name());
-        this.failures = new FailureLog(config.clock());
+        this.failures = new FailureLog(config);
         this.listeners = new Listeners(config, failures);
         this.changes = new ChangeLock(config.name(), this::isComponent, this::ownsCurrentThread);
         this.stopping = new Stopping(config.name());

@@ -16,11 +16,38 @@ public record Values(Map<String, Object> byName) {
     /** No values at all. */
     public static final Values NONE = new Values(Map.of());
 
-    /** @throws IllegalArgumentException if a value is neither a text, a number nor a truth */
+    /** How many an event can carry. */
+    public static final int MOST = 64;
+
+    /** How many characters the names and the texts may have in all. */
+    public static final int MOST_CHARACTERS = 16_384;
+
+    /**
+     * Since events wait, are remembered and are kept in journals, what they carry is bounded.
+     *
+     * @throws IllegalArgumentException if a value is neither a text, a number nor a truth, or they are more than {@value #MOST}
+     *     or longer than {@value #MOST_CHARACTERS} characters in all
+     */
     public Values {
+        requireFew(byName);
         TreeMap<String, Object> sorted = new TreeMap<>();
         byName.forEach((name, value) -> sorted.put(name, plain(name, value)));
         byName = sorted.isEmpty() ? Map.of() : Collections.unmodifiableMap(sorted);
+    }
+
+    private static void requireFew(Map<String, Object> byName) {
+        if (byName.size() > MOST) {
+            throw new IllegalArgumentException(
+                    "an event cannot carry " + byName.size() + " values; at most " + MOST + " are allowed");
+        }
+        long characters = 0;
+        for (Map.Entry<String, Object> each : byName.entrySet()) {
+            characters += each.getKey().length() + (each.getValue() instanceof String text ? text.length() : 0);
+        }
+        if (characters > MOST_CHARACTERS) {
+            throw new IllegalArgumentException("the values of an event have " + characters + " characters, at most "
+                    + MOST_CHARACTERS + " are allowed; send a reference instead");
+        }
     }
 
     private static Object plain(String name, Object value) {

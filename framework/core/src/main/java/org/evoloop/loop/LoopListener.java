@@ -27,4 +27,13 @@ public interface LoopListener<O> {
      * @param first whether this is the first loss since there was room
      */
     void dropped(O occurrence, boolean first);
+
+    /**
+     * Analyze or plan has returned null, so the occurrence is ignored. In one loop that is how it is told that nothing has to be
+     * done, in another it should be rare.
+     *
+     * @param role as it is shown, such as {@code analyze}
+     * @param inARow how often it has returned nothing else until now, from 1
+     */
+    default void returnedNull(String component, String role, int inARow) {}
 }

@@ -117,6 +117,10 @@ final class Sequencer<O> {
      * @return who goes on on the caller's thread; null if nobody does
      */
     <I> @Nullable StageWorker<I> passOn(StageWorker<?> from, @Nullable I result, @Nullable StageWorker<I> next) {
+        int nulls = from.countNull(result == null);
+        if (nulls > 0) {
+            listener.returnedNull(from.component().name(), from.roleName(), nulls);
+        }
         if (result == null || next == null || next.isStuck()) {
             end(from, result == null ? null : next);
             return null;

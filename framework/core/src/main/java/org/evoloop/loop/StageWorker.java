@@ -26,6 +26,9 @@ final class StageWorker<I> extends Worker {
     private @Nullable I input;
     private long cycle;
 
+    /** How often in a row it has returned null; for whoever has the turn. */
+    private int nulls;
+
     /** The cycle in which it was given up and has not returned from since; 0 if there is none. */
     private volatile long stuckSince;
 
@@ -76,6 +79,12 @@ final class StageWorker<I> extends Worker {
     /** The cycle in which it was given its work. */
     long cycle() {
         return cycle;
+    }
+
+    /** It has returned null, or something. Tells how often in a row it has returned null. */
+    int countNull(boolean isNull) {
+        nulls = isNull ? nulls + 1 : 0;
+        return nulls;
     }
 
     /**

@@ -118,6 +118,20 @@ class ContainedTest {
     }
 
     @ParameterizedTest
+    @CsvSource({"ANALYZE, SINGLE_CARRIER, Brain", "PLAN, THREAD_PER_COMPONENT, Will"})
+    void whatReturnsNullForEverIsCountedAndNamed(Faulty.Part part, ThreadingModel threading, String name)
+            throws InterruptedException {
+        Faulty lamp = lamp(part, threading, () -> null);
+        provoke(lamp, "press ".repeat(49).strip());
+        assertThat(named(lamp)).as("it may be meant").isEmpty();
+        provoke(lamp, "press");
+        until(() -> named(lamp).stream()
+                .anyMatch(line -> line.startsWith(name) && line.contains("has returned null 50 times in a row")));
+        assertThat(lamp.converter.status().events().ignored()).isEqualTo(50);
+        goesOn(lamp, "press");
+    }
+
+    @ParameterizedTest
     @CsvSource({
         "ANALYZE, SINGLE_CARRIER, press, Brain, Brain",
         "PLAN, THREAD_PER_COMPONENT, press, Will, Will",

@@ -93,4 +93,19 @@ class PushMonitorTest {
             throw new AssertionError(occurrence + " was dropped");
         }
     }
+
+    @Test
+    void whoReportsMoreBeforeTheConverterIsBuiltIsToldThatTheOldestAreLost() {
+        try (LoggedLines log = new LoggedLines(SystemEventConverter.class.getName())) {
+            for (int event = 0; event < 1_024; event++) {
+                monitor.push(monitor.fromDevice("e" + event));
+            }
+            assertThat(log.lines()).isEmpty();
+            monitor.push(monitor.fromDevice("e1024"));
+            monitor.push(monitor.fromDevice("e1025"));
+            assertThat(log.lines())
+                    .containsExactly(
+                            "Panel reports more than 1024 events before its converter is built; the oldest are lost");
+        }
+    }
 }

@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Optional;
 import org.evoloop.core.Outcome;
 import org.evoloop.evolution.Configuration;
+import org.evoloop.function.Reading;
 import org.evoloop.loop.Component.Role;
 import org.evoloop.loop.ComponentStatus;
 import org.evoloop.loop.ComponentStatus.Activity;
@@ -167,6 +168,16 @@ class StatusAndHistoryTest {
         });
         assertThat(robot.converter.status().link())
                 .isEqualTo(new ConverterStatus.LinkStatus(true, "a cable, in good shape", List.of()));
+    }
+
+    @Test
+    void whatWasReadFromADeviceThatIsGoneIsNotTold() {
+        List<Reading> readings = List.of(Reading.of("battery", 93, "%"));
+
+        assertThat(new ConverterStatus.LinkStatus(true, "a cable", readings).readings())
+                .isEqualTo(readings);
+        assertThat(new ConverterStatus.LinkStatus(false, "it is pulled", readings).readings())
+                .isEmpty();
     }
 
     @Test

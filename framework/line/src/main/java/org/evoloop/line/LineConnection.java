@@ -123,7 +123,7 @@ public final class LineConnection implements DeviceLink, AutoCloseable {
 
     @Override
     public Optional<Instant> downSince() {
-        return Optional.ofNullable(wire.downSince());
+        return Optional.ofNullable(wire.health().downSince());
     }
 
     @Override
@@ -133,7 +133,7 @@ public final class LineConnection implements DeviceLink, AutoCloseable {
 
     @Override
     public String describe() {
-        String wrong = wire.trouble();
+        String wrong = wire.health().trouble();
         return wrong.isEmpty() ? wire.place() : wrong;
     }
 

@@ -2,14 +2,8 @@ package org.evoloop.line;
 
 import java.io.IOException;
 import java.time.Duration;
-import java.time.Instant;
-import java.util.HashSet;
-import java.util.List;
-import java.util.Set;
-import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.RejectedExecutionException;
 import org.evoloop.line.LineTransport.Wire;
-import org.evoloop.time.Attempts;
 import org.evoloop.time.Clock;
 import org.evoloop.time.Threads;
 import org.jspecify.annotations.Nullable;
@@ -26,14 +20,10 @@ final class Reconnector {
     private static final Duration END_LIMIT = Duration.ofSeconds(4);
 
     private final LineTransport transport;
-    private final Clock clock;
     private final LineWriter writer;
-    private final List<WireUser> users = new CopyOnWriteArrayList<>();
-    private final Attempts attempts = new Attempts();
-    private final Set<String> complaints = new HashSet<>();
+    private final WireUsers users;
+    private final WireHealth health;
     private volatile @Nullable Wire wire;
-    private volatile @Nullable Instant downSince;
-    private volatile String trouble;
     /** Why this side has hung up; empty if it has not. */
     private volatile String ended = "";
 
@@ -42,10 +32,9 @@ final class Reconnector {
 
     Reconnector(LineTransport transport, Clock clock) {
         this.transport = transport;
-        this.clock = clock;
+        this.health = new WireHealth(transport.toString(), clock);
+        this.users = new WireUsers(transport.toString());
         this.writer = new LineWriter(clock, transport.toString(), this::hangUp);
-        this.trouble = transport + " has not been reached yet";
-        this.downSince = clock.wallTime();
     }
 
     void add(WireUser user) {
@@ -70,7 +59,7 @@ final class Reconnector {
             while (!closing) {
                 serve();
                 if (!closing) {
-                    clock.sleep(attempts.pause());
+                    health.tryAgain();
                 }
             }
         } catch (InterruptedException | RejectedExecutionException end) {
@@ -90,46 +79,16 @@ final class Reconnector {
             why = String.valueOf(failure.getMessage());
         }
         wire = null;
-        if (downSince == null) {
-            downSince = clock.wallTime();
-        }
-        trouble = ended.isEmpty() ? why : ended;
-        for (WireUser user : users) {
-            user.lost(trouble);
-        }
-        if (!closing && attempts.failed(trouble, clock.nanoTime())) {
-            LOG.warn("{}; it is tried again until it works", trouble);
-        }
+        health.down(ended.isEmpty() ? why : ended);
+        users.lost(health.trouble());
     }
 
     private void read(Wire opened) throws IOException {
-        downSince = null;
-        trouble = "";
-        if (attempts.succeeded(clock.nanoTime())) {
-            LOG.info("{} is connected", transport);
-        }
-        for (WireUser user : users) {
-            user.connected();
-        }
-        LineReader lines = new LineReader(opened.input(), this::complain);
+        health.up();
+        users.connected();
+        LineReader lines = new LineReader(opened.input(), users::complain);
         for (String line = lines.next(); line != null; line = lines.next()) {
-            hear(line);
-        }
-    }
-
-    private void hear(String line) {
-        for (WireUser user : users) {
-            try {
-                user.heard(line);
-            } catch (RuntimeException failure) {
-                LOG.warn("'{}' of {} cannot be dealt with", line, transport, failure);
-            }
-        }
-    }
-
-    private void complain(String about) {
-        if (complaints.add(about)) {
-            LOG.warn("{}: {}", transport, about);
+            users.heard(line);
         }
     }
 
@@ -137,7 +96,7 @@ final class Reconnector {
     void write(String line) throws IOException {
         Wire open = wire;
         if (open == null) {
-            throw new IOException(trouble + "; so '" + line + "' was not sent");
+            throw new IOException(health.trouble() + "; so '" + line + "' was not sent");
         }
         writer.write(open, line);
     }
@@ -159,14 +118,8 @@ final class Reconnector {
         return wire != null;
     }
 
-    @Nullable
-    Instant downSince() {
-        return downSince;
-    }
-
-    /** What is wrong; empty if nothing is. */
-    String trouble() {
-        return trouble;
+    WireHealth health() {
+        return health;
     }
 
     void close() {

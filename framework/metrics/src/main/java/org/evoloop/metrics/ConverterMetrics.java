@@ -6,16 +6,19 @@ import io.micrometer.core.instrument.MeterRegistry;
 import io.micrometer.core.instrument.MultiGauge;
 import io.micrometer.core.instrument.MultiGauge.Row;
 import io.micrometer.core.instrument.Tags;
-import io.micrometer.core.instrument.TimeGauge;
+import io.micrometer.core.instrument.Timer;
 import io.micrometer.core.instrument.binder.MeterBinder;
+import java.time.Duration;
+import java.time.temporal.ChronoUnit;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
-import java.util.concurrent.TimeUnit;
 import java.util.function.Function;
 import java.util.function.ToDoubleFunction;
 import java.util.function.ToLongFunction;
+import java.util.stream.LongStream;
+import org.evoloop.converter.ConverterListener;
 import org.evoloop.converter.ConverterStatus;
 import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.function.Reading;
@@ -27,7 +30,7 @@ import org.evoloop.loop.LoopState;
  * <ul>
  *   <li>{@code evoloop.events} by {@code outcome}, also {@code dropped} and {@code refused}
  *   <li>{@code evoloop.queue.depth}, {@code evoloop.queue.capacity}, {@code evoloop.queue.highest}
- *   <li>{@code evoloop.conversion.time} of the last 1024 events, by {@code percentile}: 50 and 99
+ *   <li>{@code evoloop.conversion.time}, a timer with a histogram, of the events since {@link #bindTo}
  *   <li>{@code evoloop.failures} by {@code component}: failures since it joined
  *   <li>{@code evoloop.running}, {@code evoloop.link.up}, {@code evoloop.doubt}: 1 or 0; {@code evoloop.link.up} only of
  *       a converter with a link
@@ -43,6 +46,26 @@ import org.evoloop.loop.LoopState;
  * @since 0.1
  */
 public final class ConverterMetrics implements MeterBinder {
+    /** From the quickest that a loop is to the step limit's order, about 1, 2.5 and 5 of each power of ten. */
+    private static final Duration[] BUCKETS = LongStream.of(
+                    50,
+                    100,
+                    250,
+                    500,
+                    1_000,
+                    2_500,
+                    5_000,
+                    10_000,
+                    25_000,
+                    50_000,
+                    100_000,
+                    250_000,
+                    1_000_000,
+                    5_000_000,
+                    30_000_000)
+            .mapToObj(micros -> Duration.of(micros, ChronoUnit.MICROS))
+            .toArray(Duration[]::new);
+
     private final SystemEventConverter converter;
     private final Tags tags;
     private final Map<MultiGauge, Function<ConverterStatus, List<Row<?>>>> rows = new ConcurrentHashMap<>();
@@ -86,8 +109,7 @@ public final class ConverterMetrics implements MeterBinder {
                 "evoloop.doubt",
                 "Whether the record of the device may be wrong",
                 status -> truth(!status.doubt().isEmpty()));
-        time(registry, "50", time -> time.medianNanos());
-        time(registry, "99", time -> time.percentile99Nanos());
+        times(registry);
         rows(registry, "evoloop.failures", "Failures of a component", this::failures);
         rows(registry, "evoloop.link.up", "Whether the device can be reached", this::link);
         rows(
@@ -95,9 +117,7 @@ public final class ConverterMetrics implements MeterBinder {
                 "evoloop.device",
                 "What is known of the device",
                 status -> readings(
-                        status.link() == null || !status.link().up()
-                                ? List.of()
-                                : status.link().readings()));
+                        status.link() == null ? List.of() : status.link().readings()));
         rows(
                 registry,
                 "evoloop.function",
@@ -110,6 +130,20 @@ public final class ConverterMetrics implements MeterBinder {
     public void refresh() {
         ConverterStatus status = converter.status();
         rows.forEach((gauge, of) -> gauge.register(of.apply(status), true));
+    }
+
+    private void times(MeterRegistry registry) {
+        Timer timer = Timer.builder("evoloop.conversion.time")
+                .description("From an event being observed to its execution beginning")
+                .tags(tags)
+                .serviceLevelObjectives(BUCKETS)
+                .register(registry);
+        converter.addListener(new ConverterListener() {
+            @Override
+            public void converted(Duration waited) {
+                timer.record(waited);
+            }
+        });
     }
 
     private void rows(
@@ -157,18 +191,6 @@ public final class ConverterMetrics implements MeterBinder {
         Gauge.builder(name, converter, asked -> value.applyAsDouble(asked.status()))
                 .description(description)
                 .tags(tags)
-                .strongReference(true)
-                .register(registry);
-    }
-
-    private void time(MeterRegistry registry, String percentile, ToLongFunction<ConverterStatus.ConversionTime> nanos) {
-        TimeGauge.builder(
-                        "evoloop.conversion.time",
-                        converter,
-                        TimeUnit.NANOSECONDS,
-                        asked -> nanos.applyAsLong(asked.status().conversionTime()))
-                .description("From an event being observed to its execution beginning")
-                .tags(tags.and("percentile", percentile))
                 .strongReference(true)
                 .register(registry);
     }

@@ -138,11 +138,27 @@ class MetricsTest {
                 .containsEntry("evoloop_running{converter=\"lamp\"}", 1.0)
                 .containsEntry("evoloop_running{converter=\"other \\\"lamp\\\"\"}", 0.0)
                 .containsEntry("evoloop_failures{component=\"Lamp\",converter=\"lamp\"}", 0.0)
-                .containsKey("evoloop_conversion_time_seconds{converter=\"lamp\",percentile=\"99\"}")
                 .containsKey("jvm_threads_live_threads");
 
         press();
         assertThat(scrape()).containsEntry("evoloop_events_total{converter=\"lamp\",outcome=\"handled\"}", 2.0);
+    }
+
+    @Test
+    void conversionTimesAreAHistogramFromTheFirstQuestionOn() throws Exception {
+        lamp.start();
+        scrape();
+        press();
+        press();
+
+        assertThat(get("/metrics").body()).contains("# TYPE evoloop_conversion_time_seconds histogram");
+        Map<String, Double> told = scrape();
+        assertThat(told)
+                .containsEntry("evoloop_conversion_time_seconds_count{converter=\"lamp\"}", 2.0)
+                .containsEntry("evoloop_conversion_time_seconds_sum{converter=\"lamp\"}", 0.0)
+                .containsEntry("evoloop_conversion_time_seconds_bucket{converter=\"lamp\",le=\"5.0E-5\"}", 2.0)
+                .containsEntry("evoloop_conversion_time_seconds_bucket{converter=\"lamp\",le=\"30.0\"}", 2.0)
+                .containsEntry("evoloop_conversion_time_seconds_bucket{converter=\"lamp\",le=\"+Inf\"}", 2.0);
     }
 
     @Test

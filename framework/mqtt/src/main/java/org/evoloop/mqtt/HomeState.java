@@ -40,7 +40,7 @@ final class HomeState {
     /** What is known of the device; nothing while it is out of reach. */
     static List<Reading> readings(ConverterStatus status) {
         ConverterStatus.LinkStatus link = status.link();
-        return link == null || !link.up() ? List.of() : link.readings();
+        return link == null ? List.of() : link.readings();
     }
 
     private static String problem(ConverterStatus status) {

@@ -179,7 +179,7 @@ function showStatus() {
     ['Conversion', conversionTime.events ? `last ${duration(conversionTime.lastNanos)}, median ${duration(conversionTime.medianNanos)}, 99th percentile ${duration(conversionTime.percentile99Nanos)}` : 'none yet'],
     ['Function', running.state ? [running.state, running.progress, ...readings.function].filter(Boolean).join(', ') : 'none'],
     ['Link', link ? `${link.up ? 'up' : 'DOWN'}${link.text ? `, ${link.text}` : ''}` : '', link && !link.up ? 'bad' : 'good'],
-    ['Device', readings.device.join(', ')],
+    ['Device', link && !link.up ? 'unknown' : readings.device.join(', ')],
     ...faults.map(fault => ['Fault', `${fault.part}: ${plural(fault.failures, 'failure')}, the last: ${fault.lastFailure}`, 'bad']),
   ]);
   $('components').replaceChildren(...status.components.map(component => {

@@ -38,10 +38,10 @@ public final class ProgramLog extends ContextAwareBase implements Configurator {
         transcript.setLevel(Level.INFO);
         transcript.setAdditive(false);
         transcript.addAppender(appender(ConsoleTarget.SystemOut, new Lines()));
-        boolean inJournal = Journald.reads(Journald.STANDARD_ERROR, System.getenv("JOURNAL_STREAM"));
         Logger root = context.getLogger(org.slf4j.Logger.ROOT_LOGGER_NAME);
         root.setLevel(Level.WARN);
-        root.addAppender(appender(ConsoleTarget.SystemErr, inJournal ? new Journald() : new TimedLines()));
+        root.addAppender(
+                appender(ConsoleTarget.SystemErr, ErrorOutput.isJournal() ? new Journald() : new TimedLines()));
         return ExecutionStatus.DO_NOT_INVOKE_NEXT_IF_ANY;
     }
 

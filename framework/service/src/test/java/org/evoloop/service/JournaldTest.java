@@ -5,16 +5,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import ch.qos.logback.classic.Level;
 import ch.qos.logback.classic.LoggerContext;
 import ch.qos.logback.classic.spi.LoggingEvent;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.condition.EnabledOnOs;
-import org.junit.jupiter.api.condition.OS;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-@EnabledOnOs(OS.LINUX)
 class JournaldTest {
     private static String line(Level level, String message, Throwable cause) {
         return new Journald()
@@ -34,19 +28,5 @@ class JournaldTest {
 
         assertThat(text).startsWith("<3>two\n<3>lines\n<3>java.lang.IllegalStateException: no lamp\n<3>\tat ");
         assertThat(text.lines()).allMatch(line -> line.startsWith("<3>"));
-    }
-
-    @Test
-    void onlyTheStreamThatSystemdHasOpenedIsTheJournal(@TempDir Path folder) throws Exception {
-        Path stream = Files.createFile(folder.resolve("journal"));
-        Path link = Files.createSymbolicLink(folder.resolve("fd"), stream);
-        Path other = Files.createFile(folder.resolve("file"));
-        String variable = Files.getAttribute(stream, "unix:dev") + ":" + Files.getAttribute(stream, "unix:ino");
-
-        assertThat(Journald.reads(link, variable)).isTrue();
-        assertThat(Journald.reads(other, variable)).as("redirected").isFalse();
-        assertThat(Journald.reads(stream, null)).as("not under systemd").isFalse();
-        assertThat(Journald.reads(stream, "nonsense")).isFalse();
-        assertThat(Journald.reads(folder.resolve("closed"), variable)).isFalse();
     }
 }

@@ -370,11 +370,11 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
         reader.tellAgain();
     }
 
-    /** What is known of the robot: see {@link RobotReadings}. */
+    /** What is known of the robot: see {@link RobotReadings}; nothing while it is out of reach. Of a sleeper, what it told last. */
     @Override
     public List<Reading> readings() {
         Telemetry now = reader.latest();
-        return now == null ? List.of() : RobotReadings.of(now.values(), isAsleep());
+        return now == null || !isUp() ? List.of() : RobotReadings.of(now.values(), isAsleep());
     }
 
     /** What the last frame told; null before the first. */

@@ -80,6 +80,18 @@ class RoombaSessionTest {
     }
 
     @Test
+    void ofARobotOutOfReachNothingIsToldUntilItIsBack() {
+        frames(2, CONTROLLED);
+        assertThat(session.readings()).isNotEmpty();
+
+        silence();
+        assertThat(session.readings()).isEmpty();
+
+        frames(2, CONTROLLED);
+        assertThat(session.readings()).isNotEmpty();
+    }
+
+    @Test
     void controlIsAskedForOnce() {
         session.takeControl();
         assertThat(cables.heard()).isEqualTo(bytes(SAFE));

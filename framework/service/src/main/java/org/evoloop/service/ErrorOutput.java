@@ -1,0 +1,77 @@
+package org.evoloop.service;
+
+import java.io.FilterOutputStream;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.PrintStream;
+import java.nio.charset.Charset;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Where a program says why it ends: the standard error. If that is the journal of systemd, each line begins with the level of
+ * an error (sd-daemon(3)), as {@link ProgramLog}'s do.
+ *
+ * <p>Threading: {@link #stream} may be called by any thread.
+ *
+ * @since 0.1
+ */
+public final class ErrorOutput {
+    /** Where a standard stream of a process is found; what it leads to is a socket or a file. */
+    private static final Path STANDARD_ERROR = Path.of("/proc/self/fd/2");
+
+    private ErrorOutput() {}
+
+    /** For messages that are errors. It writes to what {@link System#err} is at this moment, and is flushed with each line. */
+    public static PrintStream stream() {
+        return isJournal() ? levelled(System.err) : System.err;
+    }
+
+    /** Whether systemd's journal reads the standard error. */
+    static boolean isJournal() {
+        return isJournal(STANDARD_ERROR, System.getenv("JOURNAL_STREAM"));
+    }
+
+    /**
+     * Whether the journal reads {@code stream}.
+     *
+     * @param journalStream the variable {@code JOURNAL_STREAM}: {@code DEVICE:INODE} of the stream that systemd has opened;
+     *     a program that was started with its output redirected has inherited the variable, but not the stream
+     */
+    static boolean isJournal(Path stream, @Nullable String journalStream) {
+        if (journalStream == null) {
+            return false;
+        }
+        try {
+            return journalStream.equals(
+                    Files.getAttribute(stream, "unix:dev") + ":" + Files.getAttribute(stream, "unix:ino"));
+        } catch (IOException | UnsupportedOperationException | IllegalArgumentException unknown) {
+            return false;
+        }
+    }
+
+    static PrintStream levelled(PrintStream out) {
+        return new PrintStream(new Levelled(out), true, Charset.defaultCharset());
+    }
+
+    /** Begins each line with the level of an error. */
+    private static final class Levelled extends FilterOutputStream {
+        private static final byte[] ERROR = {'<', '3', '>'};
+
+        private boolean beginsLine = true;
+
+        private Levelled(OutputStream out) {
+            super(out);
+        }
+
+        @Override
+        public void write(int octet) throws IOException {
+            if (beginsLine) {
+                out.write(ERROR);
+            }
+            out.write(octet);
+            beginsLine = octet == '\n';
+        }
+    }
+}
