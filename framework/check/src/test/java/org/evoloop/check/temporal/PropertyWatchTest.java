@@ -129,6 +129,29 @@ class PropertyWatchTest {
     }
 
     @Test
+    void everyWayToKeepAPropertyIsFollowed() {
+        PropertyWatch watch = watch(
+                ROBOT.initial(),
+                "always (not Clean or next SpotWait)",
+                "(Off until On) and (Off unless On)",
+                "never (SpotWait and can Move)",
+                "eventually (Clean and next Off)",
+                "(always Off) or (eventually Move)");
+        assertThat(play(watch, ROBOT.initial(), "Clean", "Clean")).isEmpty();
+        assertThat(watch.properties())
+                .extracting(watch::standing)
+                .containsExactly(Standing.OPEN, Standing.KEPT, Standing.KEPT, Standing.OPEN, Standing.OPEN);
+        watch.happened(at("Clean", "SpotWait"), new Event("Clean"));
+        assertThat(watch.properties())
+                .extracting(watch::standing)
+                .containsExactly(Standing.KEPT, Standing.KEPT, Standing.BROKEN, Standing.OPEN, Standing.OPEN);
+        watch.happened(at("Clean", "Clean"), null);
+        assertThat(watch.happened(at("On", "On"), null))
+                .extracting(Property::name)
+                .containsExactly("always (not Clean or next SpotWait)");
+    }
+
+    @Test
     void whatIsNotWatchedHasNoStanding() {
         Property other = new Property("other", new Formula.Constant(true), 1);
         assertThatThrownBy(() -> watch(ROBOT.initial()).standing(other))
