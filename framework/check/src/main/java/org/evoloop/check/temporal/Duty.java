@@ -41,10 +41,8 @@ sealed interface Duty {
             Duty left = of(or.left(), wanted);
             Duty right = of(or.right(), wanted);
             return wanted ? new Either(left, right) : new Both(left, right);
-        } else if (formula instanceof Formula.Can can) {
-            return wanted ? fact(can, true) : new Always(of(can.operand(), false));
         }
-        return wanted ? later(formula) : fact(formula, false);
+        return wanted && !(formula instanceof Formula.Can) ? later(formula) : fact(formula, wanted);
     }
 
     private static Duty fact(Formula formula, boolean wanted) {

@@ -64,8 +64,8 @@ final class RandomModels {
             case 0 -> new Formula.Always(left);
             case 1 -> new Formula.Unless(left, right);
             case 2 -> new Formula.Next(left);
-            case 3 -> new Formula.Always(new Formula.Or(new Formula.Not(atom(random)), new Formula.Next(right)));
-            case 4 -> new Formula.Not(new Formula.Can(atom(random)));
+            case 3 -> new Formula.Always(new Formula.Or(new Formula.Not(left), new Formula.Next(right)));
+            case 4 -> new Formula.Not(new Formula.Can(state(random)));
             default -> new Formula.And(safety(random), safety(random));
         };
     }

@@ -59,8 +59,6 @@ final class Refutation {
             return shown(and.left(), at) && shown(and.right(), at);
         } else if (formula instanceof Formula.Or or) {
             return shown(or.left(), at) || shown(or.right(), at);
-        } else if (formula instanceof Formula.Can can) {
-            return any(at, later -> shown(can.operand(), later));
         }
         return outlook.holds(formula, moments.get(at));
     }
