@@ -129,6 +129,11 @@ KNOWN = [
     Known("./evoloop ctl NAME COMMAND ...", run="./evoloop ctl --help", shows="status --json"),
     Known("./evoloop journal COMMAND DIR", run="./evoloop journal --help", shows="verify"),
     Known(
+        "./evoloop journal replay DIR --original models/roomba.xml#original --new models/roomba.xml#guest",
+        run="./evoloop journal replay --help",
+        shows="--properties",
+    ),
+    Known(
         "java -jar framework/models/target/evoloop-models.jar journal COMMAND DIR",
         run="java -jar framework/models/target/evoloop-models.jar journal show --help",
         shows="--last",
@@ -167,6 +172,10 @@ KNOWN = [
     typed(
         "./evoloop models migrate models/roomba.xml#home models/roomba.xml#guest --original models/roomba.xml#original",
         shows="waits until tm(5s) or Clean or Dock leads out",
+    ),
+    typed(
+        "./evoloop models plan models/cleaning-robot.xml#original models/cleaning-robot.xml#new --spontaneous endSpot --bypass",
+        shows="something else: the device goes to Spot",
     ),
     typed("./evoloop models check docs/fan/fan.uml#original docs/fan/fan.uml#new", shows="swallowed-event"),
     typed(f"./evoloop models plan {FAN}", shows="path power, speed"),

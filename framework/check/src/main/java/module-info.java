@@ -4,4 +4,5 @@ module org.evoloop.check {
     requires transitive org.evoloop.core;
 
     exports org.evoloop.check;
+    exports org.evoloop.check.temporal;
 }

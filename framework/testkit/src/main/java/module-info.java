@@ -2,6 +2,7 @@
 module org.evoloop.testkit {
     requires static org.jspecify;
     requires transitive org.evoloop.core;
+    requires transitive org.evoloop.journal;
     requires ch.qos.logback.classic;
     requires ch.qos.logback.core;
     requires org.slf4j;

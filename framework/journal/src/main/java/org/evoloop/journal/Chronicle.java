@@ -19,6 +19,7 @@ import org.evoloop.evolution.Occurrence;
  */
 class Chronicle implements Outputs {
     private final Map<EventKey, Ending> endings = new LinkedHashMap<>();
+    private final EventKey.Sequence keys = new EventKey.Sequence();
     private List<String> sent = new ArrayList<>();
     private int took;
     private Set<String> guards = Set.of();
@@ -67,14 +68,18 @@ class Chronicle implements Outputs {
         String why = decision == null ? ended.detail() : words(decision);
         Verdict verdict = new Verdict(ended.before(), ended.after(), ended.outcome(), sent, why);
         endings.put(
-                EventKey.of(ended.occurrence()),
-                new Ending(ended.occurrence(), verdict, took, guards, decision != null));
+                keys.take(ended.occurrence()), new Ending(ended.occurrence(), verdict, took, guards, decision != null));
         sent = new ArrayList<>();
     }
 
     private static String words(Decision decision) {
         String reason = DecisionKind.reasonOf(decision);
         return DecisionKind.of(decision).word() + (reason.isEmpty() ? "" : ", " + reason);
+    }
+
+    /** The key of an event that has not ended. */
+    EventKey keyOf(Occurrence occurrence) {
+        return keys.next(occurrence);
     }
 
     Map<EventKey, Ending> endings() {

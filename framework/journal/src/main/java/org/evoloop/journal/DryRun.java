@@ -8,7 +8,9 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import org.evoloop.check.temporal.Property;
 import org.evoloop.core.Input;
+import org.evoloop.core.Rules;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.evolution.Occurrence;
@@ -31,9 +33,11 @@ public final class DryRun {
     private static final Duration SAME_TIMER = Duration.ofSeconds(1);
 
     private final Map<EventKey, Instant> events = new LinkedHashMap<>();
+    private final EventKey.Sequence keys = new EventKey.Sequence();
     private final Map<EventKey, Ending> then = new HashMap<>();
     private final Map<EventKey, Ending> now = new HashMap<>();
     private final OtherRules rules;
+    private final KeptProperties properties;
     private @Nullable Rehearsal rehearsal;
     private @Nullable Head last;
 
@@ -47,36 +51,80 @@ public final class DryRun {
             Instant at,
             Occurrence occurrence,
             @Nullable Verdict recorded,
-            @Nullable Verdict other) {}
+            @Nullable Verdict other) {
+
+        /** For messages: what became of it. */
+        public String then() {
+            return recorded == null ? "had no such timer" : recorded.toString();
+        }
+
+        /** For messages: what the other models make of it. */
+        public String now() {
+            return other == null ? "would not have happened" : other.toString();
+        }
+
+        @Override
+        public String toString() {
+            return at + "  " + occurrence + "\n    then  " + then() + "\n    now   " + now();
+        }
+    }
+
+    /**
+     * A property of the other models that the events break.
+     *
+     * @param at when
+     * @param occurrence the event that breaks it; null if it is broken where the journal begins
+     * @param where the other models stand then
+     */
+    public record Broken(
+            Property property, Instant at, @Nullable Occurrence occurrence, Configuration where) {
+
+        /** For messages: the event, or that there is none. */
+        public String by() {
+            return occurrence == null ? "where the journal begins" : "by " + occurrence;
+        }
+
+        @Override
+        public String toString() {
+            return "'" + property.name() + "' (line " + property.line() + ") at " + at + ", " + by() + ", in " + where;
+        }
+    }
 
     /**
      * What came of it.
      *
      * @param events how many were compared
      * @param differences in order
+     * @param broken in order of their events
+     * @param open the properties that ask for something that had not come when the journal ended
      */
-    public record Result(long events, List<Difference> differences) {
+    public record Result(long events, List<Difference> differences, List<Broken> broken, List<Property> open) {
         public Result {
             differences = List.copyOf(differences);
+            broken = List.copyOf(broken);
+            open = List.copyOf(open);
         }
     }
 
-    private DryRun(ModelPair models) {
+    private DryRun(ModelPair models, List<Property> properties) {
         this.rules = new OtherRules(models);
+        this.properties = new KeptProperties(properties);
     }
 
     /**
      * Runs a journal through other models; the journal is only read.
      *
      * @param models a valid pair
+     * @param properties of these models, that are watched meanwhile
      * @throws JournalException if the journal is damaged
      */
-    public static Result of(JournalFiles journal, ModelPair models) {
+    public static Result of(JournalFiles journal, ModelPair models, List<Property> properties) {
         models.requireValid();
-        DryRun run = new DryRun(models);
+        DryRun run = new DryRun(models, properties);
         journal.each(Told::of, run::add);
         run.end();
-        return new Result(run.events.size(), run.differences());
+        run.matchTimers();
+        return new Result(run.events.size(), run.differences(), run.properties.broken(), run.properties.open());
     }
 
     private void add(Told told) {
@@ -86,7 +134,7 @@ public final class DryRun {
         for (Told.Moment moment : told.moments()) {
             if (moment.input() instanceof Input.Observed observed) {
                 Occurrence occurrence = observed.occurrence();
-                events.put(EventKey.of(occurrence), head.wallTime(occurrence.observedNanos()));
+                events.put(keys.take(occurrence), head.wallTime(occurrence.observedNanos()));
                 Occurrence here = occurrence.visit() == Occurrence.ANY_VISIT
                         ? occurrence
                         : isHere(moment, occurrence, running) ? running.inThisVisit(occurrence) : null;
@@ -115,7 +163,9 @@ public final class DryRun {
         }
         end();
         Configuration at = before == null ? rules.placed(told.from().at()) : before.at();
-        Rehearsal fresh = new Rehearsal(rules.like(head), at, head.nowNanos(), then);
+        Rules like = rules.like(head);
+        properties.begin(like.table(), at, head);
+        Rehearsal fresh = new Rehearsal(like, at, head.nowNanos(), then, properties::see);
         if (told.from().open()) {
             fresh.follow(new Input.Opened(head.nowNanos()), head.nowNanos());
         }
@@ -143,7 +193,6 @@ public final class DryRun {
     }
 
     private List<Difference> differences() {
-        matchTimers();
         List<Difference> differences = new ArrayList<>();
         events.forEach((key, at) -> {
             Ending recorded = then.get(key);

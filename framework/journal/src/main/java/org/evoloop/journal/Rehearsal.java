@@ -7,6 +7,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.function.Consumer;
 import org.evoloop.core.Core;
 import org.evoloop.core.Input;
 import org.evoloop.core.Output;
@@ -28,14 +29,16 @@ import org.jspecify.annotations.Nullable;
  */
 final class Rehearsal extends Chronicle {
     private final Map<EventKey, Ending> then;
+    private final Consumer<Output.Ended> heard;
     private final Core core;
     private final Deque<Output.Directive> toDo = new ArrayDeque<>();
     private final Map<Event, Long> timers = new HashMap<>();
     private @Nullable Pending begun;
     private boolean planned;
 
-    Rehearsal(Rules rules, Configuration from, long atNanos, Map<EventKey, Ending> then) {
+    Rehearsal(Rules rules, Configuration from, long atNanos, Map<EventKey, Ending> then, Consumer<Output.Ended> heard) {
         this.then = then;
+        this.heard = heard;
         this.core = new Core(rules, still(from, atNanos), this);
     }
 
@@ -67,7 +70,9 @@ final class Rehearsal extends Chronicle {
         } else if (output instanceof Output.Leave) {
             timers.clear();
         }
-        if (output instanceof Output.Directive directive) {
+        if (output instanceof Output.Ended ended) {
+            heard.accept(ended);
+        } else if (output instanceof Output.Directive directive) {
             toDo.add(directive);
         }
     }
@@ -133,7 +138,7 @@ final class Rehearsal extends Chronicle {
             Pending pending = begun;
             if (pending != null && core.isBusy() && !planned) {
                 planned = true;
-                plan(pending, then.get(EventKey.of(pending.occurrence())), atNanos);
+                plan(pending, then.get(keyOf(pending.occurrence())), atNanos);
             } else if (pending != null && core.isBusy()) {
                 carryOut(pending, toDo.poll(), atNanos);
             } else if (core.hasNext()) {
@@ -147,7 +152,7 @@ final class Rehearsal extends Chronicle {
 
     private void carryOut(Pending pending, Output.@Nullable Directive next, long atNanos) {
         long number = pending.number();
-        Ending recorded = then.get(EventKey.of(pending.occurrence()));
+        Ending recorded = then.get(keyOf(pending.occurrence()));
         if (next instanceof Output.Send) {
             if (recorded != null && recorded.isBroken() && recorded.took() <= took()) {
                 core.failed(number, recorded.verdict().why(), atNanos);

@@ -8,6 +8,8 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.Set;
+import org.evoloop.check.temporal.Property;
+import org.evoloop.check.temporal.PropertyFile;
 import org.evoloop.converter.EventExecute;
 import org.evoloop.converter.PushMonitor;
 import org.evoloop.converter.StateKnowledge;
@@ -111,8 +113,13 @@ class DryRunTest {
         converter.close();
     }
 
+    private DryRun.Result run(ModelPair models, String... properties) {
+        PropertyFile file = PropertyFile.parse("new.properties.txt", String.join("\n", properties), models);
+        return DryRun.of(new JournalFiles(directory), models, file.properties());
+    }
+
     private List<String> told(ModelPair models) {
-        return DryRun.of(new JournalFiles(directory), models).differences().stream()
+        return run(models).differences().stream()
                 .map(each -> each.occurrence().label() + " | " + each.recorded() + " | " + each.other())
                 .toList();
     }
@@ -124,7 +131,7 @@ class DryRunTest {
         live(NewFunction.none(), "play");
         broken = false;
         live(visit -> visit.finishAfter(Duration.ofMillis(700), "faded"), "play", "fade", "900", "play");
-        DryRun.Result result = DryRun.of(new JournalFiles(directory), YESTERDAY);
+        DryRun.Result result = run(YESTERDAY);
         assertThat(result.differences()).isEmpty();
         assertThat(result.events()).isEqualTo(15);
     }
@@ -142,8 +149,7 @@ class DryRunTest {
     @Test
     void timersAreDueWhenTheOtherModelsHaveThem() throws InterruptedException {
         live(NewFunction.none(), "play", "fade", "2500", "5000", "play");
-        List<Difference> differences = DryRun.of(new JournalFiles(directory), fading("tm(4s)", "Stopped"))
-                .differences();
+        List<Difference> differences = run(fading("tm(4s)", "Stopped")).differences();
         assertThat(differences).hasSize(2);
         assertThat(differences.get(0).occurrence().label()).isEqualTo("tm(2s)");
         assertThat(differences.get(0).other()).isNull();
@@ -158,16 +164,48 @@ class DryRunTest {
         live(visit -> visit.finishAfter(Duration.ofMillis(700), "faded"), "play", "fade", "900");
         ModelPair without = new ModelPair(
                 DEVICE, player("new").transition("Playing", "fade", "Paused").build());
-        List<Difference> differences =
-                DryRun.of(new JournalFiles(directory), without).differences();
+        List<Difference> differences = run(without).differences();
         assertThat(differences).extracting(each -> each.occurrence().label()).containsExactly("fade", "faded");
         assertThat(differences.get(1).other()).isNull();
         assertThat(differences.get(1).recorded()).extracting(Verdict::outcome).isEqualTo(Outcome.HANDLED);
     }
 
     @Test
+    void aPropertyIsBrokenByAnEventAndOpenAtTheEnd() throws InterruptedException {
+        live(NewFunction.none(), "play", "fade", "2500", "play", "!stop", "play");
+        DryRun.Result result = run(
+                fading("tm(2s)", "Paused"),
+                "no pause: never device Paused",
+                "Fading only after event play",
+                "always can Stopped",
+                "always event play implies eventually event pause");
+        assertThat(result.broken()).singleElement().satisfies(broken -> {
+            assertThat(broken.property().name()).isEqualTo("no pause");
+            assertThat(broken.occurrence()).isNotNull();
+            assertThat(broken.occurrence().label()).isEqualTo("tm(2s)");
+            assertThat(broken.where()).hasToString("(Paused, Paused)");
+            assertThat(broken.at()).isEqualTo(result.differences().get(0).at());
+        });
+        assertThat(result.open()).extracting(Property::line).containsExactly(4);
+        assertThat(run(YESTERDAY, "never device Paused").broken()).isEmpty();
+    }
+
+    @Test
+    void whatHoldsNoMoreWhereTheJournalBeginsHasNoEvent() throws InterruptedException {
+        live(NewFunction.none(), "play");
+        live(NewFunction.none(), "pause");
+        assertThat(run(YESTERDAY, "never Stopped").broken()).singleElement().satisfies(broken -> {
+            assertThat(broken.occurrence()).isNull();
+            assertThat(broken.where()).hasToString("(Stopped, Stopped)");
+        });
+        assertThat(run(YESTERDAY, "Paused only after Playing", "next Playing").broken())
+                .as("over a restart")
+                .isEmpty();
+    }
+
+    @Test
     void aJournalThatIsNotThereIsNamed() {
-        assertThatThrownBy(() -> DryRun.of(new JournalFiles(directory.resolve("nowhere")), YESTERDAY))
+        assertThatThrownBy(() -> DryRun.of(new JournalFiles(directory.resolve("nowhere")), YESTERDAY, List.of()))
                 .isInstanceOf(JournalException.class)
                 .hasMessageContaining("nowhere does not exist");
     }

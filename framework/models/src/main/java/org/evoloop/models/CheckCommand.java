@@ -1,7 +1,6 @@
 package org.evoloop.models;
 
 import java.io.IOException;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
@@ -9,18 +8,18 @@ import org.evoloop.check.Check;
 import org.evoloop.check.CheckInput;
 import org.evoloop.check.Finding;
 import org.evoloop.check.Rule;
+import org.evoloop.check.RuleSwitches;
+import org.evoloop.check.RuleSwitches.SwitchedOff;
+import org.evoloop.check.temporal.PropertyFile;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.models.checking.Drawings;
 import org.evoloop.models.checking.FindingDiagram;
 import org.evoloop.models.checking.FindingsJson;
 import org.evoloop.models.checking.FindingsText;
-import org.evoloop.models.checking.RuleSwitches;
-import org.evoloop.models.checking.RuleSwitches.SwitchedOff;
 import org.evoloop.models.checking.SamePlace;
 import org.evoloop.models.diagram.Diagram;
 import org.evoloop.models.diagram.SvgWriter;
 import org.evoloop.models.temporal.PropertyCheck;
-import org.evoloop.xmi.ModelReference;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -65,14 +64,13 @@ final class CheckCommand implements Callable<Integer> {
         ModelPair pair = options.read();
         CheckInput input = converter.tell(CheckInput.of(pair).withDevice(options.device(pair.original())));
         List<Finding> all = new ArrayList<>(Check.run(input));
-        RuleSwitches switches = RuleSwitches.none();
-        ModelReference evolved = options.evolved();
-        if (all.stream().noneMatch(CheckCommand::isNoEvolution) && properties.isThere(evolved)) {
-            Path file = properties.path(evolved);
-            switches = RuleSwitches.parse(file.toString(), TextFile.read(file, "properties"), pair);
-            all.addAll(PropertyCheck.run(input, file.toString(), switches.properties()));
-            switches.useless(all).forEach(useless -> spec.commandLine().getErr().println("note: " + useless));
+        PropertyFile written = PropertyFile.none();
+        if (all.stream().noneMatch(CheckCommand::isNoEvolution)) {
+            written = properties.read(options.evolved(), pair);
+            all.addAll(PropertyCheck.run(input, written));
+            written.switches().useless(all).forEach(useless -> Output.note(spec, useless));
         }
+        RuleSwitches switches = written.switches();
         Drawings drawings = options.drawings(pair);
         List<Finding> findings = SamePlace.merge(switches.left(all), drawings);
         List<SwitchedOff> off = switches.off(all);

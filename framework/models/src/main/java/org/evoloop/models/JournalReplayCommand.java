@@ -2,11 +2,15 @@ package org.evoloop.models;
 
 import java.time.ZoneId;
 import java.util.concurrent.Callable;
+import org.evoloop.check.temporal.PropertyFile;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.journal.DryRun;
+import org.evoloop.models.record.ReplayDiagram;
 import org.evoloop.models.record.ReplayJson;
 import org.evoloop.models.record.ReplayText;
+import org.evoloop.xmi.ModelReference;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -18,13 +22,15 @@ import picocli.CommandLine.Spec;
         description =
                 "Tells other models what the converter was told, and lists where they would have decided otherwise: what"
                         + " became of the event then, and what would have.",
+        footer = {"", "Exit status: 1 if a property of the other models is broken, or the journal is damaged."},
         mixinStandardHelpOptions = true)
 @SuppressWarnings("NullAway.Init") // picocli sets the fields
 final class JournalReplayCommand implements Callable<Integer> {
     /** How differences can be told. */
     enum Format {
         TEXT,
-        JSON
+        JSON,
+        SVG
     }
 
     @Spec
@@ -56,16 +62,26 @@ final class JournalReplayCommand implements Callable<Integer> {
             description = "One of ${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE}).")
     private Format format;
 
+    @Mixin
+    private PropertiesFile properties;
+
     @Override
     public Integer call() throws Exception {
-        ModelPair pair = ModelReader.pair(reading.reference(original), reading.reference(evolved), spec);
+        ModelReference tried = reading.reference(evolved);
+        ModelPair pair = ModelReader.pair(reading.reference(original), tried, spec);
+        pair.requireValid();
+        PropertyFile file = properties.read(tried, pair);
         return journal.examine(spec, files -> {
-            DryRun.Result result = DryRun.of(files, pair);
-            return Output.print(
+            DryRun.Result result = DryRun.of(files, pair, file.properties());
+            ZoneId zone = ZoneId.systemDefault();
+            Output.print(
                     spec,
-                    format == Format.JSON
-                            ? ReplayJson.write(result)
-                            : ReplayText.write(result, ZoneId.systemDefault()));
+                    switch (format) {
+                        case TEXT -> ReplayText.write(result, file, zone);
+                        case JSON -> ReplayJson.write(result, file);
+                        case SVG -> ReplayDiagram.write(pair, result, file, zone);
+                    });
+            return result.broken().isEmpty() ? ExitCode.OK : ExitCode.SOFTWARE;
         });
     }
 }

@@ -1,7 +1,11 @@
 package org.evoloop.models;
 
 import java.util.concurrent.Callable;
+import org.evoloop.evolution.DeviceEvents;
 import org.evoloop.evolution.ModelPair;
+import org.evoloop.models.evolution.Bypass;
+import org.evoloop.models.evolution.BypassJson;
+import org.evoloop.models.evolution.BypassText;
 import org.evoloop.models.evolution.EvolutionPlan;
 import org.evoloop.models.evolution.PlanJson;
 import org.evoloop.models.evolution.PlanText;
@@ -37,11 +41,24 @@ final class PlanCommand implements Callable<Integer> {
             description = "One of ${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE}).")
     private Format format;
 
+    @Option(
+            names = "--bypass",
+            description =
+                    "Says instead what the controller's events do that are passed on to the device unchanged, while"
+                            + " the converter is down.")
+    private boolean bypass;
+
     @Override
     public Integer call() {
         ModelPair pair = options.read();
         pair.requireValid();
-        EvolutionPlan plan = EvolutionPlan.of(pair, options.device(pair.original()));
-        return Output.print(spec, format == Format.JSON ? PlanJson.write(plan) : PlanText.write(plan));
+        DeviceEvents device = options.device(pair.original());
+        boolean json = format == Format.JSON;
+        if (bypass) {
+            Bypass told = Bypass.of(pair, device);
+            return Output.print(spec, json ? BypassJson.write(told) : BypassText.write(told));
+        }
+        EvolutionPlan plan = EvolutionPlan.of(pair, device);
+        return Output.print(spec, json ? PlanJson.write(plan) : PlanText.write(plan));
     }
 }

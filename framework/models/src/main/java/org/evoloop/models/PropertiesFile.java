@@ -1,7 +1,10 @@
 package org.evoloop.models;
 
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import org.evoloop.check.temporal.PropertyFile;
+import org.evoloop.evolution.ModelPair;
 import org.evoloop.xmi.ModelReference;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Option;
@@ -9,15 +12,13 @@ import picocli.CommandLine.Option;
 /** The file in which an evolution's author writes what it must keep to. */
 @SuppressWarnings("NullAway.Init") // picocli sets the field
 final class PropertiesFile {
-    /** How its name ends. */
-    static final String ENDING = ".properties.txt";
-
     @Option(
             names = "--properties",
             paramLabel = "FILE",
             description = "Properties of the evolution (default: the file beside NEW that is called like it, or like "
-                    + "it and the machine, and ends in " + ENDING + ", if there is one; for a.xml#b a.b" + ENDING
-                    + " or else a" + ENDING + ").")
+                    + "it and the machine, and ends in " + PropertyFile.ENDING + ", if there is one; for a.xml#b a.b"
+                    + PropertyFile.ENDING
+                    + " or else a" + PropertyFile.ENDING + ").")
     private @Nullable Path given;
 
     /** The one that was named, else the one that belongs beside {@code evolved}, which need not be there. */
@@ -36,10 +37,23 @@ final class PropertiesFile {
         return given != null || Files.exists(path(evolved));
     }
 
+    /**
+     * What is written for {@code pair}; nothing if there is no file.
+     *
+     * @throws IOException if the file cannot be read
+     * @throws org.evoloop.statemachine.ModelException if it cannot be understood
+     */
+    PropertyFile read(ModelReference evolved, ModelPair pair) throws IOException {
+        Path file = path(evolved);
+        return isThere(evolved)
+                ? PropertyFile.parse(file.toString(), TextFile.read(file, "properties"), pair)
+                : PropertyFile.none();
+    }
+
     /** @param machine what the file's name says of which machine it is for */
     private static Path beside(Path models, String machine) {
         String name = String.valueOf(models.getFileName());
         int dot = name.lastIndexOf('.');
-        return models.resolveSibling((dot > 0 ? name.substring(0, dot) : name) + machine + ENDING);
+        return models.resolveSibling((dot > 0 ? name.substring(0, dot) : name) + machine + PropertyFile.ENDING);
     }
 }

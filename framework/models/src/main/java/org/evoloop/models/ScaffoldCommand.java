@@ -11,7 +11,6 @@ import org.evoloop.check.Rule;
 import org.evoloop.evolution.DeviceEvents;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.models.checking.FindingsText;
-import org.evoloop.models.checking.RuleSwitches;
 import org.evoloop.models.scaffold.Scaffold;
 import org.evoloop.xmi.ModelReference;
 import org.jspecify.annotations.Nullable;
@@ -84,7 +83,7 @@ final class ScaffoldCommand implements Callable<Integer> {
             return null;
         }
         Path file = properties.path(evolved);
-        RuleSwitches.parse(file.toString(), TextFile.read(file, "properties"), pair);
+        properties.read(evolved, pair);
         return file;
     }
 }

@@ -47,7 +47,7 @@ class ArchitectureTest {
             .whereLayer("flat")
             .mayOnlyAccessLayers("chart")
             .whereLayer("record")
-            .mayOnlyAccessLayers("format")
+            .mayOnlyAccessLayers("chart", "diagram", "format")
             .whereLayer("format")
             .mayOnlyAccessLayers("chart")
             .whereLayer("diagram")

@@ -2,11 +2,14 @@ package org.evoloop.models;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.sql.DriverManager;
 import java.sql.ResultSet;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Set;
 import org.evoloop.converter.EventExecute;
 import org.evoloop.converter.StateKnowledge;
@@ -88,15 +91,9 @@ class JournalCommandTest {
                 Tool.run("journal", "replay", directory(), "--original", lamp + "#original", "--new", lamp + "#new");
         assertThat(same.err()).isEmpty();
         assertThat(same.status()).isZero();
-        assertThat(same.out()).isEqualTo("1 events, 0 decided otherwise\n");
+        assertThat(same.out()).isEqualTo("1 events, 0 decided otherwise; 2 properties, 0 broken, 0 open\n");
 
-        Path other = Files.writeString(folder.resolve("other.scxml"), """
-                        <scxml xmlns="http://www.w3.org/2005/07/scxml" version="1.0" initial="off" name="other">
-                          <state id="off"><transition event="switch" target="party"/></state>
-                          <state id="on"><transition event="switch" target="off"/></state>
-                          <state id="party"><transition event="switch" target="on"/></state>
-                        </scxml>
-                        """);
+        Path other = party();
         String[] replay = {"journal", "replay", directory(), "--original", lamp + "#original", "--new", other + "#other"
         };
         assertThat(Tool.run(replay).out())
@@ -122,6 +119,81 @@ class JournalCommandTest {
                         lamp + "#new"))
                 .satisfies(none -> assertThat(none.status()).isEqualTo(2))
                 .satisfies(none -> assertThat(none.err()).contains("is no journal"));
+    }
+
+    private Path party() throws IOException {
+        return Files.writeString(folder.resolve("other.scxml"), """
+                        <scxml xmlns="http://www.w3.org/2005/07/scxml" version="1.0" initial="off" name="other">
+                          <state id="off"><transition event="switch" target="party"/></state>
+                          <state id="on"><transition event="switch" target="off"/></state>
+                          <state id="party"><transition event="switch" target="on"/></state>
+                        </scxml>
+                        """);
+    }
+
+    private Tool replayParty(String... options) throws IOException {
+        String lamp = Path.of(System.getProperty("evoloop.root"), "models", "light-bulb.xml")
+                .toString();
+        List<String> arguments = new ArrayList<>(List.of("journal", "replay", directory()));
+        arguments.addAll(List.of("--original", lamp + "#original", "--new", party() + "#other"));
+        arguments.addAll(List.of(options));
+        return Tool.run(arguments.toArray(String[]::new));
+    }
+
+    @Test
+    void aPropertyThatTheEventsBreakIsTheStatusAndIsToldWithItsEvent() throws IOException {
+        Path beside = Files.writeString(
+                folder.resolve("other.properties.txt"),
+                "No party: never party\nIt ends: always (party implies eventually on)\nIt can end: always can on\n");
+        Tool text = replayParty();
+        assertThat(text.status()).isEqualTo(1);
+        assertThat(text.err()).isEmpty();
+        assertThat(text.out())
+                .containsPattern("broken: 'No party' \\(.*other.properties.txt, line 1\\) at \\d{4}-.*, by switch"
+                        + " \\(controller, by=a \"visitor\"\\), in \\(off, party\\)\n")
+                .contains("open: 'It ends' (" + beside + ", line 2)")
+                .endsWith("1 events, 1 decided otherwise; 3 properties, 1 broken, 1 open\n");
+
+        JsonNode properties = new ObjectMapper()
+                .readTree(replayParty("--format", "json").out())
+                .path("properties");
+        assertThat(properties.path(0).path("standing").asString()).isEqualTo("broken");
+        assertThat(properties.path(0).path("event").asString()).isEqualTo("switch");
+        assertThat(properties.path(0).path("at").path("new").asString()).isEqualTo("party");
+        assertThat(properties.path(1).path("standing").asString()).isEqualTo("open");
+        assertThat(properties.path(2).path("standing").asString()).isEqualTo("kept");
+        assertThat(properties.path(2).path("event").isNull()).isTrue();
+
+        Tool picture = replayParty("--format", "svg");
+        assertThat(picture.status()).isEqualTo(1);
+        assertThat(picture.out())
+                .startsWith("<svg")
+                .contains(
+                        "breaks: No party",
+                        "switch \u2192 party, was \u2192 on",
+                        "a property is broken",
+                        "breaks 'No party' in (off, party)",
+                        "(off, off) -&gt; (off, party): new-function");
+    }
+
+    @Test
+    void propertiesMayBeNamedAndMustBeUnderstood() throws IOException {
+        Path named = Files.writeString(folder.resolve("mine.txt"), "never event switch\n");
+        assertThat(replayParty("--properties", named.toString())).satisfies(broken -> {
+            assertThat(broken.status()).isEqualTo(1);
+            assertThat(broken.out()).contains("broken: 'never event switch' (" + named + ", line 1)");
+        });
+        Files.writeString(named, "off: on\nnever Party\n");
+        assertThat(replayParty("--properties", named.toString())).satisfies(wrong -> {
+            assertThat(wrong.status()).isEqualTo(2);
+            assertThat(wrong.out()).isEmpty();
+            assertThat(wrong.err())
+                    .isEqualTo("error: " + named
+                            + ", line 2: there is no state of the new model named Party; there are off, on, party\n");
+        });
+        assertThat(replayParty("--properties", folder.resolve("none").toString())
+                        .err())
+                .isEqualTo("error: " + folder.resolve("none") + ": does not exist; correct the path\n");
     }
 
     @Test

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.UnaryOperator;
+import org.evoloop.converter.ConverterJournal;
 import org.evoloop.converter.ConverterListener;
 import org.evoloop.converter.ConverterStatus;
 import org.evoloop.converter.EventAnalyze;
@@ -90,6 +91,9 @@ public final class ConverterHarness implements AutoCloseable {
             device.addTo(converter, clock);
         }
         converter.addKnowledge(builder.knowledge);
+        if (builder.journal != null) {
+            converter.journal(builder.journal);
+        }
         converter.addListener(new ConverterListener() {
             @Override
             public void failed(Failure<Occurrence> failure) {
@@ -115,6 +119,7 @@ public final class ConverterHarness implements AutoCloseable {
         private @Nullable EventAnalyze analyze;
         private @Nullable EventPlan plan;
         private @Nullable SimulatedDevice device;
+        private @Nullable ConverterJournal journal;
         private ManualClock clock = new ManualClock();
         private UnaryOperator<LoopConfig> options = config -> config;
 
@@ -149,6 +154,12 @@ public final class ConverterHarness implements AutoCloseable {
         /** Sets the device: both its monitor and its execute component. */
         public Builder with(SimulatedDevice simulated) {
             device = requireNonNull(simulated, "the device is null");
+            return this;
+        }
+
+        /** Has the converter keep a journal, which a {@link Recording} can replay when the harness is closed. */
+        public Builder with(ConverterJournal kept) {
+            journal = requireNonNull(kept, "the journal is null");
             return this;
         }
 

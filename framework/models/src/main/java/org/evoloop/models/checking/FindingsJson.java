@@ -5,8 +5,8 @@ import java.util.Locale;
 import java.util.function.Function;
 import org.evoloop.check.Element;
 import org.evoloop.check.Finding;
+import org.evoloop.check.RuleSwitches.SwitchedOff;
 import org.evoloop.evolution.Turn;
-import org.evoloop.models.checking.RuleSwitches.SwitchedOff;
 import org.evoloop.models.format.Json;
 
 /** Findings for programs, in the shape that docs/models.md promises: components are the keys, in this order. */

@@ -7,8 +7,8 @@ import java.util.function.Function;
 import java.util.stream.Collectors;
 import org.evoloop.check.Element;
 import org.evoloop.check.Finding;
+import org.evoloop.check.RuleSwitches.SwitchedOff;
 import org.evoloop.evolution.Turn;
-import org.evoloop.models.checking.RuleSwitches.SwitchedOff;
 
 /** Findings for people: a paragraph each. */
 public final class FindingsText {

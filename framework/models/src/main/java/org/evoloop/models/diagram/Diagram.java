@@ -80,6 +80,10 @@ public record Diagram(String title, List<Node> nodes, List<Edge> edges) {
         /** A swap of models waits until it is left. */
         WAITING,
         /** No swap of models is possible in it. */
-        STUCK
+        STUCK,
+        /** Other models decide otherwise what happened in it. */
+        OTHERWISE,
+        /** A property is broken in it. */
+        BROKEN
     }
 }

@@ -43,19 +43,38 @@ public final class SvgWriter {
 
     /** The picture of {@code diagrams}, beside and below each other. */
     public static String write(String title, List<Diagram> diagrams) {
+        return write(title, diagrams, Table.NONE);
+    }
+
+    /** The same with a table below. */
+    public static String write(String title, List<Diagram> diagrams, Table table) {
         List<Layout> layouts = diagrams.stream().map(ElkLayout::of).toList();
         Shelves shelves = Shelves.of(layouts);
         Set<Tone> tones = tones(diagrams);
+        table.rows().forEach(row -> tones.add(row.tone()));
         Set<Tone> explained = explained(tones);
         double legend = explained.isEmpty() ? 0 : explained.size() * LEGEND_LINE + GAP;
-        double width = legend == 0 ? shelves.width() : Math.max(shelves.width(), LEGEND_WIDTH);
-        SvgWriter writer = new SvgWriter(
-                new Svg(title, width, shelves.height() + legend, TextSize.FONT_SIZE, style(tones), markers(tones)));
+        TablePainter rows = new TablePainter(table);
+        double below = table.caption().isEmpty() ? 0 : rows.height() + GAP;
+        double drawn = Math.max(shelves.width(), below == 0 ? 0 : rows.width() + 2 * GAP);
+        double width = legend == 0 ? drawn : Math.max(drawn, LEGEND_WIDTH);
+        SvgWriter writer = new SvgWriter(new Svg(
+                title,
+                width,
+                shelves.height() + legend + below,
+                TextSize.FONT_SIZE,
+                style(tones) + (below == 0 ? "" : TablePainter.STYLE),
+                markers(tones)));
         for (int i = 0; i < layouts.size(); i++) {
             writer.machine(diagrams.get(i), layouts.get(i), shelves.places().get(i));
         }
         if (legend > 0) {
             writer.legend(explained, shelves.height());
+        }
+        if (below > 0) {
+            writer.svg.group("table", GAP, shelves.height() + legend);
+            rows.paint(writer.svg);
+            writer.svg.endGroup();
         }
         return writer.svg.toString();
     }
@@ -80,7 +99,7 @@ public final class SvgWriter {
     /** What the legend tells: what is plain only where something else has come or gone. */
     private static Set<Tone> explained(Set<Tone> tones) {
         Set<Tone> explained = EnumSet.copyOf(tones);
-        if (EnumSet.of(Tone.PLAIN, Tone.MARKED).containsAll(tones)) {
+        if (EnumSet.of(Tone.PLAIN, Tone.MARKED, Tone.OTHERWISE, Tone.BROKEN).containsAll(tones)) {
             explained.remove(Tone.PLAIN);
         }
         return explained;

@@ -2,7 +2,10 @@ package org.evoloop.models.record;
 
 import com.fasterxml.jackson.annotation.JsonProperty;
 import java.util.List;
+import org.evoloop.check.temporal.Property;
+import org.evoloop.check.temporal.PropertyFile;
 import org.evoloop.evolution.Configuration;
+import org.evoloop.evolution.Occurrence;
 import org.evoloop.journal.DryRun;
 import org.evoloop.journal.DryRun.Difference;
 import org.evoloop.journal.Verdict;
@@ -10,7 +13,7 @@ import org.evoloop.models.format.Json;
 import org.jspecify.annotations.Nullable;
 
 /** What other models would have made of a journal's events, for programs: components are the keys, in this order. */
-public record ReplayJson(long events, List<Row> differences) {
+public record ReplayJson(long events, List<Row> differences, List<Standing> properties) {
 
     /** An event that differs; null for what would not have happened. */
     public record Row(
@@ -32,11 +35,48 @@ public record ReplayJson(long events, List<Row> differences) {
     public record Where(
             String original, @JsonProperty("new") String evolved) {}
 
-    /** All differences, in order. */
-    public static String write(DryRun.Result result) {
+    /** A property of the other models, {@code kept}, {@code open} or {@code broken}; null for what did not break it. */
+    public record Standing(
+            String name,
+            String file,
+            int line,
+            String standing,
+            @Nullable String time,
+            @Nullable String event,
+            @Nullable String source,
+            @Nullable Where at) {}
+
+    /**
+     * All differences, in order.
+     *
+     * @param file whose properties were watched
+     */
+    public static String write(DryRun.Result result, PropertyFile file) {
         return Json.write(new ReplayJson(
                 result.events(),
-                result.differences().stream().map(ReplayJson::row).toList()));
+                result.differences().stream().map(ReplayJson::row).toList(),
+                file.properties().stream()
+                        .map(property -> standing(property, file.file(), result))
+                        .toList()));
+    }
+
+    private static Standing standing(Property property, String file, DryRun.Result result) {
+        for (DryRun.Broken broken : result.broken()) {
+            if (broken.property().equals(property)) {
+                Occurrence by = broken.occurrence();
+                return new Standing(
+                        property.name(),
+                        file,
+                        property.line(),
+                        "broken",
+                        broken.at().toString(),
+                        by == null ? null : by.label(),
+                        by == null ? null : Json.word(by.source()),
+                        where(broken.where()));
+            }
+        }
+        String standing = result.open().contains(property) ? "open" : "kept";
+        return new Standing(property.name(), file, property.line(), standing, null, null, null, null);
     }
 
     private static Row row(Difference each) {

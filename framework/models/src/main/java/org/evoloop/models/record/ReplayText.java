@@ -1,30 +1,57 @@
 package org.evoloop.models.record;
 
+import java.time.Instant;
 import java.time.ZoneId;
 import java.util.ArrayList;
 import java.util.List;
+import org.evoloop.check.temporal.Property;
+import org.evoloop.check.temporal.PropertyFile;
 import org.evoloop.journal.DryRun;
+import org.evoloop.journal.DryRun.Broken;
 import org.evoloop.journal.DryRun.Difference;
-import org.evoloop.journal.Verdict;
-import org.jspecify.annotations.Nullable;
 
 /** What other models would have made of a journal's events, for people. */
 public final class ReplayText {
     private ReplayText() {}
 
-    /** Three lines for each event that differs, and how many there were. */
-    public static String write(DryRun.Result result, ZoneId zone) {
+    /**
+     * Three lines for each event that differs, a line for each property that is broken or open, and how many there were.
+     *
+     * @param file whose properties were watched
+     */
+    public static String write(DryRun.Result result, PropertyFile file, ZoneId zone) {
         List<String> lines = new ArrayList<>();
         for (Difference each : result.differences()) {
-            lines.add(RecordText.TIME.format(each.at().atZone(zone)) + "  " + each.occurrence());
-            lines.add("  then  " + told(each.recorded(), "had no such timer"));
-            lines.add("  now   " + told(each.other(), "would not have happened"));
+            lines.add(time(each.at(), zone) + "  " + each.occurrence());
+            lines.add("  then  " + each.then());
+            lines.add("  now   " + each.now());
         }
-        lines.add(result.events() + " events, " + result.differences().size() + " decided otherwise");
+        for (Broken each : result.broken()) {
+            lines.add("broken: " + called(each.property(), file) + " at " + time(each.at(), zone) + ", " + each.by()
+                    + ", in " + each.where());
+        }
+        for (Property each : result.open()) {
+            lines.add("open: " + called(each, file) + ", since the journal ends before what must come has come");
+        }
+        lines.add(sum(result, file));
         return String.join("\n", lines) + "\n";
     }
 
-    private static String told(@Nullable Verdict verdict, String none) {
-        return verdict == null ? none : verdict.toString();
+    static String time(Instant at, ZoneId zone) {
+        return RecordText.TIME.format(at.atZone(zone));
+    }
+
+    private static String called(Property property, PropertyFile file) {
+        return "'" + property.name() + "' (" + file.file() + ", line " + property.line() + ")";
+    }
+
+    static String sum(DryRun.Result result, PropertyFile file) {
+        int properties = file.properties().size();
+        return result.events() + " events, " + result.differences().size() + " decided otherwise"
+                + (properties == 0
+                        ? ""
+                        : "; " + properties + (properties == 1 ? " property, " : " properties, ")
+                                + result.broken().size() + " broken, "
+                                + result.open().size() + " open");
     }
 }

@@ -10,8 +10,11 @@ import java.util.Optional;
 import java.util.Queue;
 import java.util.Set;
 import java.util.function.Predicate;
+import org.evoloop.check.temporal.Formula;
+import org.evoloop.check.temporal.Moment;
+import org.evoloop.check.temporal.MomentGraph;
+import org.evoloop.check.temporal.MomentGraph.Edge;
 import org.evoloop.evolution.Turn;
-import org.evoloop.models.temporal.MomentGraph.Edge;
 
 /**
  * What happens when a formula does not hold, as far as one sequence of events can show it: to where an {@code always} is

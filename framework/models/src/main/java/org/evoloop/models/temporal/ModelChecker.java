@@ -25,8 +25,11 @@ import net.automatalib.modelchecker.m3c.solver.M3CSolvers;
 import net.automatalib.ts.modal.transition.ModalEdgeProperty.ModalType;
 import net.automatalib.ts.modal.transition.ProceduralModalEdgeProperty.ProceduralType;
 import net.automatalib.ts.modal.transition.impl.ProceduralModalEdgePropertyImpl;
+import org.evoloop.check.temporal.Formula;
+import org.evoloop.check.temporal.Formula.Atom;
+import org.evoloop.check.temporal.Moment;
+import org.evoloop.check.temporal.MomentGraph;
 import org.evoloop.evolution.ModelPair;
-import org.evoloop.models.temporal.Formula.Atom;
 import org.evoloop.statemachine.ModelException;
 
 /**
@@ -49,10 +52,8 @@ final class ModelChecker {
 
     /** Whether {@code formula} holds in {@code moment}. */
     boolean holds(Formula formula, Moment moment) {
-        if (formula instanceof Formula.Constant constant) {
-            return constant.value();
-        } else if (formula instanceof Atom atom) {
-            return moment.shows(atom, pair);
+        if (formula.isPlain()) {
+            return formula.isSeenIn(moment, pair);
         } else if (formula instanceof Formula.Not not) {
             return !holds(not.operand(), moment);
         } else if (formula instanceof Formula.And and) {

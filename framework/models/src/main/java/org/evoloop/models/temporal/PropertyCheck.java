@@ -7,6 +7,9 @@ import org.evoloop.check.Element;
 import org.evoloop.check.Finding;
 import org.evoloop.check.PairGraph;
 import org.evoloop.check.Rule;
+import org.evoloop.check.temporal.MomentGraph;
+import org.evoloop.check.temporal.Property;
+import org.evoloop.check.temporal.PropertyFile;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.DecisionTable;
 import org.evoloop.evolution.ModelPair;
@@ -19,18 +22,15 @@ public final class PropertyCheck {
     /**
      * A finding for each property that does not hold, with the events that show it.
      *
-     * @param file what messages call the text
-     * @param text a property a line, see docs/models.md
-     * @throws org.evoloop.statemachine.ModelException if a property cannot be understood, or the pair is no evolution
+     * @throws org.evoloop.statemachine.ModelException if the pair is no evolution
      */
-    public static List<Finding> run(CheckInput input, String file, String text) {
+    public static List<Finding> run(CheckInput input, PropertyFile file) {
         ModelPair pair = input.pair();
-        List<Property> properties = PropertyText.parse(file, text, pair);
         pair.requireValid();
         MomentGraph graph = new MomentGraph(new PairGraph(pair.initial(), DecisionTable.compile(pair, input.device())));
         ModelChecker checker = new ModelChecker(pair, graph);
         List<Finding> findings = new ArrayList<>();
-        for (Property property : properties) {
+        for (Property property : file.properties()) {
             if (!checker.holds(property.formula(), graph.initial())) {
                 List<Turn> example = CounterExample.of(property.formula(), graph, checker);
                 Configuration end = example.isEmpty()
@@ -39,7 +39,7 @@ public final class PropertyCheck {
                 findings.add(new Finding(
                         Rule.PROPERTY,
                         new Element.OfState(Element.ModelRole.NEW, end.evolved()),
-                        "'" + property.name() + "' (" + file + ", line " + property.line() + ") does not hold",
+                        "'" + property.name() + "' (" + file.file() + ", line " + property.line() + ") does not hold",
                         "change the new model, or the property if it asks for too much",
                         example));
             }

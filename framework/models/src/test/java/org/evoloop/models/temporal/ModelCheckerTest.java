@@ -11,19 +11,18 @@ import java.util.function.UnaryOperator;
 import java.util.stream.LongStream;
 import org.evoloop.check.CheckInput;
 import org.evoloop.check.PairGraph;
+import org.evoloop.check.temporal.Formula;
+import org.evoloop.check.temporal.Formula.Atom;
+import org.evoloop.check.temporal.Moment;
+import org.evoloop.check.temporal.MomentGraph;
+import org.evoloop.check.temporal.Outlook;
 import org.evoloop.evolution.DecisionTable;
 import org.evoloop.evolution.ModelPair;
-import org.evoloop.models.temporal.Formula.Atom;
-import org.evoloop.models.temporal.Formula.Kind;
-import org.evoloop.statemachine.StateMachine;
-import org.evoloop.statemachine.StateMachineBuilder;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Random formulas over random machines: M3C and the textbook's fixed points say the same of every moment. */
+/** Random formulas over random machines: M3C, {@link Outlook} and the textbook's fixed points say the same of every moment. */
 class ModelCheckerTest {
-    private static final int STATES = 5;
-
     static LongStream seeds() {
         return LongStream.concat(LongStream.rangeClosed(1, 30), LongStream.of(new Random().nextLong()));
     }
@@ -32,55 +31,23 @@ class ModelCheckerTest {
     @MethodSource("seeds")
     void agreesWithTheTextbook(long seed) {
         Random random = new Random(seed);
-        StateMachine machine = machine(random);
-        ModelPair pair = new ModelPair(machine, machine);
-        MomentGraph graph = new MomentGraph(new PairGraph(
-                pair.initial(), DecisionTable.compile(pair, CheckInput.of(pair).device())));
+        ModelPair pair = RandomModels.pair(random);
+        DecisionTable table = DecisionTable.compile(pair, CheckInput.of(pair).device());
+        MomentGraph graph = new MomentGraph(new PairGraph(pair.initial(), table));
+        Outlook outlook = new Outlook(table);
         ModelChecker checker = new ModelChecker(pair, graph);
         for (int number = 0; number < 10; number++) {
-            Formula formula = formula(random, 3);
+            Formula formula = RandomModels.formula(random, 3);
             Set<Moment> satisfying = satisfying(formula, graph, pair);
             for (Moment moment : graph.moments()) {
                 assertThat(checker.holds(formula, moment))
-                        .as("%s in %s of %s, seed %d", formula, moment, machine.transitions(), seed)
-                        .isEqualTo(satisfying.contains(moment));
+                        .as(
+                                "%s in %s of %s, seed %d",
+                                formula, moment, pair.evolved().transitions(), seed)
+                        .isEqualTo(satisfying.contains(moment))
+                        .isEqualTo(outlook.holds(formula, moment));
             }
         }
-    }
-
-    private static StateMachine machine(Random random) {
-        StateMachineBuilder builder = StateMachine.named("random").initial("S0");
-        for (int state = 0; state < STATES; state++) {
-            builder.state("S" + state);
-            for (String event : List.of("a", "b")) {
-                if (random.nextInt(3) > 0) {
-                    builder.transition("S" + state, event, "S" + random.nextInt(STATES));
-                }
-            }
-        }
-        builder.event("a").event("b");
-        return builder.build();
-    }
-
-    private static Formula formula(Random random, int depth) {
-        if (depth == 0) {
-            return random.nextInt(4) == 0
-                    ? new Atom(Kind.EVENT, random.nextBoolean() ? "a" : "b")
-                    : new Atom(Kind.STATE, "S" + random.nextInt(STATES));
-        }
-        Formula left = formula(random, depth - 1);
-        Formula right = formula(random, random.nextInt(depth));
-        return switch (random.nextInt(9)) {
-            case 0 -> new Formula.Not(left);
-            case 1 -> new Formula.And(left, right);
-            case 2 -> new Formula.Or(left, right);
-            case 3 -> new Formula.Always(left);
-            case 4 -> new Formula.Can(left);
-            case 5 -> new Formula.Eventually(left);
-            case 6 -> new Formula.Next(left);
-            case 7 -> new Formula.Unless(left, right);
-            default -> new Formula.Until(left, right);
-        };
     }
 
     private static Set<Moment> satisfying(Formula formula, MomentGraph graph, ModelPair pair) {

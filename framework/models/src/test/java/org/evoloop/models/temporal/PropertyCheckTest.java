@@ -9,6 +9,7 @@ import java.util.Set;
 import org.evoloop.check.CheckInput;
 import org.evoloop.check.Finding;
 import org.evoloop.check.Rule;
+import org.evoloop.check.temporal.PropertyFile;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.statemachine.ModelException;
 import org.evoloop.xmi.XmiFile;
@@ -25,7 +26,9 @@ class PropertyCheckTest {
     }
 
     private static List<Finding> check(String text) {
-        return PropertyCheck.run(CheckInput.of(ROBOT).withOwnEvents(Set.of("endSpot")), "robot.properties.txt", text);
+        return PropertyCheck.run(
+                CheckInput.of(ROBOT).withOwnEvents(Set.of("endSpot")),
+                PropertyFile.parse("robot.properties.txt", text, ROBOT));
     }
 
     private static List<String> example(String formula) {

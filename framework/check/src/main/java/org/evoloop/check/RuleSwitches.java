@@ -1,9 +1,8 @@
-package org.evoloop.models.checking;
+package org.evoloop.check;
 
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import org.evoloop.check.Finding;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.statemachine.ModelException;
 import org.evoloop.statemachine.StateMachine;
@@ -13,9 +12,10 @@ import org.evoloop.statemachine.StateMachine;
  *
  * <p>Threading: immutable.
  *
- * @param properties the rest of the file's text, with every line where it was
+ * @param rest the rest of the file's text, with every line where it was
+ * @since 0.1
  */
-public record RuleSwitches(String file, List<RuleSwitch> all, String properties) {
+public record RuleSwitches(String file, List<RuleSwitch> all, String rest) {
     public RuleSwitches {
         all = List.copyOf(all);
     }

@@ -1,4 +1,4 @@
-package org.evoloop.models.temporal;
+package org.evoloop.check.temporal;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -10,8 +10,8 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.evoloop.check.temporal.Formula.Kind;
 import org.evoloop.evolution.ModelPair;
-import org.evoloop.models.temporal.Formula.Kind;
 import org.evoloop.statemachine.ModelException;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;

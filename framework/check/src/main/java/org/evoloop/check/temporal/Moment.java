@@ -1,4 +1,4 @@
-package org.evoloop.models.temporal;
+package org.evoloop.check.temporal;
 
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.ModelPair;
@@ -14,11 +14,12 @@ import org.jspecify.annotations.Nullable;
  *
  * @param at where both models stand
  * @param last the event that has led here, without its guards; null at the start
+ * @since 0.1
  */
-record Moment(Configuration at, @Nullable Event last) {
+public record Moment(Configuration at, @Nullable Event last) {
 
     /** Whether {@code atom} is so. */
-    boolean shows(Formula.Atom atom, ModelPair pair) {
+    public boolean shows(Formula.Atom atom, ModelPair pair) {
         return switch (atom.kind()) {
             case STATE -> isCalled(atom.name(), at.evolved(), pair.evolved());
             case DEVICE -> isCalled(atom.name(), at.original(), pair.original());

@@ -1,4 +1,4 @@
-package org.evoloop.models.temporal;
+package org.evoloop.check.temporal;
 
 /**
  * A property that its author has written down.
@@ -7,5 +7,6 @@ package org.evoloop.models.temporal;
  *
  * @param name as written, may be the text of the formula
  * @param line where it stands in its file, from 1
+ * @since 0.1
  */
-record Property(String name, Formula formula, int line) {}
+public record Property(String name, Formula formula, int line) {}

@@ -1,4 +1,4 @@
-package org.evoloop.models.checking;
+package org.evoloop.check;
 
 import java.util.Arrays;
 import java.util.Optional;
@@ -6,8 +6,6 @@ import java.util.function.Predicate;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
-import org.evoloop.check.Finding;
-import org.evoloop.check.Rule;
 import org.evoloop.statemachine.ModelException;
 
 /**
@@ -17,6 +15,7 @@ import org.evoloop.statemachine.ModelException;
  *
  * @param element as findings call it
  * @param line where it stands in its file, from 1
+ * @since 0.1
  */
 public record RuleSwitch(Rule rule, String element, String reason, int line) {
     private static final Pattern FORM =

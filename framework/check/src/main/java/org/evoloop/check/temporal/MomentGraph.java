@@ -1,7 +1,8 @@
-package org.evoloop.models.temporal;
+package org.evoloop.check.temporal;
 
 import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -15,16 +16,24 @@ import org.evoloop.evolution.Turn;
  * Every moment that can be reached and what can happen next; events that fail lead nowhere.
  *
  * <p>Threading: immutable.
+ *
+ * @since 0.1
  */
-final class MomentGraph {
+public final class MomentGraph {
     private final Moment initial;
     private final Map<Moment, List<Edge>> edges = new LinkedHashMap<>();
 
     /** A turn and the moment it leads to. */
-    record Edge(Turn turn, Moment target) {}
+    public record Edge(Turn turn, Moment target) {}
 
-    MomentGraph(PairGraph pairs) {
-        initial = new Moment(pairs.initial(), null);
+    /** From where both machines start. */
+    public MomentGraph(PairGraph pairs) {
+        this(pairs, new Moment(pairs.initial(), null));
+    }
+
+    /** From {@code initial} on, of which {@code pairs} knows where it stands. */
+    MomentGraph(PairGraph pairs, Moment initial) {
+        this.initial = initial;
         Queue<Moment> frontier = new ArrayDeque<>(List.of(initial));
         for (Moment moment = frontier.poll(); moment != null; moment = frontier.poll()) {
             if (edges.containsKey(moment)) {
@@ -43,16 +52,18 @@ final class MomentGraph {
         }
     }
 
-    Moment initial() {
+    /** Where it begins. */
+    public Moment initial() {
         return initial;
     }
 
     /** First reached first. */
-    Set<Moment> moments() {
-        return edges.keySet();
+    public Set<Moment> moments() {
+        return Collections.unmodifiableSet(edges.keySet());
     }
 
-    List<Edge> from(Moment moment) {
+    /** What can happen next; nothing where it ends. */
+    public List<Edge> from(Moment moment) {
         return edges.getOrDefault(moment, List.of());
     }
 }

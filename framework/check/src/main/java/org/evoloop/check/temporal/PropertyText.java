@@ -1,4 +1,4 @@
-package org.evoloop.models.temporal;
+package org.evoloop.check.temporal;
 
 import java.util.ArrayList;
 import java.util.List;

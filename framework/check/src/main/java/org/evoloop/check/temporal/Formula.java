@@ -1,20 +1,52 @@
-package org.evoloop.models.temporal;
+package org.evoloop.check.temporal;
 
 import java.util.List;
+import org.evoloop.evolution.ModelPair;
 
 /**
  * A formula of computation tree logic over moments.
  *
  * <p>Threading: immutable.
+ *
+ * @since 0.1
  */
-sealed interface Formula {
+public sealed interface Formula {
     /** Its parts, in order. */
     default List<Formula> operands() {
         return List.of();
     }
 
+    /** Whether it is about one moment alone, and not about what comes after. */
+    default boolean isPlain() {
+        boolean simple = this instanceof Constant || this instanceof Atom || this instanceof Not;
+        return (simple || this instanceof And || this instanceof Or)
+                && operands().stream().allMatch(Formula::isPlain);
+    }
+
+    /**
+     * Whether it holds in {@code moment}.
+     *
+     * @param pair whose moment it is
+     * @throws IllegalStateException if it is not {@linkplain #isPlain plain}
+     */
+    default boolean isSeenIn(Moment moment, ModelPair pair) {
+        if (this instanceof Constant constant) {
+            return constant.value();
+        } else if (this instanceof Atom atom) {
+            return moment.shows(atom, pair);
+        } else if (this instanceof Not not) {
+            return !not.operand().isSeenIn(moment, pair);
+        } else if (this instanceof And and) {
+            return and.left().isSeenIn(moment, pair) && and.right().isSeenIn(moment, pair);
+        } else if (this instanceof Or or) {
+            return or.left().isSeenIn(moment, pair) || or.right().isSeenIn(moment, pair);
+        }
+        throw new IllegalStateException(this + " is about more than one moment");
+    }
+
     /** A formula of one part. */
     sealed interface Unary extends Formula {
+        /** What it is about. */
         Formula operand();
 
         @Override
@@ -25,8 +57,10 @@ sealed interface Formula {
 
     /** A formula of two parts. */
     sealed interface Binary extends Formula {
+        /** What stands before the operator. */
         Formula left();
 
+        /** What stands behind the operator. */
         Formula right();
 
         @Override
@@ -53,10 +87,13 @@ sealed interface Formula {
         FUNCTION
     }
 
+    /** Exactly when it does not hold. */
     record Not(Formula operand) implements Unary {}
 
+    /** Both. */
     record And(Formula left, Formula right) implements Binary {}
 
+    /** At least one. */
     record Or(Formula left, Formula right) implements Binary {}
 
     /** Now and for ever, whatever happens. */

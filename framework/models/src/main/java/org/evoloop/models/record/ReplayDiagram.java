@@ -1,0 +1,114 @@
+package org.evoloop.models.record;
+
+import java.time.Instant;
+import java.time.ZoneId;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.evoloop.check.temporal.PropertyFile;
+import org.evoloop.evolution.ModelPair;
+import org.evoloop.journal.DryRun;
+import org.evoloop.journal.DryRun.Broken;
+import org.evoloop.journal.DryRun.Difference;
+import org.evoloop.journal.Verdict;
+import org.evoloop.models.chart.FlatChart;
+import org.evoloop.models.diagram.ChartDiagram;
+import org.evoloop.models.diagram.Diagram;
+import org.evoloop.models.diagram.Diagram.Tone;
+import org.evoloop.models.diagram.SvgWriter;
+import org.evoloop.models.diagram.Table;
+import org.evoloop.statemachine.State;
+
+/**
+ * What other models would have made of a journal's events as a picture: the other new model, and in each of its states what was
+ * decided otherwise there; below, event by event, both reasons.
+ */
+public final class ReplayDiagram {
+    private static final int MOST_NOTES = 6;
+    private static final int MOST_ROWS = 200;
+    private static final String ARROW = " \u2192 ";
+
+    /** A row of the table, which is in order of time. */
+    private record Line(Instant at, Table.Row row) {}
+
+    private ReplayDiagram() {}
+
+    /**
+     * The picture.
+     *
+     * @param pair the other models
+     * @param file whose properties were watched
+     */
+    public static String write(ModelPair pair, DryRun.Result result, PropertyFile file, ZoneId zone) {
+        String title = pair.evolved().name();
+        Diagram machine = ChartDiagram.of(FlatChart.of(pair.evolved()));
+        List<Diagram.Node> nodes = machine.nodes().stream()
+                .map(node -> pair.evolved().states().stream()
+                        .filter(state -> FlatChart.key(state).equals(node.key()))
+                        .findFirst()
+                        .map(state -> told(node, state, result))
+                        .orElse(node))
+                .toList();
+        Diagram told = new Diagram(title, nodes, machine.edges());
+        return SvgWriter.write(title, List.of(told), table(result, ReplayText.sum(result, file), zone));
+    }
+
+    private static Diagram.Node told(Diagram.Node node, State state, DryRun.Result result) {
+        Map<String, Integer> counts = new LinkedHashMap<>();
+        for (Difference each : result.differences()) {
+            Verdict now = each.other();
+            if (now != null && now.before().evolved().equals(state)) {
+                counts.merge(note(each, now), 1, Integer::sum);
+            }
+        }
+        List<String> notes = new ArrayList<>();
+        counts.forEach((note, count) -> notes.add(note + (count == 1 ? "" : " (" + count + " times)")));
+        boolean breaks = false;
+        for (Broken each : result.broken()) {
+            if (each.where().evolved().equals(state)) {
+                breaks = true;
+                notes.add(0, "breaks: " + each.property().name());
+            }
+        }
+        Tone tone = breaks ? Tone.BROKEN : notes.isEmpty() ? Tone.PLAIN : Tone.OTHERWISE;
+        List<String> shown = notes.size() <= MOST_NOTES ? notes : new ArrayList<>(notes.subList(0, MOST_NOTES));
+        if (notes.size() > MOST_NOTES) {
+            shown.add("and " + (notes.size() - MOST_NOTES) + " more, see below");
+        }
+        return new Diagram.Node(node.key(), node.shape(), node.name(), shown, node.children(), tone);
+    }
+
+    private static String note(Difference difference, Verdict now) {
+        Verdict then = difference.recorded();
+        return difference.occurrence().label()
+                + ARROW
+                + now.after().evolved()
+                + (then == null
+                        ? ", was no timer"
+                        : ", was" + ARROW + then.after().evolved());
+    }
+
+    private static Table table(DryRun.Result result, String caption, ZoneId zone) {
+        List<Line> lines = new ArrayList<>();
+        for (Difference each : result.differences()) {
+            String event = each.occurrence().toString();
+            List<String> cells = List.of(ReplayText.time(each.at(), zone), event, each.then(), each.now());
+            lines.add(new Line(each.at(), new Table.Row(Tone.OTHERWISE, cells)));
+        }
+        for (Broken each : result.broken()) {
+            String breaks = "breaks '" + each.property().name() + "' in " + each.where();
+            List<String> cells = List.of(ReplayText.time(each.at(), zone), each.by(), "", breaks);
+            lines.add(new Line(each.at(), new Table.Row(Tone.BROKEN, cells)));
+        }
+        lines.sort(Comparator.comparing(Line::at));
+        List<Table.Row> rows = new ArrayList<>();
+        lines.stream().limit(MOST_ROWS).forEach(line -> rows.add(line.row()));
+        if (lines.size() > MOST_ROWS) {
+            String more = "and " + (lines.size() - MOST_ROWS) + " more";
+            rows.add(new Table.Row(Tone.PLAIN, List.of(more, "", "", "--format text lists all")));
+        }
+        return new Table(caption, List.of("time", "event", "then: as recorded", "now: by the other models"), rows);
+    }
+}

@@ -1,0 +1,130 @@
+package org.evoloop.testkit;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.evoloop.check.temporal.PropertyFile;
+import org.evoloop.evolution.ModelPair;
+import org.evoloop.journal.DryRun;
+import org.evoloop.journal.DryRun.Broken;
+import org.evoloop.journal.DryRun.Difference;
+import org.evoloop.journal.JournalFiles;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What a converter was told some day: its journal, or a copy of the directory that is kept beside the tests. Told to the models of
+ * today it is a regression test.
+ *
+ * <pre>{@code
+ * Recording.in(Path.of("src/test/recordings/sunday"))
+ *         .withProperties(Path.of("models/lamp.properties.txt"))
+ *         .replay(models)
+ *         .expectSameDecisions()
+ *         .expectPropertiesKept();
+ * }</pre>
+ *
+ * <p>The files are only read.
+ *
+ * <p>Threading: immutable.
+ *
+ * @since 0.1
+ */
+public final class Recording {
+    private final Path directory;
+    private final @Nullable Path properties;
+
+    private Recording(Path directory, @Nullable Path properties) {
+        this.directory = directory;
+        this.properties = properties;
+    }
+
+    /** What lies in {@code directory}, as a converter was given it for its journal. */
+    public static Recording in(Path directory) {
+        return new Recording(directory, null);
+    }
+
+    /** The same with properties of the models that are to be kept, in the language of {@code models check}. */
+    public Recording withProperties(Path file) {
+        return new Recording(directory, file);
+    }
+
+    /**
+     * Tells other models, or the same again, what the converter was told.
+     *
+     * @throws org.evoloop.journal.JournalException if there is no journal, or it is damaged
+     * @throws org.evoloop.statemachine.ModelException if the models are no evolution, or the properties are not understood
+     * @throws IllegalArgumentException if the properties cannot be read
+     */
+    public Replay replay(ModelPair models) {
+        Path file = properties;
+        PropertyFile written =
+                file == null ? PropertyFile.none() : PropertyFile.parse(file.toString(), text(file), models);
+        return new Replay(DryRun.of(new JournalFiles(directory), models, written.properties()), written);
+    }
+
+    private static String text(Path file) {
+        try {
+            return Files.readString(file);
+        } catch (IOException unreadable) {
+            throw new IllegalArgumentException(
+                    file + " cannot be read as text (" + unreadable + "); name a file of properties", unreadable);
+        }
+    }
+
+    /**
+     * What the models made of it.
+     *
+     * <p>Errors: what does not hold is an {@link AssertionError} that lists the events.
+     *
+     * <p>Threading: immutable.
+     */
+    public static final class Replay {
+        private final DryRun.Result result;
+        private final PropertyFile written;
+
+        private Replay(DryRun.Result result, PropertyFile written) {
+            this.result = result;
+            this.written = written;
+        }
+
+        /** How many events there were. */
+        public long events() {
+            return result.events();
+        }
+
+        /** The events of which these models make something else, in order. */
+        public List<Difference> differences() {
+            return result.differences();
+        }
+
+        /** The properties that are broken, each with the event that breaks it, in order. */
+        public List<Broken> broken() {
+            return result.broken();
+        }
+
+        /** Requires that every event is decided as it was. */
+        public Replay expectSameDecisions() {
+            return require(
+                    differences(),
+                    differences().size() + " of " + events() + " events are decided otherwise than recorded:");
+        }
+
+        /** Requires that no property is broken. */
+        public Replay expectPropertiesKept() {
+            return require(
+                    broken(),
+                    broken().size() + " of " + written.properties().size() + " properties in " + written.file()
+                            + " are broken:");
+        }
+
+        private Replay require(List<?> none, String message) {
+            if (!none.isEmpty()) {
+                StringBuilder text = new StringBuilder(message);
+                none.forEach(each -> text.append("\n  ").append(each));
+                throw new AssertionError(text);
+            }
+            return this;
+        }
+    }
+}
