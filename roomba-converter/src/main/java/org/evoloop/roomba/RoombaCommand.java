@@ -34,7 +34,6 @@ import org.evoloop.service.ServiceOptions;
 import org.evoloop.statemachine.Names;
 import org.evoloop.time.Clock;
 import org.evoloop.time.SystemClock;
-import org.evoloop.xmi.ModelReference;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -163,7 +162,7 @@ final class RoombaCommand implements Callable<Integer> {
                             "presses a button of the external controller: " + String.join(", ", buttons(roomba)),
                             (arguments, out) -> roomba.controller().press(event(roomba.models(), arguments.get(0))))
                     .completing(before -> before.isEmpty() ? buttons(roomba) : List.of()));
-            console.evolvesBy(model -> ModelReference.parse(model).load());
+            console.evolvesBy(new OtherModels());
             if (world != null) {
                 console.addCommand(ConsoleCommand.of(
                                 "robot COMMAND [ARGUMENT] [ARGUMENT] [ARGUMENT]",

@@ -12,10 +12,8 @@ import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Consumer;
-import java.util.function.Function;
 import java.util.function.Supplier;
 import org.evoloop.converter.SystemEventConverter;
-import org.evoloop.statemachine.StateMachine;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -121,10 +119,9 @@ public final class Console {
      * Adds the commands {@code evolve} and {@code rollback}, before {@link #run}, for a converter that can make {@linkplain
      * SystemEventConverter#addKnowledgeFactory knowledge} of other models.
      *
-     * @param models reads the machine that {@code FILE#NAME} names; a {@link org.evoloop.statemachine.ModelException} tells
-     *     what is wrong with it
+     * @param models reads what they name
      */
-    public void evolvesBy(Function<String, StateMachine> models) {
+    public void evolvesBy(NewModels models) {
         EvolveCommands.of(converter, models).forEach(commands::add);
     }
 

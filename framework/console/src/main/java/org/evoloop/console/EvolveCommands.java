@@ -9,7 +9,6 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
 import java.util.Locale;
-import java.util.function.Function;
 import java.util.stream.Collectors;
 import org.evoloop.converter.Evolution;
 import org.evoloop.converter.Probation;
@@ -17,7 +16,6 @@ import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.migration.Mapping;
 import org.evoloop.statemachine.Names;
-import org.evoloop.statemachine.StateMachine;
 import org.jspecify.annotations.Nullable;
 
 /** The commands that put other models in while a converter runs, and take them back. */
@@ -27,15 +25,15 @@ final class EvolveCommands {
     private static final int LONGEST_SECONDS = 86_400;
 
     private final SystemEventConverter converter;
-    private final Function<String, StateMachine> models;
+    private final NewModels models;
 
-    private EvolveCommands(SystemEventConverter converter, Function<String, StateMachine> models) {
+    private EvolveCommands(SystemEventConverter converter, NewModels models) {
         this.converter = converter;
         this.models = models;
     }
 
-    /** @param models reads the machine that {@code FILE#NAME} names */
-    static List<ConsoleCommand> of(SystemEventConverter converter, Function<String, StateMachine> models) {
+    /** @param models reads what the commands name */
+    static List<ConsoleCommand> of(SystemEventConverter converter, NewModels models) {
         EvolveCommands own = new EvolveCommands(converter, models);
         return List.of(
                 ConsoleCommand.of("evolve FILE#NAME [OPTION...]", """
@@ -56,12 +54,12 @@ final class EvolveCommands {
         ModelPair running = converter.knowledge().models();
         String original = asked.original;
         ModelPair next = new ModelPair(
-                original == null ? running.original() : models.apply(original), models.apply(arguments.get(0)));
+                original == null ? running.original() : models.read(original), models.read(arguments.get(0)));
         Evolution evolution = Evolution.to(converter.knowledgeOf(next))
                 .withMapping(asked.mapping(running, next))
                 .withDeadline(asked.within)
                 .whenIdle(asked.idle)
-                .withProbation(new Probation(asked.probation, asked.events, Probation.NONE.watch()));
+                .withProbation(new Probation(asked.probation, asked.events, models.watches(arguments.get(0), next)));
         say(converter.evolve(asked.wayBack ? evolution : evolution.withoutWayBack()), out);
         if (!asked.probation.isZero() || asked.events > 0) {
             out.println("on probation: rolls back by itself if anything goes wrong");

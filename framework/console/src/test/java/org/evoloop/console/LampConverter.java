@@ -7,6 +7,7 @@ import org.evoloop.converter.EventExecute;
 import org.evoloop.converter.PushMonitor;
 import org.evoloop.converter.StateKnowledge;
 import org.evoloop.converter.SystemEventConverter;
+import org.evoloop.evolution.ModelPair;
 import org.evoloop.evolution.Step;
 import org.evoloop.function.NewFunction;
 import org.evoloop.loop.LoopConfig;
@@ -20,7 +21,8 @@ final class LampConverter {
         converter = new SystemEventConverter(config);
         converter.addMonitor(wallSwitch);
         converter.addExecute(new Lamp());
-        converter.addKnowledge(new LampKnowledge());
+        converter.addKnowledge(new LampKnowledge(PaperModels.lightBulb()));
+        converter.addKnowledgeFactory(LampKnowledge::new);
         converter.addSpare("spareSwitch", () -> new PushMonitor("SpareSwitch"));
         converter.addSpare("otherSwitch", () -> new PushMonitor("OtherSwitch"));
         converter.build();
@@ -46,8 +48,8 @@ final class LampConverter {
     }
 
     private static final class LampKnowledge extends StateKnowledge {
-        LampKnowledge() {
-            super(PaperModels.lightBulb());
+        LampKnowledge(ModelPair models) {
+            super(models);
         }
 
         @Override

@@ -155,8 +155,8 @@ class StatusFormatTest {
 
         StatusText.brief(gone, out.stream);
 
-        assertThat(out.lines()).contains(
-                        "now         waiting for the device", "device      unknown", "link        down, no cable");
+        assertThat(out.lines())
+                .contains("now         waiting for the device", "device      unknown", "link        down, no cable");
         assertThat(out.text()).doesNotContain("battery");
     }
 

@@ -104,11 +104,12 @@ final class Assembly {
     /**
      * The same after what was registered with {@code knowledge} has been checked.
      *
+     * @param leftOver see {@link StateKnowledge#problems}
      * @throws ModelException if something does not fit; the message lists all problems
      */
-    DecisionTable compile(StateKnowledge knowledge) {
+    DecisionTable compile(StateKnowledge knowledge, boolean leftOver) {
         knowledge.register();
-        List<String> problems = new ArrayList<>(knowledge.problems());
+        List<String> problems = new ArrayList<>(knowledge.problems(leftOver));
         DecisionTable table = null;
         try {
             table = decisions(knowledge);

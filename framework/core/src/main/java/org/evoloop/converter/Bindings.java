@@ -112,19 +112,24 @@ final class Bindings implements Predicate<String> {
         return device.withCosts(costs).withDoNotPass(doNotPass).withBoundGuards(guards.keySet());
     }
 
-    /** What is wrong with what was bound, a line each. */
-    List<String> problems() {
+    /** What is wrong with what was bound, a line each; see {@link StateKnowledge#problems}. */
+    List<String> problems(boolean leftOver) {
+        List<String> problems = new ArrayList<>(leftOver ? leftOver() : List.of());
+        for (String text : pair.evolved().guards()) {
+            if (!guards.containsKey(text)) {
+                problems.add("guard [" + text + "] of the new model is not bound: call guard in registerNewFunctions");
+            }
+        }
+        return problems;
+    }
+
+    private List<String> leftOver() {
         List<String> problems = new ArrayList<>();
         Set<String> drawnGuards = new HashSet<>(pair.original().guards());
         drawnGuards.addAll(pair.evolved().guards());
         for (String text : guards.keySet()) {
             if (!drawnGuards.contains(text)) {
                 problems.add("guard [" + text + "] is bound, but drawn in neither model");
-            }
-        }
-        for (String text : pair.evolved().guards()) {
-            if (!guards.containsKey(text)) {
-                problems.add("guard [" + text + "] of the new model is not bound: call guard in registerNewFunctions");
             }
         }
         for (String text : effects.keySet()) {

@@ -100,10 +100,11 @@ final class Construction {
     /**
      * Checks everything, and gives every component its thread.
      *
+     * @param evolved whether the models are others than those for which the code was written
      * @param shell made of the decisions
      */
-    ConverterShell build(StateKnowledge known, Function<DecisionTable, ConverterShell> shell) {
-        DecisionTable table = assembly.compile(known);
+    ConverterShell build(StateKnowledge known, boolean evolved, Function<DecisionTable, ConverterShell> shell) {
+        DecisionTable table = assembly.compile(known, !evolved);
         ConverterShell built = shell.apply(table);
         built.use(table, assembly.executes());
         for (Component component : assembly.all()) {

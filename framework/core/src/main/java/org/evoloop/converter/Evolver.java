@@ -110,7 +110,7 @@ final class Evolver {
         StateKnowledge next = evolution.next();
         StateKnowledge present = shell.knowledge();
         Assembly components = assembly.get();
-        DecisionTable table = components.compile(next);
+        DecisionTable table = components.compile(next, false);
         components.monitors().forEach(monitor -> monitor.requireKnown(next.eventNames()));
         Rules running = shell.driver.rules();
         Rules rules = new Rules(table, next::timersOf, running.queueCapacity());

@@ -1,6 +1,10 @@
 package org.evoloop.converter;
 
+import static java.util.Objects.requireNonNull;
+
 import java.time.Duration;
+import org.evoloop.evolution.Configuration;
+import org.evoloop.evolution.DecisionTable;
 
 /**
  * How long other models are on trial after they have taken over. The models before them come back if meanwhile an event
@@ -10,12 +14,24 @@ import java.time.Duration;
  *
  * @param time after which the trial is over; 0 for no end by time
  * @param events after which it is over; 0 for no end by their number
- * @param watch what else is looked at
+ * @param watches what else is looked at
  * @since 0.1
  */
-public record Probation(Duration time, long events, Watch watch) {
+public record Probation(Duration time, long events, Watches watches) {
     /** No trial. */
-    public static final Probation NONE = new Probation(Duration.ZERO, 0, entry -> "");
+    public static final Probation NONE = new Probation(Duration.ZERO, 0, (table, from) -> entry -> "");
+
+    /** Begins to watch. */
+    @FunctionalInterface
+    public interface Watches {
+        /**
+         * The models have taken over.
+         *
+         * @param table what they make of events
+         * @param from where device and evolved system are
+         */
+        Watch begin(DecisionTable table, Configuration from);
+    }
 
     /**
      * Looks at each event that has come to its end.
@@ -28,7 +44,9 @@ public record Probation(Duration time, long events, Watch watch) {
         String faultIn(HistoryEntry entry);
     }
 
+    /** @throws IllegalArgumentException if time or number is less than 0 */
     public Probation {
+        requireNonNull(watches, "the watches are null");
         if (time.isNegative() || events < 0) {
             throw new IllegalArgumentException(
                     "a probation of " + time + " and " + events + " events; neither may be less than 0");
@@ -37,17 +55,17 @@ public record Probation(Duration time, long events, Watch watch) {
 
     /** A trial of {@code time}. */
     public static Probation of(Duration time) {
-        return new Probation(time, 0, NONE.watch());
+        return new Probation(time, 0, NONE.watches());
     }
 
     /** A trial of so many events. */
     public static Probation of(long events) {
-        return new Probation(Duration.ZERO, events, NONE.watch());
+        return new Probation(Duration.ZERO, events, NONE.watches());
     }
 
-    /** The same, looked at by {@code another}, too. */
-    public Probation watchedBy(Watch another) {
-        return new Probation(time, events, another);
+    /** The same, looked at by these, too. */
+    public Probation watchedBy(Watches others) {
+        return new Probation(time, events, others);
     }
 
     /** Whether there is a trial. */

@@ -256,26 +256,27 @@ public class StateKnowledge extends Knowledge {
         return bindings;
     }
 
-    /** What is wrong with what was registered, a line each. */
-    final List<String> problems() {
+    /**
+     * What is wrong with what was registered, a line each.
+     *
+     * @param leftOver whether it is wrong to register what the models do not have. Not if they take over from others, of
+     *     which the code may still know
+     */
+    final List<String> problems(boolean leftOver) {
         List<String> problems = new ArrayList<>(repeated);
+        if (leftOver) {
+            leftOver(problems);
+        }
         for (State state : functions.keySet()) {
-            if (!pair.evolved().hasState(state)) {
-                problems.add("a function is registered for " + state + ", which is not a state of the new model"
-                        + Names.hint(state.name(), pair.evolved().states()));
-            } else if (!pair.isNew(state)) {
+            if (pair.evolved().hasState(state) && !pair.isNew(state)) {
                 problems.add("a function is registered for " + state + ", but the device itself has that state");
             }
         }
         for (Map.Entry<State, Map<Event, Duration>> ofState : timers.entrySet()) {
-            for (Map.Entry<Event, Duration> timer : ofState.getValue().entrySet()) {
-                String what = "raises " + timer.getKey() + " in " + ofState.getKey();
-                if (!pair.evolved().hasTrigger(ofState.getKey(), timer.getKey())) {
-                    problems.add("a timer " + what + ", where the new model has no transition for it"
-                            + (eventNames.knows(timer.getKey()) ? "" : ": " + eventNames.unknown(timer.getKey())));
-                }
-                if (timer.getKey().timeTrigger().isPresent()) {
-                    problems.add("a timer " + what + ", which the new model does by itself; register none");
+            for (Event event : ofState.getValue().keySet()) {
+                if (event.timeTrigger().isPresent()) {
+                    problems.add("a timer raises " + event + " in " + ofState.getKey()
+                            + ", which the new model does by itself; register none");
                 }
             }
         }
@@ -288,9 +289,7 @@ public class StateKnowledge extends Knowledge {
             });
         }
         for (Ends ends : actions.keySet()) {
-            if (!isDrawn(ends)) {
-                problems.add("an action is registered for " + ends + ", which the new model does not have");
-            } else if (!pair.isNew(ends.target())) {
+            if (isDrawn(ends) && !pair.isNew(ends.target())) {
                 problems.add("an action is registered for " + ends + ", but its target is a state of the device");
             }
         }
@@ -301,8 +300,32 @@ public class StateKnowledge extends Knowledge {
             }
         }
         deferredUnderGuards(problems);
-        problems.addAll(bindings.problems());
+        problems.addAll(bindings.problems(leftOver));
         return problems;
+    }
+
+    /** What is registered for what the models do not have. */
+    private void leftOver(List<String> problems) {
+        for (State state : functions.keySet()) {
+            if (!pair.evolved().hasState(state)) {
+                problems.add("a function is registered for " + state + ", which is not a state of the new model"
+                        + Names.hint(state.name(), pair.evolved().states()));
+            }
+        }
+        for (Map.Entry<State, Map<Event, Duration>> ofState : timers.entrySet()) {
+            for (Event event : ofState.getValue().keySet()) {
+                if (!pair.evolved().hasTrigger(ofState.getKey(), event)) {
+                    problems.add("a timer raises " + event + " in " + ofState.getKey()
+                            + ", where the new model has no transition for it"
+                            + (eventNames.knows(event) ? "" : ": " + eventNames.unknown(event)));
+                }
+            }
+        }
+        for (Ends ends : actions.keySet()) {
+            if (!isDrawn(ends)) {
+                problems.add("an action is registered for " + ends + ", which the new model does not have");
+            }
+        }
     }
 
     /** Whether an event waits is decided before any guard is asked. */

@@ -227,6 +227,7 @@ public final class SystemEventConverter implements AutoCloseable {
             StateKnowledge present = construction.present(complete, journal, knowledgeFactory);
             shell = construction.build(
                     present,
+                    present != complete,
                     table -> new ConverterShell(
                             config, present, table, failures, listeners, changes::isClosing, journal));
             closedAt = config.clock().wallTime();

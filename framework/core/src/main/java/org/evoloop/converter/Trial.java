@@ -17,6 +17,7 @@ final class Trial implements ConverterListener {
     private final LoopConfig config;
     private final ConverterShell shell;
     private final Probation probation;
+    private final Probation.Watch watch;
     private final Consumer<String> rollBack;
 
     /** The last event before it. */
@@ -33,6 +34,7 @@ final class Trial implements ConverterListener {
         this.config = config;
         this.shell = shell;
         this.probation = probation;
+        this.watch = probation.watches().begin(shell.driver.rules().table(), shell.driver.configuration());
         this.rollBack = rollBack;
         this.first = shell.driver.recorded();
         this.begunNanos = config.clock().nanoTime();
@@ -90,7 +92,7 @@ final class Trial implements ConverterListener {
         return entry.decision() instanceof Decision.Resynchronization
                 ? "the device was " + entry.occurrence().label() + " when it was taken to be in "
                         + entry.before().original()
-                : probation.watch().faultIn(entry);
+                : watch.faultIn(entry);
     }
 
     @Override

@@ -223,6 +223,14 @@ class EvolutionTest {
     }
 
     @Test
+    void codeThatKnowsMoreThanTheModelsIsLeftOut() {
+        player.converter.evolve(Evolution.to(knowledge(List.of("Fading"), NewFunction.none())));
+        player.press("play");
+        player.settle();
+        assertThat(player.states()).hasToString("(Playing, Playing)");
+    }
+
+    @Test
     void knowledgeThatWasRefusedCanBeUsedAgain() {
         playAndFade();
         StateKnowledge next = knowledge(List.of(), NewFunction.none());

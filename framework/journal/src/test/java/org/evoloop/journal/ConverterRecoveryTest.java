@@ -260,7 +260,7 @@ class ConverterRecoveryTest {
         robot.settle();
         robot.blockJournal();
         assertThatThrownBy(() -> robot.evolve(Robot.withoutSpotWait()))
-                .hasMessageContaining("cannot be written, so the models stay; make room on its disk");
+                .hasMessageContaining("life0 cannot be written: ");
         assertThat(robot.converter.knowledge().models()).isSameAs(Robot.MODELS);
         robot.unblockJournal();
         robot.press("Spot");

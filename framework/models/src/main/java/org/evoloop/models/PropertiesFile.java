@@ -23,13 +23,7 @@ final class PropertiesFile {
 
     /** The one that was named, else the one that belongs beside {@code evolved}, which need not be there. */
     Path path(ModelReference evolved) {
-        if (given != null) {
-            return given;
-        }
-        return evolved.machine()
-                .map(name -> beside(evolved.file(), "." + name))
-                .filter(Files::exists)
-                .orElseGet(() -> beside(evolved.file(), ""));
+        return given != null ? given : PropertyFile.beside(evolved.file(), evolved.machine());
     }
 
     /** Whether there is one; one that was named must be there. */
@@ -48,12 +42,5 @@ final class PropertiesFile {
         return isThere(evolved)
                 ? PropertyFile.parse(file.toString(), TextFile.read(file, "properties"), pair)
                 : PropertyFile.none();
-    }
-
-    /** @param machine what the file's name says of which machine it is for */
-    private static Path beside(Path models, String machine) {
-        String name = String.valueOf(models.getFileName());
-        int dot = name.lastIndexOf('.');
-        return models.resolveSibling((dot > 0 ? name.substring(0, dot) : name) + machine + PropertyFile.ENDING);
     }
 }

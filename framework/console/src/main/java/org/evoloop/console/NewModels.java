@@ -1,0 +1,32 @@
+package org.evoloop.console;
+
+import org.evoloop.converter.Probation;
+import org.evoloop.evolution.ModelPair;
+import org.evoloop.statemachine.StateMachine;
+
+/**
+ * Reads the models that {@code evolve} names, see {@link Console#evolvesBy}.
+ *
+ * @since 0.1
+ */
+@FunctionalInterface
+public interface NewModels {
+    /**
+     * Reads a machine.
+     *
+     * @param reference {@code FILE#NAME}
+     * @throws org.evoloop.statemachine.ModelException if there is none, or it is wrong; the message says what and where
+     */
+    StateMachine read(String reference);
+
+    /**
+     * What has to hold while the models are on probation, besides that nothing fails.
+     *
+     * @param reference of the new model
+     * @param next both models
+     * @throws org.evoloop.statemachine.ModelException if what is written of that cannot be understood
+     */
+    default Probation.Watches watches(String reference, ModelPair next) {
+        return Probation.NONE.watches();
+    }
+}

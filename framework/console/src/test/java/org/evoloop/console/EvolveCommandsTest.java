@@ -1,0 +1,94 @@
+package org.evoloop.console;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.ByteArrayInputStream;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.evoloop.PaperModels;
+import org.evoloop.loop.LoopConfig;
+import org.evoloop.statemachine.ModelException;
+import org.evoloop.statemachine.StateMachine;
+import org.evoloop.time.ManualClock;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** A lamp that gets other models by its console. */
+class EvolveCommandsTest {
+    @TempDir
+    private Path directory;
+
+    private final LampConverter lamp =
+            new LampConverter(LoopConfig.defaults("lamp", new ManualClock()).withoutThreads());
+    private final Captured out = new Captured();
+    private final Captured err = new Captured();
+
+    private void run(String... lines) {
+        InputStream in =
+                new ByteArrayInputStream(String.join("\n", lines).concat("\n").getBytes(StandardCharsets.UTF_8));
+        Console console = new Console(lamp.converter, in, out.stream, err.stream);
+        console.evolvesBy(EvolveCommandsTest::read);
+        console.run();
+    }
+
+    private static StateMachine read(String reference) {
+        if (!reference.equals("lamp.xml#plain")) {
+            throw new ModelException("lamp.xml has no machine '" + reference + "'");
+        }
+        return PaperModels.lightBulb().original().withName("plain");
+    }
+
+    @Test
+    void otherModelsTakeOverAndAreTakenBack() {
+        run("start", "evolve lamp.xml#plain", "status", "rollback", "status");
+        assertThat(err.text()).isEmpty();
+        assertThat(out.text()).isEqualTo("""
+                running: original off, new off
+                evolved to 'plain': (off, off) is (off, off)
+                converter   lamp, running
+                states      original off, new off
+                models      'plain', which took over from 'new'
+                now         waiting for an event
+                evolved to 'new': (off, off) is (off, off)
+                converter   lamp, running
+                states      original off, new off
+                now         waiting for an event
+                """);
+    }
+
+    @Test
+    void probationIsShownAndAnOptionNeedsItsValue() {
+        run(
+                "start",
+                "evolve lamp.xml#plain --probation 60 --probation-events 3",
+                "status",
+                "evolve lamp.xml#plain --within",
+                "evolve lamp.xml#plain --within soon",
+                "evolve lamp.xml#plain --when-idel 3",
+                "evolve lamp.xml#plane",
+                "evolve");
+        assertThat(out.text())
+                .contains("on probation: rolls back by itself if anything goes wrong")
+                .contains("models      'plain', which took over from 'new', on probation for 60 s or 3");
+        assertThat(err.lines())
+                .containsExactly(
+                        "error: --within needs a value; see help evolve",
+                        "error: --within takes a number from 0 to 86400, not 'soon'",
+                        "error: evolve has no option --when-idel; did you mean --when-idle?",
+                        "error: lamp.xml has no machine 'lamp.xml#plane'",
+                        "error: usage: evolve FILE#NAME [OPTION...]");
+    }
+
+    @Test
+    void aMappingThatIsWrongOrMissingIsNamed() throws Exception {
+        Path mapping = Files.writeString(directory.resolve("m.txt"), "state glowing -> off\n");
+        run("evolve lamp.xml#plain --mapping " + mapping, "evolve lamp.xml#plain --mapping none.txt");
+        assertThat(err.lines())
+                .containsExactly(
+                        "error: " + mapping + ", line 1: 'glowing' is no state of the running new model; there are"
+                                + " incandescentOn, off, on, wait",
+                        "error: none.txt cannot be read (none.txt); name a file of mapping rules");
+    }
+}
