@@ -25,7 +25,6 @@ import org.evoloop.statemachine.ModelException;
 import org.evoloop.time.Clock;
 import org.evoloop.time.SystemClock;
 import org.evoloop.xmi.ModelFiles;
-import org.evoloop.xmi.ModelReference;
 import org.evoloop.xmi.XmiFile;
 
 /** Puts the converter together and runs its console. */
@@ -78,7 +77,7 @@ public final class Main {
             Console console = new Console(converter, System.in, System.out, System.err);
             console.addCommand(ConsoleCommand.of(
                     "switch", "operates the wall switch", (words, out) -> wallSwitch.press("switch")));
-            console.evolvesBy(model -> ModelReference.parse(model).load());
+            console.evolvesBy(XmiFile::machine);
             Page.open(PageOptions.of(settings), console, System.err);
             MqttOptions.broker(settings).ifPresent(broker -> {
                 HomeAssistant home = new HomeAssistant(converter, broker).open();

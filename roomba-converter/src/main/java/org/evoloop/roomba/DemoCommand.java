@@ -35,7 +35,8 @@ final class DemoCommand implements Callable<Integer> {
     @Option(
             names = "--scenario",
             paramLabel = "NAME",
-            description = "Only this one: remote-start, spot-from-clean, own-button or timeout (default: all four).")
+            description =
+                    "Only this one: remote-start, spot-from-clean, own-button, timeout or evolve (default: all five).")
     private @Nullable String scenario;
 
     @Option(

@@ -1,22 +1,122 @@
 package org.evoloop.roomba;
 
-import org.evoloop.check.temporal.PropertyWatches;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Collectors;
+import org.evoloop.check.temporal.Property;
+import org.evoloop.check.temporal.PropertyFile;
+import org.evoloop.check.temporal.PropertyWatch;
 import org.evoloop.console.NewModels;
+import org.evoloop.converter.Evolution;
 import org.evoloop.converter.Probation;
 import org.evoloop.evolution.ModelPair;
+import org.evoloop.statemachine.ModelException;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.xmi.ModelReference;
+import org.evoloop.xmi.XmiFile;
+import org.evoloop.xmi.XmiMachine;
+import org.jspecify.annotations.Nullable;
 
-/** Models that the robot may evolve to while it runs, with the properties beside their files. */
+/**
+ * Models that the robot may evolve to while it runs, with the properties beside their files.
+ *
+ * <p>Threading: thread-safe.
+ */
 final class OtherModels implements NewModels {
+    /** Whoever chooses on a page or at home waits no longer. */
+    private static final Duration PATIENCE = Duration.ofSeconds(10);
+
+    private final RoombaConverter roomba;
+    private @Nullable List<String> choices;
+
+    OtherModels(RoombaConverter roomba) {
+        this.roomba = roomba;
+    }
+
     @Override
     public StateMachine read(String reference) {
-        return ModelReference.parse(reference).load();
+        return XmiFile.machine(reference).withName(reference);
     }
 
     @Override
     public Probation.Watches watches(String reference, ModelPair next) {
-        ModelReference models = ModelReference.parse(reference);
-        return PropertyWatches.beside(models.file(), models.machine(), next);
+        Path file = ModelReference.parse(reference).beside(PropertyFile.ENDING);
+        if (!Files.exists(file)) {
+            return Probation.NONE.watches();
+        }
+        try {
+            List<Property> properties = PropertyFile.parse(file.toString(), Files.readString(file), next)
+                    .properties();
+            return (table, from) -> watch(new PropertyWatch(properties, table, from));
+        } catch (IOException e) {
+            throw new ModelException(file + " cannot be read: " + e.getMessage(), e);
+        }
+    }
+
+    private static Probation.Watch watch(PropertyWatch watch) {
+        return entry -> {
+            List<Property> broken = watch.ended(entry.occurrence(), entry.after(), entry.outcome(), entry.decision());
+            return broken.isEmpty()
+                    ? ""
+                    : entry.occurrence().label() + " breaks "
+                            + broken.stream().map(Property::name).collect(Collectors.joining(", "));
+        };
+    }
+
+    /** The new models in the file of the running one that the robot can evolve to, that one included, by name. */
+    synchronized List<String> choices() {
+        List<String> known = choices;
+        if (known == null) {
+            known = new ArrayList<>();
+            Path file = file();
+            for (XmiMachine machine : XmiFile.read(file).machines()) {
+                if (fits(file + "#" + machine.name())) {
+                    known.add(machine.name());
+                }
+            }
+            choices = known;
+        }
+        return known;
+    }
+
+    private Path file() {
+        return ModelReference.parse(running()).file();
+    }
+
+    private String running() {
+        return roomba.models().pair().evolved().name();
+    }
+
+    private boolean fits(String reference) {
+        try {
+            StateMachine original = roomba.models().pair().original();
+            // The device as it is would be an evolution, too, but nothing that anybody wants.
+            return !reference.equals(original.name())
+                    && !RobotModels.of(new ModelPair(original, read(reference)))
+                            .pair()
+                            .evolved()
+                            .states()
+                            .isEmpty();
+        } catch (ModelException unfit) {
+            return false;
+        }
+    }
+
+    /** The running one of the {@link #choices}. */
+    String chosen() {
+        String reference = running();
+        return reference.substring(reference.lastIndexOf('#') + 1);
+    }
+
+    /** Evolves to another one of the {@link #choices}. */
+    void choose(String name) {
+        String reference = file() + "#" + name;
+        ModelPair next = new ModelPair(roomba.models().pair().original(), read(reference));
+        roomba.converter()
+                .evolve(Evolution.to(roomba.converter().knowledgeOf(next)).withDeadline(PATIENCE));
     }
 }

@@ -5,9 +5,14 @@ import java.util.Locale;
 import java.util.function.BooleanSupplier;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.evoloop.converter.Evolution;
 import org.evoloop.evolution.Configuration;
+import org.evoloop.evolution.ModelPair;
 import org.evoloop.statemachine.State;
+import org.evoloop.statemachine.StateMachine;
 import org.evoloop.time.Clock;
+import org.evoloop.xmi.ModelFiles;
+import org.evoloop.xmi.XmiFile;
 
 /**
  * Plays a scenario with a converter and a simulated robot: presses buttons and waits for what must come of it, in the
@@ -52,6 +57,20 @@ final class Play {
     /** A button of the external controller is pressed. */
     Play controllerButton(String event) {
         roomba.controller().press(event);
+        return this;
+    }
+
+    /** Another new model takes over while the robot goes on. */
+    Play evolve(String models) {
+        StateMachine evolved = XmiFile.read(ModelFiles.find(models, Play.class)).only();
+        ModelPair next = new ModelPair(roomba.models().pair().original(), evolved);
+        roomba.converter().evolve(Evolution.to(roomba.converter().knowledgeOf(next)));
+        return this;
+    }
+
+    /** The models before are back. */
+    Play rollBack() {
+        roomba.converter().rollBack();
         return this;
     }
 

@@ -1,6 +1,7 @@
 package org.evoloop.roomba;
 
 import java.io.IOException;
+import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -17,6 +18,7 @@ import org.evoloop.console.Console;
 import org.evoloop.console.ConsoleCommand;
 import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.loop.LoopConfig;
+import org.evoloop.mqtt.Choice;
 import org.evoloop.mqtt.HomeAssistant;
 import org.evoloop.mqtt.MqttOptions;
 import org.evoloop.page.Page;
@@ -162,7 +164,13 @@ final class RoombaCommand implements Callable<Integer> {
                             "presses a button of the external controller: " + String.join(", ", buttons(roomba)),
                             (arguments, out) -> roomba.controller().press(event(roomba.models(), arguments.get(0))))
                     .completing(before -> before.isEmpty() ? buttons(roomba) : List.of()));
-            console.evolvesBy(new OtherModels());
+            OtherModels others = new OtherModels(roomba);
+            console.evolvesBy(others);
+            console.addCommand(ConsoleCommand.of(
+                            "model NAME",
+                            "puts another new model of the same file in, as evolve does",
+                            (arguments, out) -> choose(others, arguments.get(0), out))
+                    .completing(before -> before.isEmpty() ? others.choices() : List.of()));
             if (world != null) {
                 console.addCommand(ConsoleCommand.of(
                                 "robot COMMAND [ARGUMENT] [ARGUMENT] [ARGUMENT]",
@@ -171,9 +179,18 @@ final class RoombaCommand implements Callable<Integer> {
                         .completing(before -> before.isEmpty() ? WorldCommands.NAMES : WorldCommands.BUTTON_NAMES));
             }
             Page.open(PageOptions.of(settings), console, System.err, pictures(roomba, world));
-            showAtHome(roomba, console);
+            showAtHome(roomba, others, console);
             return service.run(console);
         }
+    }
+
+    private static void choose(OtherModels others, String name, PrintStream out) {
+        if (!others.choices().contains(name)) {
+            throw new IllegalArgumentException(
+                    "no model is named " + Names.shown(name) + "; there are " + String.join(", ", others.choices()));
+        }
+        others.choose(name);
+        out.println("the new model is " + others.chosen());
     }
 
     private static List<String> buttons(RoombaConverter roomba) {
@@ -206,12 +223,15 @@ final class RoombaCommand implements Callable<Integer> {
         return world.camera().isPresent() ? List.of(room, sight) : List.of(room);
     }
 
-    private void showAtHome(RoombaConverter roomba, Console console) {
+    private void showAtHome(RoombaConverter roomba, OtherModels others, Console console) {
         MqttOptions.broker(settings).ifPresent(broker -> {
             SystemEventConverter converter = roomba.converter();
             HomeAssistant home = new HomeAssistant(converter, broker);
             home.vacuum(new RoombaVacuum(
-                    home, roomba.session(), converter.knowledge().models()));
+                    home, roomba.session(), () -> converter.knowledge().models()));
+            if (others.choices().size() > 1) {
+                home.choice(new Choice("Model", others.choices(), others::chosen, others::choose));
+            }
             home.open();
             console.onEnd(reason -> home.close());
         });

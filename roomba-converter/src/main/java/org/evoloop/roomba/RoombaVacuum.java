@@ -2,6 +2,7 @@ package org.evoloop.roomba;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Supplier;
 import org.evoloop.converter.ConverterStatus;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.function.Reading;
@@ -26,12 +27,12 @@ final class RoombaVacuum implements Vacuum {
 
     private final HomeAssistant home;
     private final RoombaSession session;
-    private final ModelPair models;
+    private final Supplier<ModelPair> models;
     private boolean paused;
     private boolean rested;
 
-    /** @param models the converter's */
-    RoombaVacuum(HomeAssistant home, RoombaSession session, ModelPair models) {
+    /** @param models the converter's present ones */
+    RoombaVacuum(HomeAssistant home, RoombaSession session, Supplier<ModelPair> models) {
         this.home = home;
         this.session = session;
         this.models = models;
@@ -69,7 +70,7 @@ final class RoombaVacuum implements Vacuum {
 
     /** Whether the robot is on its way to a place that will be cleaned. */
     private boolean isMove(String state) {
-        return models.evolved().hasTrigger(new State(state), new Event(Move.ARRIVED));
+        return models.get().evolved().hasTrigger(new State(state), new Event(Move.ARRIVED));
     }
 
     /** A new state in which the robot rests waits for something; else it shows what the robot does. */
@@ -94,7 +95,7 @@ final class RoombaVacuum implements Vacuum {
     }
 
     private State where(String button) {
-        Optional<State> target = models.evolved().nextState(ON, new Event(button));
+        Optional<State> target = models.get().evolved().nextState(ON, new Event(button));
         return target.orElseThrow(() -> new IllegalStateException(
                 "the new model does not say what " + button + " does in " + ON + "; draw it, or take another model"));
     }

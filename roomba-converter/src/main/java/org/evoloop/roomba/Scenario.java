@@ -44,6 +44,23 @@ enum Scenario {
             play.controllerButton(RobotEvents.CLEAN).states("Clean", "SpotWait");
             play.states("On", "On").robotIs("on", "safe");
         }
+    },
+
+    /** While it moves to the starting point the robot learns to clean the spot once more; then it forgets that again. */
+    EVOLVE {
+        @Override
+        void play(Play play) throws InterruptedException, Play.Unfulfilled {
+            play.controllerButton(RobotEvents.CLEAN).states("On", "On").robotIs("on", "safe");
+            play.controllerButton(RobotEvents.SPOT).states("On", "Move");
+            play.evolve("models/cleaning-robot-twice.scxml").states("On", "Move");
+            play.states("Spot", "Spot").robotIs("spot", "passive");
+            play.states("On", "Again").robotIs("on", "safe");
+            play.controllerButton(RobotEvents.CLEAN).states("Spot", "Spot").robotIs("spot", "passive");
+            play.states("On", "Again").states("On", "On").robotIs("on", "safe");
+            play.rollBack();
+            play.controllerButton(RobotEvents.SPOT).states("Spot", "Spot").robotIs("spot", "passive");
+            play.states("On", "On").robotIs("on", "safe");
+        }
     };
 
     static final double START_X_MM = 1000;

@@ -65,9 +65,9 @@ class BadInputTest {
                 "--simulate --nonsense | error: there is no option --nonsense; see roomba --help",
                 "demo --speed 0 | error: --speed is 0.0, allowed is 0.01 to 1000.0 times real time",
                 "demo --scenario dance | error: there is no scenario dance; there are remote-start, spot-from-clean, "
-                        + "own-button, timeout",
+                        + "own-button, timeout, evolve",
                 "--simulate demo --scenario dance | error: there is no scenario dance; there are remote-start, "
-                        + "spot-from-clean, own-button, timeout",
+                        + "spot-from-clean, own-button, timeout, evolve",
             })
     void optionsThatMakeNoSense(String arguments, String message) throws Exception {
         assertRefused(message, arguments.split(" "));

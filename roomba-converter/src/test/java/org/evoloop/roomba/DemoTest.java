@@ -101,19 +101,26 @@ class DemoTest {
     }
 
     @Test
-    void withoutAChoiceAllFourArePlayedUnderTheirHeaders() throws Exception {
+    void withoutAChoiceAllFiveArePlayedUnderTheirHeaders() throws Exception {
         Program.Result result = Program.run(folder, "demo", "--speed", "20");
         assertThat(result.out().lines().filter(line -> line.startsWith("===")))
                 .containsExactly(
                         "=== scenario: remote-start",
                         "=== scenario: spot-from-clean",
                         "=== scenario: own-button",
-                        "=== scenario: timeout");
+                        "=== scenario: timeout",
+                        "=== scenario: evolve");
         assertThat(said(result))
-                .hasSize(4)
+                .hasSize(5)
                 .allMatch(line -> line.endsWith(" ended where it should, by the simulated robot's true state"));
         assertThat(result.out().lines().filter(line -> line.contains("internal_event : timeout")))
                 .hasSize(1);
+        assertThat(result.out().lines().filter(line -> line.startsWith("***  The converter")))
+                .extracting(String::strip)
+                .containsExactly(
+                        "***  The converter has evolved to twice.  ***",
+                        "***  The converter rolls back, as its owner asked for.  ***",
+                        "***  The converter has evolved to new.  ***");
         assertThat(result.status()).isZero();
     }
 }

@@ -23,7 +23,7 @@ final class PropertiesFile {
 
     /** The one that was named, else the one that belongs beside {@code evolved}, which need not be there. */
     Path path(ModelReference evolved) {
-        return given != null ? given : PropertyFile.beside(evolved.file(), evolved.machine());
+        return given != null ? given : evolved.beside(PropertyFile.ENDING);
     }
 
     /** Whether there is one; one that was named must be there. */

@@ -11,6 +11,7 @@ import java.util.concurrent.TimeUnit;
 import org.evoloop.console.JsonObject;
 import org.evoloop.converter.ConverterListener;
 import org.evoloop.converter.ConverterStatus;
+import org.evoloop.converter.Evolution;
 import org.evoloop.converter.HistoryEntry;
 import org.evoloop.converter.PushMonitor;
 import org.evoloop.converter.SystemEventConverter;
@@ -273,6 +274,12 @@ public final class HomeAssistant implements AutoCloseable {
         @Override
         public void moved(Configuration before, Configuration after) {
             look();
+        }
+
+        @Override
+        public void evolved(Evolution.Result result) {
+            // Other states are possible, and other buttons.
+            inbox.offer(() -> described = false);
         }
 
         @Override

@@ -8,6 +8,7 @@ import org.evoloop.console.JsonObject;
 import org.evoloop.console.StatusJson;
 import org.evoloop.converter.ConverterListener;
 import org.evoloop.converter.ConverterStatus;
+import org.evoloop.converter.Evolution;
 import org.evoloop.converter.HistoryEntry;
 import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.evolution.Configuration;
@@ -83,6 +84,11 @@ final class Broadcast {
 
         @Override
         public void doubted(String why) {
+            tell(null);
+        }
+
+        @Override
+        public void evolved(Evolution.Result result) {
             tell(null);
         }
     };

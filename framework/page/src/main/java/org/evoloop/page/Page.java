@@ -46,6 +46,9 @@ public final class Page implements AutoCloseable {
     private final @Nullable PageServer server;
     private @Nullable String about;
 
+    /** The models that it tells of. */
+    private @Nullable ModelPair drawn;
+
     private Page(PageOptions options, Console console, List<Picture> pictures) throws IOException {
         this.console = console;
         this.converter = console.converters().get(0);
@@ -107,14 +110,17 @@ public final class Page implements AutoCloseable {
     }
 
     private synchronized String about() {
-        if (about == null) {
-            about = describe().toString();
+        ModelPair models = converter.knowledge().models();
+        String known = about;
+        if (known == null || !models.equals(drawn)) {
+            known = describe(models).toString();
+            about = known;
+            drawn = models;
         }
-        return about;
+        return known;
     }
 
-    private JsonObject describe() {
-        ModelPair models = converter.knowledge().models();
+    private JsonObject describe(ModelPair models) {
         return new JsonObject()
                 .put("name", converter.status().name())
                 .put("original", MachineDrawing.of(models.original(), state -> false))

@@ -5,6 +5,7 @@ const COLUMN = 480;
 
 const events = []; // by number, oldest first
 let status = null;
+let drawnFor = null;
 let readings = { device: [], function: [] };
 let shown = -1; // the event that is looked at; -1 for the newest
 let allLoaded = false;
@@ -173,6 +174,7 @@ function showStatus() {
   const running = status.function;
   list($('status'), [
     ['Loop', status.loop, status.loop === 'running' ? 'good' : ''],
+    ...(status.evolution ? [['Models', status.evolution]] : []),
     ['Queue', `${queue.depth} of ${queue.capacity} waiting, highest ${queue.highest}`],
     ['Lost', `${queue.dropped} dropped, ${queue.refused} refused`, queue.dropped ? 'bad' : ''],
     ['Events', `${counts.handled} handled, ${counts.ignored} ignored, ${counts.stale} stale, ${counts.failed} failed`],
@@ -207,11 +209,16 @@ function listen() {
   stream.onmessage = message => {
     const update = JSON.parse(message.data);
     ({ status, readings } = update);
+    // Other models have other states and transitions to draw.
+    const evolution = status.evolution.split(', on probation')[0];
+    if (drawnFor !== null && drawnFor !== evolution) return location.reload();
+    drawnFor = evolution;
     const known = events.length ? events[events.length - 1].number : 0;
     add(update.events);
     if (update.last > known + update.events.length) load();
     showStatus();
     show();
+    return undefined;
   };
 }
 

@@ -96,6 +96,24 @@ public record ModelReference(Path file, Optional<String> machine, Optional<Chron
         return machine.isPresent() ? read.find(machine.get()) : read.findOnly();
     }
 
+    /**
+     * The file beside this one that is called like it and the machine, if there is one, else like it alone: {@code a.b} or
+     * {@code a} with the ending, for the machine b of {@code a.xml}. It need not be there.
+     *
+     * @param ending such as {@code .properties.txt}
+     */
+    public Path beside(String ending) {
+        return machine.map(name -> named("." + name + ending))
+                .filter(Files::exists)
+                .orElseGet(() -> named(ending));
+    }
+
+    private Path named(String ending) {
+        String name = String.valueOf(file.getFileName());
+        int dot = name.lastIndexOf('.');
+        return file.resolveSibling((dot > 0 ? name.substring(0, dot) : name) + ending);
+    }
+
     /** The text that {@link #parse} takes. */
     @Override
     public String toString() {

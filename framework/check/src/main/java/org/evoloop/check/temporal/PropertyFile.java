@@ -1,9 +1,6 @@
 package org.evoloop.check.temporal;
 
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.List;
-import java.util.Optional;
 import org.evoloop.check.RuleSwitches;
 import org.evoloop.evolution.ModelPair;
 
@@ -40,21 +37,5 @@ public record PropertyFile(String file, List<Property> properties, RuleSwitches 
     public static PropertyFile parse(String file, String text, ModelPair pair) {
         RuleSwitches switches = RuleSwitches.parse(file, text, pair);
         return new PropertyFile(file, PropertyText.parse(file, switches.rest(), pair), switches);
-    }
-
-    /**
-     * The file beside {@code models} that is called like it and the machine, if there is one, else like it alone: {@code
-     * a.b.properties.txt} or {@code a.properties.txt} for {@code a.xml} and the machine b. It need not be there.
-     */
-    public static Path beside(Path models, Optional<String> machine) {
-        return machine.map(name -> named(models, "." + name))
-                .filter(Files::exists)
-                .orElseGet(() -> named(models, ""));
-    }
-
-    private static Path named(Path models, String machine) {
-        String name = String.valueOf(models.getFileName());
-        int dot = name.lastIndexOf('.');
-        return models.resolveSibling((dot > 0 ? name.substring(0, dot) : name) + machine + ENDING);
     }
 }
