@@ -20,7 +20,8 @@ import org.jspecify.annotations.Nullable;
  * @param name the converter's name
  * @param loop the state of the loop's lifecycle
  * @param states the current states of both models
- * @param evolution which models took over from which while it ran, as long as a way leads back; else empty
+ * @param evolution which models took over from which while it ran, as long as a way leads back, or as its journal says;
+ *     else empty
  * @param doubt why the record of the device's state may be wrong; empty if it is certain
  * @param lastKnownSince since when these are only the last states that are known, because the loop is closed or the
  *     device cannot be reached; empty while they are kept up to date

@@ -34,6 +34,9 @@ final class Evolver {
 
     private volatile @Nullable Trial trial;
 
+    /** From which models it had evolved before its process was started, by what it was built with. */
+    private volatile @Nullable WayBack resumed;
+
     /** What leads back to the models before. */
     private record WayBack(StateKnowledge from, StateKnowledge to, Mapping mapping) {}
 
@@ -193,10 +196,20 @@ final class Evolver {
         }
     }
 
-    /** Which models took over from which, for people, as long as a way leads back; else empty. */
-    String describe() {
+    /** The converter goes on with other models than those with which it was built: its journal says so. */
+    void resumed(StateKnowledge built, StateKnowledge present) {
+        resumed = built == present ? null : new WayBack(present, built, Mapping.byName());
+    }
+
+    /** Which models took over from which, for people, as long as that is known; else empty. */
+    String describe(StateKnowledge present) {
         WayBack back = wayBack;
         Trial running = trial;
+        WayBack before = resumed;
+        if (back == null && before != null && before.from() == present) {
+            return "'" + present.models().evolved().name() + "', which took over from '"
+                    + before.to().models().evolved().name() + "' before the program was started";
+        }
         return back == null
                 ? ""
                 : "'" + back.from().models().evolved().name() + "', which took over from '"

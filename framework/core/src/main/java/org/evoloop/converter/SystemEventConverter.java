@@ -225,6 +225,7 @@ public final class SystemEventConverter implements AutoCloseable {
         StateKnowledge complete = construction.complete(known);
         try {
             StateKnowledge present = construction.present(complete, journal, knowledgeFactory);
+            evolver.resumed(complete, present);
             shell = construction.build(
                     present,
                     present != complete,
@@ -450,7 +451,7 @@ public final class SystemEventConverter implements AutoCloseable {
 
     /** A snapshot of the status. @throws IllegalStateException if the converter is not built yet */
     public ConverterStatus status() {
-        return built().status(evolver.describe(), link, closedAt);
+        return built().status(evolver.describe(knowledge()), link, closedAt);
     }
 
     /** The last events and what became of them, oldest first. */

@@ -227,6 +227,8 @@ class ConverterRecoveryTest {
 
         assertThat(robot.converter.knowledge().models().evolved().name()).isEqualTo("direct");
         assertThat(robot.states()).isEqualTo("(On, Move)");
+        assertThat(robot.converter.status().evolution())
+                .isEqualTo("'direct', which took over from 'new' before the program was started");
         robot.converter.start();
         robot.settle();
         assertThat(robot.states()).as("what waited when they took over").isEqualTo("(Spot, Spot)");
