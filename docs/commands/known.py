@@ -174,6 +174,10 @@ KNOWN = [
         shows="waits until tm(5s) or Clean or Dock leads out",
     ),
     typed(
+        "./evoloop models migrate models/cleaning-robot.xml#new models/cleaning-robot-twice.scxml --original models/cleaning-robot.xml#original --spontaneous endSpot --format svg",
+        shows="device in On: \u2192 Move",
+    ),
+    typed(
         "./evoloop models plan models/cleaning-robot.xml#original models/cleaning-robot.xml#new --spontaneous endSpot --bypass",
         shows="something else: the device goes to Spot",
     ),

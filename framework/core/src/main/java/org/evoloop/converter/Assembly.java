@@ -73,23 +73,15 @@ final class Assembly {
     }
 
     List<EventExecute> executes() {
-        List<EventExecute> executes = new ArrayList<>();
-        for (Component component : all()) {
-            if (component instanceof EventExecute execute) {
-                executes.add(execute);
-            }
-        }
-        return executes;
+        return all(EventExecute.class);
     }
 
     List<EventMonitor> monitors() {
-        List<EventMonitor> monitors = new ArrayList<>();
-        for (Component component : all()) {
-            if (component instanceof EventMonitor monitor) {
-                monitors.add(monitor);
-            }
-        }
-        return monitors;
+        return all(EventMonitor.class);
+    }
+
+    private <T extends Component> List<T> all(Class<T> kind) {
+        return all().stream().filter(kind::isInstance).map(kind::cast).toList();
     }
 
     boolean has(Component.Role role) {

@@ -8,13 +8,19 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Set;
 import java.util.stream.Stream;
 import org.evoloop.evolution.ModelPair;
+import org.evoloop.evolution.Occurrence;
+import org.evoloop.evolution.Source;
+import org.evoloop.evolution.Values;
 import org.evoloop.function.NewFunction;
 import org.evoloop.function.Visit;
 import org.evoloop.migration.Mapping;
+import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.ModelException;
 import org.evoloop.statemachine.State;
+import org.evoloop.statemachine.StateMachine;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
@@ -153,6 +159,33 @@ class EvolutionTest {
         assertThat(player.states()).hasToString("(Paused, Fading)");
         assertThat(fadings).hasSize(1);
         assertThat(player.last().occurrence().label()).isEqualTo("evolved to next");
+    }
+
+    @Test
+    void theDeviceItselfMayHaveLearntSomething() {
+        player.press("play");
+        player.settle();
+        StateMachine device = StateMachine.named("firmware 2")
+                .initial("Stopped")
+                .transition("Stopped", "play", "Playing")
+                .transition("Playing", "pause", "Paused")
+                .transition("Paused", "play", "Playing")
+                .transition("Playing", "stop", "Stopped")
+                .transition("Paused", "stop", "Stopped")
+                .transition("Playing", "ended", "Asleep")
+                .transition("Asleep", "play", "Playing")
+                .spontaneous("ended")
+                .build();
+        player.converter.evolve(
+                Evolution.to(new StateKnowledge(new ModelPair(device, device))).withoutWayBack());
+        long now = player.clock.nanoTime();
+        player.converter.offer(new Occurrence.Heard(
+                new Event("ended"), Values.NONE, Source.DEVICE, true, Set.of(), Occurrence.ANY_VISIT, now));
+        player.settle();
+        assertThat(player.states()).hasToString("(Asleep, Asleep)");
+        player.press("play");
+        player.settle();
+        assertThat(player.states()).hasToString("(Playing, Playing)");
     }
 
     @Test
