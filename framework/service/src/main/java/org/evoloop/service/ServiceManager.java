@@ -74,7 +74,8 @@ final class ServiceManager implements AutoCloseable {
     }
 
     private void endWithTheConverters() {
-        if (unattended && console.converters().stream().allMatch(ServiceManager::hasEnded)) {
+        // In this order: a console that ends closes its converters after it says so.
+        if (unattended && console.converters().stream().allMatch(ServiceManager::hasEnded) && !console.isEnding()) {
             LOG.warn("the converter was closed by a component of its own; the program ends");
             console.end("the converter was closed by a component of its own", 1);
         }

@@ -28,11 +28,7 @@ final class LampProgram {
         try (Service service = Service.open(ServiceOptions.of(settings));
                 Clock clock = new SystemClock()) {
             PushMonitor wallSwitch = new PushMonitor("WallSwitch");
-            SystemEventConverter converter = new SystemEventConverter(LoopConfig.defaults("lamp", clock));
-            converter.addMonitor(wallSwitch);
-            converter.addExecute(new Lamp());
-            converter.addKnowledge(new LampKnowledge());
-            converter.build();
+            SystemEventConverter converter = converter(wallSwitch, clock);
             Console console = new Console(converter, System.in, System.out, System.err);
             console.addCommand(ConsoleCommand.of("switch", "", (words, out) -> wallSwitch.press("switch")));
             console.addCommand(ConsoleCommand.of("close", "", (words, out) -> converter.close()));
@@ -44,6 +40,16 @@ final class LampProgram {
             status = 2;
         }
         System.exit(status);
+    }
+
+    /** A converter that is built. */
+    static SystemEventConverter converter(PushMonitor wallSwitch, Clock clock) {
+        SystemEventConverter converter = new SystemEventConverter(LoopConfig.defaults("lamp", clock));
+        converter.addMonitor(wallSwitch);
+        converter.addExecute(new Lamp());
+        converter.addKnowledge(new LampKnowledge());
+        converter.build();
+        return converter;
     }
 
     private static void hang() {
