@@ -44,6 +44,7 @@ def typed(documented: str, **details: object) -> Known:
 THIS = "is what runs this test"
 MUTANTS = "takes some minutes of both processors: over a thousand mutants of the models, a test run of its own"
 NO_BOARD = "hardware: takes a camera's pictures of a printed chessboard (CalibrationTest draws them)"
+CLUSTER = "needs a Kafka cluster; FleetCommandTest of fleet starts a broker and does the same there"
 ELSEWHERE = "is for the project that scaffold writes; test_retrofit.py makes it and runs this there"
 
 CONSOLE = """start
@@ -71,6 +72,7 @@ KNOWN = [
     typed("./evoloop demo", slow=True, shows="remote-start"),
     Known("./evoloop test", why_not=THIS),
     Known("./evoloop test --slow", why_not=THIS),
+    Known("./evoloop test --oracles", why_not="network: fetches checkers from PyPI; a test run of its own"),
     Known("./evoloop test --interop", why_not="network: fetches clients from PyPI; a test run of its own"),
     Known("./evoloop test --package", why_not="root and network: Debians of its own; a test run of its own"),
     typed("./evoloop package", slow=True, shows="target/evoloop_"),
@@ -150,6 +152,28 @@ KNOWN = [
     Known("./mvnw -Prelease -Dmaven.test.skip=true deploy", run="./evoloop reproducible --help", shows="SBOM"),
     Known("./mvnw -Prelease -Dmaven.test.skip=true -DskipUpload=false deploy", why_not="uploads to Maven Central"),
     typed("./evoloop bench --help", shows="--quick"),
+    Known("./evoloop fleet --demo", run="./evoloop fleet --demo --devices 200", slow=True, shows="nothing was lost"),
+    Known("./evoloop fleet --bootstrap HOST:9092 --create-topics --partitions 64", why_not=CLUSTER),
+    Known(
+        "./evoloop fleet publish lamp-1 models/light-bulb.xml --timer wait:timeout:2000 --bootstrap HOST:9092",
+        why_not=CLUSTER,
+    ),
+    Known("./evoloop fleet register --model lamp-1 kitchen hall --bootstrap HOST:9092", why_not=CLUSTER),
+    Known("./evoloop fleet --bootstrap HOST:9092", why_not=CLUSTER),
+    Known(
+        "./evoloop fleet publish lamp-2 models/light-bulb.xml --timer wait:timeout:1000 --bootstrap HOST:9092",
+        why_not=CLUSTER,
+    ),
+    Known(
+        "./evoloop fleet rollout quicker --from lamp-1 --to lamp-2 --percent 1 --bootstrap HOST:9092",
+        why_not=CLUSTER,
+    ),
+    Known(
+        "./evoloop gateway --bootstrap HOST:9092 --mqtt mqtt://BROKER --device kitchen,hall --journal DIR",
+        why_not="needs a Kafka cluster and an MQTT broker; GatewayTest of fleet starts both",
+    ),
+    Known("./evoloop bench --fleet", why_not="takes a quarter of an hour; --quick does the same with fewer devices"),
+    typed("./evoloop bench --fleet --quick", slow=True, shows="events/CPU s"),
     typed("java -version"),
     # Models.
     Known("./evoloop models COMMAND", run="./evoloop models --help", shows="scaffold"),
@@ -245,8 +269,13 @@ KNOWN = [
     Known("./evoloop study --check [--slow]", why_not=MUTANTS),
     typed("./evoloop study --experiment", slow=True, needs_study=True),
     typed("./evoloop study --measured", slow=True, needs_study=True),
+    typed("./evoloop study --proof", slow=True, needs_study=True),
+    typed(
+        "java -cp prism/experiment/target/study-experiment.jar org.evoloop.study.proof.Main --help",
+        slow=True,
+    ),
     Known(
-        "./evoloop study [--checker storm|prism|both] [--experiment [--seed N]] [--measured [FILE]]",
+        "./evoloop study [--checker storm|prism|both] [--experiment [--seed N]] [--measured [FILE]] [--proof]",
         run="./evoloop study --checker storm --measured benchmarks/results/2026-11-22.json",
         slow=True,
         needs_study=True,

@@ -17,7 +17,7 @@ ROOT = Path(__file__).resolve().parents[2]
 SLOW = os.environ.get("EVOLOOP_COMMANDS") == "slow"
 DUE = [entry for entry in KNOWN if entry.run and entry.slow == SLOW]
 LIMIT_S = 3_600 if SLOW else 300
-NOT_COPIED = (".git", "surefire-reports", "interop-venv", "home-assistant-root", "package-roots", "__pycache__", *(() if SLOW else (".venv",)))
+NOT_COPIED = (".git", "surefire-reports", "interop-venv", "oracles-venv", "home-assistant-root", "package-roots", "__pycache__", *(() if SLOW else (".venv",)))
 
 
 def documents() -> list[Path]:

@@ -64,6 +64,12 @@ def _parse(arguments: list[str]) -> argparse.Namespace:
         "--seed", type=int, default=1, metavar="N", help="the seed of the experiment's first point (default: 1)"
     )
     parser.add_argument(
+        "--proof",
+        action="store_true",
+        help="check the specification of the converter in prism/proof in every interleaving, too, with Spin; "
+        "takes some minutes",
+    )
+    parser.add_argument(
         "--measured",
         nargs="?",
         const="",
@@ -74,6 +80,8 @@ def _parse(arguments: list[str]) -> argparse.Namespace:
     options = parser.parse_args(arguments)
     if options.slow and not options.check:
         parser.error("--slow goes with --check")
+    if options.proof and options.check:
+        parser.error("--proof does not go with --check")
     return options
 
 
@@ -103,6 +111,9 @@ def _study(options: argparse.Namespace) -> int:
     # Only here: drawing takes a while to load, and --check does without.
     from study import run
 
+    broken = run.prove(say) if options.proof else []
+    for one in broken:
+        say(one)
     measured = _measured(options.measured)
     checker = _checker(options.checker)
     if options.experiment:
@@ -115,7 +126,7 @@ def _study(options: argparse.Namespace) -> int:
         if not one.holds():
             say(f"{one}" + ("" if one in failed else "; chance explains it"))
     print(run.RESULTS / "report.md")
-    return 0 if _agree(checker) and not failed else 1
+    return 0 if _agree(checker) and not failed and not broken else 1
 
 
 def _measured(given: str | None) -> list[Measured]:

@@ -7,6 +7,7 @@ from study import experiment_section, sections
 from study.curves import Curves
 from study.comparing import Comparison
 from study.points import Mode
+from study.proof import section as proof
 from study.tables import Table
 
 
@@ -33,6 +34,7 @@ def write(folder: Path, findings: Findings) -> None:
         sections.code(),
         experiment_section.experiment(findings.comparisons, findings.measured_events),
         sections.measured(findings.curves, findings.tables.get("measured")),
+        proof.proof(findings.tables),
         sections.files(),
     ]
     (folder / "report.md").write_text("\n\n".join(parts) + "\n", encoding="utf-8")

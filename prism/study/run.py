@@ -7,6 +7,7 @@ from study import belief, comparing, counting, curves, devices, experiment, meas
 from study.checking import Checker
 from study.points import MODES
 from study.predictions import Predictions
+from study.proof import proving, section
 from study.tables import Table
 
 RESULTS = Path(__file__).resolve().parent.parent / "results"
@@ -52,8 +53,18 @@ def study(checker: Checker, tell: Tell) -> list[comparing.Comparison]:
     today = Table.read("measured", RESULTS)
     if today is not None:
         by_name["measured"] = today
+    for name in section.TABLES:
+        proved = Table.read(name, RESULTS)
+        if proved is not None:
+            by_name[name] = proved
     report.write(RESULTS, found)
     return found.comparisons
+
+
+def prove(tell: Tell) -> list[str]:
+    """Checks the specification of the converter, for the report to take up; returns what does not hold."""
+    RESULTS.mkdir(exist_ok=True)
+    return proving.prove(RESULTS, tell)
 
 
 def run_experiment(first_seed: int, tell: Tell) -> None:

@@ -267,9 +267,10 @@ def files() -> str:
         ("`sensitivity.csv`", "section 5"),
         ("`experiment-measured.csv`, `experiment.csv`", "section 7: what was measured, and beside the models' values"),
         ("`measured.csv`", "section 8"),
+        ("`proof.csv`, `proof-mutants.csv`, `proof-paper.csv`, `proof-conformance.csv`, `proof/*.svg`", "section 9"),
     ]
     return f"""## Files
 
 {table(("file", "content"), rows)}
 
-Each picture is there as PNG and as SVG."""
+Each plot is there as PNG and as SVG."""

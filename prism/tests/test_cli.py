@@ -15,6 +15,13 @@ class CliTest(unittest.TestCase):
         self.assertEqual(ended.exception.code, 2)
         self.assertIn("--slow goes with --check", errors.getvalue())
 
+    def test_a_proof_is_no_check(self) -> None:
+        errors = io.StringIO()
+        with contextlib.redirect_stderr(errors), self.assertRaises(SystemExit) as ended:
+            main(["--proof", "--check"])
+        self.assertEqual(ended.exception.code, 2)
+        self.assertIn("--proof does not go with --check", errors.getvalue())
+
     def test_names_the_results_that_are_not_there(self) -> None:
         errors = io.StringIO()
         with contextlib.redirect_stderr(errors):

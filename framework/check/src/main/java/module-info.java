@@ -4,5 +4,7 @@ module org.evoloop.check {
     requires transitive org.evoloop.core;
 
     exports org.evoloop.check;
+    exports org.evoloop.check.properties;
     exports org.evoloop.check.temporal;
+    exports org.evoloop.check.timing;
 }

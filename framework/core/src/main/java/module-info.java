@@ -14,6 +14,7 @@ module org.evoloop.core {
     exports org.evoloop.function;
     exports org.evoloop.loop;
     exports org.evoloop.migration;
+    exports org.evoloop.rehearsal;
     exports org.evoloop.statemachine;
     exports org.evoloop.time;
 }

@@ -3,14 +3,13 @@ package org.evoloop.benchmarks;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Comparator;
 import java.util.List;
 import java.util.concurrent.Callable;
-import java.util.stream.Stream;
 import org.evoloop.benchmarks.drawing.SoakPlot;
 import org.evoloop.benchmarks.report.Origin;
 import org.evoloop.benchmarks.report.SoakResults;
 import org.evoloop.benchmarks.report.SoakSample;
+import org.evoloop.benchmarks.report.TemporaryFolder;
 import org.evoloop.benchmarks.running.Soak;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine;
@@ -66,15 +65,8 @@ final class SoakCommand implements Callable<Integer> {
     }
 
     private List<SoakSample> run() throws IOException, InterruptedException {
-        Path journal = Files.createTempDirectory("evoloop-soak");
-        try {
-            return new Soak(journal, !stepped).run(events, LOOKS);
-        } finally {
-            try (Stream<Path> files = Files.walk(journal)) {
-                for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
-                    Files.delete(file);
-                }
-            }
+        try (TemporaryFolder journal = TemporaryFolder.create()) {
+            return new Soak(journal.path(), !stepped).run(events, LOOKS);
         }
     }
 }

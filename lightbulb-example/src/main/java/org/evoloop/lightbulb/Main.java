@@ -1,8 +1,13 @@
 package org.evoloop.lightbulb;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
+import org.evoloop.check.properties.PropertyFile;
+import org.evoloop.check.timing.TimeRules;
+import org.evoloop.check.timing.TimeWatch;
 import org.evoloop.config.Option;
 import org.evoloop.config.Options;
 import org.evoloop.config.Settings;
@@ -25,6 +30,7 @@ import org.evoloop.statemachine.ModelException;
 import org.evoloop.time.Clock;
 import org.evoloop.time.SystemClock;
 import org.evoloop.xmi.ModelFiles;
+import org.evoloop.xmi.ModelReference;
 import org.evoloop.xmi.XmiFile;
 
 /** Puts the converter together and runs its console. */
@@ -47,6 +53,15 @@ public final class Main {
         }
     }
 
+    /** What is written of time beside the models. */
+    private static TimeRules timeRules(Path models, ModelPair pair) throws IOException {
+        Path file = new ModelReference(models, Optional.of("new")).beside(PropertyFile.ENDING);
+        return Files.exists(file)
+                ? PropertyFile.parse(file.toString(), Files.readString(file), pair)
+                        .time()
+                : TimeRules.NONE;
+    }
+
     private static int run(Settings settings) throws IOException {
         if (settings.answers(System.out)) {
             return 0;
@@ -67,6 +82,9 @@ public final class Main {
             wiring.connect(converter, lamp, clock);
             converter.addKnowledge(new LampKnowledge(models, lamp));
             converter.addKnowledgeFactory(other -> new LampKnowledge(other, lamp));
+            TimeRules written = timeRules(file, models);
+            converter.watch(
+                    (running, at, nanos) -> running.equals(models) ? new TimeWatch(written, running, at, nanos) : null);
             Path journal = unattended.journal();
             if (journal != null) {
                 converter.journal(Journal.in(journal));

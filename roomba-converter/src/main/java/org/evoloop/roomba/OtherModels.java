@@ -1,14 +1,11 @@
 package org.evoloop.roomba;
 
-import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
 import org.evoloop.check.temporal.Property;
-import org.evoloop.check.temporal.PropertyFile;
 import org.evoloop.check.temporal.PropertyWatch;
 import org.evoloop.console.NewModels;
 import org.evoloop.converter.Evolution;
@@ -44,17 +41,8 @@ final class OtherModels implements NewModels {
 
     @Override
     public Probation.Watches watches(String reference, ModelPair next) {
-        Path file = ModelReference.parse(reference).beside(PropertyFile.ENDING);
-        if (!Files.exists(file)) {
-            return Probation.NONE.watches();
-        }
-        try {
-            List<Property> properties = PropertyFile.parse(file.toString(), Files.readString(file), next)
-                    .properties();
-            return (table, from) -> watch(new PropertyWatch(properties, table, from));
-        } catch (IOException e) {
-            throw new ModelException(file + " cannot be read: " + e.getMessage(), e);
-        }
+        List<Property> properties = roomba.properties().read(next).properties();
+        return (table, from) -> watch(new PropertyWatch(properties, table, from));
     }
 
     private static Probation.Watch watch(PropertyWatch watch) {

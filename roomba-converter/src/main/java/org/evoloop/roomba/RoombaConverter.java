@@ -28,9 +28,14 @@ import org.evoloop.time.Clock;
  * @param robot monitors the robot
  * @param controller where an external controller's buttons are pressed
  * @param converter built, not started
+ * @param properties of its models, and of others that may take over
  */
 public record RoombaConverter(
-        RoombaSession session, EventMonitor robot, PushMonitor controller, SystemEventConverter converter)
+        RoombaSession session,
+        EventMonitor robot,
+        PushMonitor controller,
+        SystemEventConverter converter,
+        WrittenProperties properties)
         implements AutoCloseable {
 
     /**
@@ -62,7 +67,13 @@ public record RoombaConverter(
         }
         converter.addExecute(new ExecuteCommand(session, original, clock, resumption));
         converter.addKnowledge(knowing.apply(options.models()));
-        converter.addKnowledgeFactory(pair -> knowing.apply(RobotModels.of(pair)));
+        WrittenProperties properties = new WrittenProperties();
+        converter.addKnowledgeFactory(pair -> {
+            properties.read(pair);
+            return knowing.apply(RobotModels.of(pair));
+        });
+        properties.read(options.models().pair());
+        converter.watch(properties);
         converter.addLink(session);
         converter.addSpare("ExecuteCommand2", () -> new ExecuteCommand(session, original, clock, resumption));
         Journal journal = options.journal();
@@ -76,7 +87,7 @@ public record RoombaConverter(
         if (journal != null) {
             session.assume(RobotEvents.activity(converter.status().states().original()));
         }
-        return new RoombaConverter(session, robot, controller, converter);
+        return new RoombaConverter(session, robot, controller, converter, properties);
     }
 
     private static RobotModels models(SystemEventConverter converter) {

@@ -4,15 +4,14 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
-import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
-import java.util.stream.Stream;
 import org.HdrHistogram.Histogram;
 import org.evoloop.benchmarks.report.Figures;
 import org.evoloop.benchmarks.report.Latencies;
 import org.evoloop.benchmarks.report.Row;
+import org.evoloop.benchmarks.report.TemporaryFolder;
 import org.evoloop.benchmarks.running.PaperModels;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.journal.Forcing;
@@ -67,23 +66,21 @@ public final class JournalCost {
      */
     public static void main(String[] arguments) throws IOException, InterruptedException {
         int wanted = Integer.parseInt(arguments[0]);
-        Path folder = Files.createTempDirectory("evoloop");
         Map<Keeping, Histogram> nanos = new EnumMap<>(Keeping.class);
-        try (Clock robotClock = new SystemClock();
-                SimulatorServer robot =
-                        SimulatorServer.start(folder.resolve("roomba"), RobotOptions.defaults(), robotClock, SPEED)) {
+        try (TemporaryFolder folder = TemporaryFolder.create();
+                Clock robotClock = new SystemClock();
+                SimulatorServer robot = SimulatorServer.start(
+                        folder.path().resolve("roomba"), RobotOptions.defaults(), robotClock, SPEED)) {
             // What runs for the first time does not count.
             for (Keeping keeping : Keeping.values()) {
-                turn(keeping, folder, robot, Latencies.histogram());
+                turn(keeping, folder.path(), robot, Latencies.histogram());
                 nanos.put(keeping, Latencies.histogram());
             }
             while (nanos.values().stream().anyMatch(each -> each.getTotalCount() < wanted)) {
                 for (Map.Entry<Keeping, Histogram> each : nanos.entrySet()) {
-                    turn(each.getKey(), folder, robot, each.getValue());
+                    turn(each.getKey(), folder.path(), robot, each.getValue());
                 }
             }
-        } finally {
-            delete(folder);
         }
         nanos.forEach((keeping, each) -> Latencies.print(keeping.name(), each));
     }
@@ -105,16 +102,6 @@ public final class JournalCost {
             for (int press = 0; press < TURN; press++) {
                 PressToCommand.press(new WorldCommands(robot), roomba, clock);
             }
-        }
-    }
-
-    private static void delete(Path folder) throws IOException {
-        List<Path> all = new ArrayList<>();
-        try (Stream<Path> files = Files.walk(folder)) {
-            files.forEach(all::add);
-        }
-        for (int index = all.size() - 1; index >= 0; index--) {
-            Files.deleteIfExists(all.get(index));
         }
     }
 

@@ -1,14 +1,11 @@
 package org.evoloop.benchmarks.running;
 
 import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.Path;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Set;
-import java.util.stream.Stream;
 import org.HdrHistogram.Histogram;
 import org.evoloop.benchmarks.report.Latencies;
+import org.evoloop.benchmarks.report.TemporaryFolder;
 import org.evoloop.converter.EventExecute;
 import org.evoloop.converter.Evolution;
 import org.evoloop.converter.PushMonitor;
@@ -66,11 +63,8 @@ public final class EvolvePause {
     public static void main(String[] arguments) throws IOException {
         int times = Integer.parseInt(arguments[0]);
         Latencies.print("PLAIN", pauses(times, null));
-        Path journal = Files.createTempDirectory("evolve-pause");
-        try {
-            Latencies.print("JOURNAL", pauses(times, Journal.in(journal)));
-        } finally {
-            delete(journal);
+        try (TemporaryFolder journal = TemporaryFolder.create()) {
+            Latencies.print("JOURNAL", pauses(times, Journal.in(journal.path())));
         }
     }
 
@@ -114,11 +108,5 @@ public final class EvolvePause {
             evolved.transition("S0", "rest", "Rest").transition("Rest", "next", "S1");
         }
         return new ModelPair(original.build(), evolved.build());
-    }
-
-    private static void delete(Path directory) throws IOException {
-        try (Stream<Path> all = Files.walk(directory)) {
-            all.sorted(Comparator.reverseOrder()).map(Path::toFile).forEach(file -> file.delete());
-        }
     }
 }

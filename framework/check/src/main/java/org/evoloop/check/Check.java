@@ -9,7 +9,8 @@ import org.evoloop.evolution.DecisionTable;
 import org.evoloop.evolution.ModelPair;
 
 /**
- * Checks a pair of machines before it runs: all rules of {@link Rule} but {@link Rule#PROPERTY}.
+ * Checks a pair of machines before it runs: all rules of {@link Rule} but {@link Rule#PROPERTY} and those about
+ * time, {@link Rule#TIME_DEADLOCK}, {@link Rule#TIMER_RACE} and {@link Rule#STEP_OUTLIVES_VISIT}.
  *
  * <p>Threading: none needed, it keeps nothing.
  *
@@ -41,7 +42,7 @@ public final class Check {
             DecisionTable table = DecisionTable.compile(pair, input.device());
             PairGraph graph = new PairGraph(pair.initial(), table);
             findings.addAll(new PairRules(input, table, graph, original, evolved).findings());
-            findings.addAll(new PairNotes(input, graph).findings());
+            findings.addAll(new PairNotes(input, table, graph).findings());
         }
         findings.sort(Comparator.comparing(Finding::rule));
         return List.copyOf(findings);

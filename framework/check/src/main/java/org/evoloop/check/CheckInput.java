@@ -54,8 +54,8 @@ public record CheckInput(
             sendable.remove(new Event(name));
             spontaneous.add(new Event(name));
         }
-        return withDevice(
-                new DeviceEvents(sendable, spontaneous, device.costs(), device.doNotPass(), device.boundGuards()));
+        return withDevice(new DeviceEvents(
+                sendable, spontaneous, device.costs(), device.doNotPass(), device.boundGuards(), device.onFailure()));
     }
 
     /** The same with functions. */

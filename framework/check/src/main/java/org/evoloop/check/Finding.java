@@ -12,11 +12,19 @@ import org.evoloop.evolution.Turn;
  * @param message what is wrong, one sentence without a full stop
  * @param mend how to fix it
  * @param example what happens, from the start, until it shows; empty where it shows in the drawing alone, or at once
+ * @param timed the same with times, where they matter; empty where they do not
  * @since 0.1
  */
-public record Finding(Rule rule, Element element, String message, String mend, List<Turn> example) {
+public record Finding(
+        Rule rule, Element element, String message, String mend, List<Turn> example, List<TimedEvent> timed) {
     public Finding {
         example = List.copyOf(example);
+        timed = List.copyOf(timed);
+    }
+
+    /** One in which times do not matter. */
+    public Finding(Rule rule, Element element, String message, String mend, List<Turn> example) {
+        this(rule, element, message, mend, example, List.of());
     }
 
     /** One that shows in the drawing alone. */

@@ -10,7 +10,11 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
+import org.evoloop.evolution.DecisionTable;
+import org.evoloop.evolution.Fallback;
+import org.evoloop.evolution.OnFailure;
 import org.evoloop.evolution.Passage;
+import org.evoloop.evolution.Step;
 import org.evoloop.evolution.Turn;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
@@ -21,17 +25,20 @@ final class PairNotes {
     private static final int NAMED = 3;
 
     private final CheckInput input;
+    private final DecisionTable table;
     private final PairGraph graph;
     private final List<Finding> findings = new ArrayList<>();
 
-    PairNotes(CheckInput input, PairGraph graph) {
+    PairNotes(CheckInput input, DecisionTable table, PairGraph graph) {
         this.input = input;
+        this.table = table;
         this.graph = graph;
     }
 
     List<Finding> findings() {
         swallowed();
         passed();
+        noFallbacks();
         return findings;
     }
 
@@ -100,6 +107,32 @@ final class PairNotes {
                         + ": " + names(passed.transitions()),
                 "nothing, if that may happen; else give an event of the way a cost, or do not let it pass the state",
                 graph.wayOver(passed.first()))));
+    }
+
+    private record Left(Transition transition, Step failed, OnFailure then) {}
+
+    private void noFallbacks() {
+        Map<Left, Turn> without = new LinkedHashMap<>();
+        for (Configuration at : graph.configurations()) {
+            for (Turn turn : graph.turnsFrom(at)) {
+                Transition transition = turn.decision().transition();
+                for (Fallback fallback : Fallback.of(table, turn.decision())) {
+                    if (transition != null && fallback.way() == null) {
+                        without.putIfAbsent(new Left(transition, fallback.failed(), fallback.then()), turn);
+                    }
+                }
+            }
+        }
+        without.forEach((left, turn) -> findings.add(new Finding(
+                Rule.NO_FALLBACK,
+                new Element.OfTransition(Element.ModelRole.NEW, left.transition()),
+                "if " + left.failed().trigger() + " fails in " + left.failed().source() + " on the way for "
+                        + left.transition() + ", no events that can be sent lead "
+                        + (left.then() == OnFailure.GO_BACK
+                                ? "back to " + turn.decision().deviceStart()
+                                : "on to " + turn.decision().after().original()),
+                "let the device stay there, or draw a way that can be sent",
+                graph.wayOver(turn))));
     }
 
     /** The first of them. */

@@ -47,6 +47,14 @@ public enum Rule {
     SWALLOWED_EVENT(Severity.NOTE),
     /** A way leads through a state of the device in which the device does something by itself. */
     PASSED_EFFECT(Severity.NOTE),
+    /** A step of a plan may fail where no way leads back, or no other way on, though that is asked for. */
+    NO_FALLBACK(Severity.WARNING),
+    /** Something must happen before time can pass, and nothing that could happen lets it pass. */
+    TIME_DEADLOCK(Severity.ERROR),
+    /** Two timers are due in one instant. */
+    TIMER_RACE(Severity.WARNING),
+    /** A timer is due while a step of its own visit is still on its way to the device. */
+    STEP_OUTLIVES_VISIT(Severity.WARNING),
     /** A property that was written down for the pair does not hold. */
     PROPERTY(Severity.ERROR);
 

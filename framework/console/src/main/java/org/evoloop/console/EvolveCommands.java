@@ -9,9 +9,12 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.stream.Collectors;
 import org.evoloop.converter.Evolution;
 import org.evoloop.converter.Probation;
+import org.evoloop.converter.Shadow;
+import org.evoloop.converter.ShadowReport;
 import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.migration.Mapping;
@@ -46,10 +49,20 @@ final class EvolveCommands {
                                 --probation-events N: the same for so many events
                                 --no-way-back: also if no way leads back from some of its states""", own::evolve)
                         .completing(before -> before.isEmpty() ? List.of() : OPTIONS),
-                ConsoleCommand.of("rollback", "puts the models before the last evolve back in", own::rollBack));
+                ConsoleCommand.of("rollback", "puts the models before the last evolve back in", own::rollBack),
+                ConsoleCommand.of("shadow [FILE#NAME|off] [OPTION...]", """
+                                tells another new model the same, without performing what it says; alone: what it would
+                                have done otherwise; options as of evolve, which hold when it is promoted""", own::shadow)
+                        .completing(before -> before.isEmpty() ? List.of("off") : OPTIONS),
+                ConsoleCommand.of("promote", "puts the shadow in, as evolve does", own::promote));
     }
 
     private void evolve(List<String> arguments, PrintStream out) {
+        Evolution evolution = asked(arguments);
+        say(converter.evolve(evolution), evolution.probation(), out);
+    }
+
+    private Evolution asked(List<String> arguments) {
         Asked asked = new Asked(new ArrayDeque<>(arguments.subList(1, arguments.size())));
         ModelPair running = converter.knowledge().models();
         String original = asked.original;
@@ -60,17 +73,37 @@ final class EvolveCommands {
                 .withDeadline(asked.within)
                 .whenIdle(asked.idle)
                 .withProbation(new Probation(asked.probation, asked.events, models.watches(arguments.get(0), next)));
-        say(converter.evolve(asked.wayBack ? evolution : evolution.withoutWayBack()), out);
-        if (!asked.probation.isZero() || asked.events > 0) {
-            out.println("on probation: rolls back by itself if anything goes wrong");
+        return asked.wayBack ? evolution : evolution.withoutWayBack();
+    }
+
+    private void shadow(List<String> arguments, PrintStream out) {
+        Optional<Shadow> present = converter.shadow();
+        if (!arguments.isEmpty() && !arguments.get(0).equals("off")) {
+            out.println("shadow of " + converter.shadow(asked(arguments)).report());
+        } else if (present.isEmpty()) {
+            out.println("no shadow; shadow FILE#NAME begins one");
+        } else if (!arguments.isEmpty()) {
+            out.println("ended " + present.get().report());
+            present.get().close();
+        } else {
+            ShadowReport report = present.get().report();
+            out.println(report + "; it would be in " + report.at());
+            report.differences().forEach(out::println);
         }
     }
 
-    private void rollBack(List<String> arguments, PrintStream out) {
-        say(converter.rollBack(), out);
+    private void promote(List<String> arguments, PrintStream out) {
+        Shadow present = converter
+                .shadow()
+                .orElseThrow(() -> new IllegalStateException("no shadow; shadow FILE#NAME begins one"));
+        say(present.promote(), present.evolution().probation(), out);
     }
 
-    private static void say(Evolution.Result result, PrintStream out) {
+    private void rollBack(List<String> arguments, PrintStream out) {
+        say(converter.rollBack(), Probation.NONE, out);
+    }
+
+    private static void say(Evolution.Result result, Probation probation, PrintStream out) {
         out.println("evolved to '" + result.model() + "': " + result.before() + " is " + result.after());
         if (!result.steps().isEmpty()) {
             out.println("the device is sent "
@@ -79,6 +112,9 @@ final class EvolveCommands {
                             .collect(Collectors.joining(", ")));
         }
         result.carried().forEach(carried -> out.println("  " + carried));
+        if (probation.isAny()) {
+            out.println("on probation: rolls back by itself if anything goes wrong");
+        }
     }
 
     /** The options as they were typed. */
@@ -90,7 +126,7 @@ final class EvolveCommands {
         String mapping;
 
         Duration idle = Duration.ZERO;
-        Duration within = Duration.ofSeconds(30);
+        Duration within = Evolution.USUAL_DEADLINE;
         Duration probation = Duration.ZERO;
         int events;
         boolean wayBack = true;

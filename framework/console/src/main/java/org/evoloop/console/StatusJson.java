@@ -20,6 +20,7 @@ import org.jspecify.annotations.Nullable;
  *   <li>{@code components}, a list: {@code name}, {@code role} (monitor, analyze, plan, execute), {@code thread}, {@code
  *       activity} (waiting, working, stuck, ended), {@code failures}, {@code lastFailure}
  *   <li>{@code evolution}: which models took over from which, as long as a way leads back; else empty
+ *   <li>{@code shadow}: what other models would have done beside those that run; empty if there are none
  *   <li>{@code doubt}: why the original state may be wrong, empty if it is sure
  *   <li>{@code function}: {@code state}, {@code thread}, {@code progress} in words, {@code readings} as below; all empty
  *       if no new function runs
@@ -44,6 +45,7 @@ public final class StatusJson {
                 .put("originalState", status.states().original().name())
                 .put("newState", status.states().evolved().name())
                 .put("evolution", status.evolution())
+                .put("shadow", status.shadow())
                 .put("doubt", status.doubt())
                 .put(
                         "lastKnownSince",

@@ -32,6 +32,9 @@ final class StatusText {
         if (!status.evolution().isEmpty()) {
             line(out, "models", status.evolution());
         }
+        if (!status.shadow().isEmpty()) {
+            line(out, "shadow", status.shadow());
+        }
         if (!status.doubt().isEmpty()) {
             line(out, "in doubt", status.doubt());
         }

@@ -59,6 +59,37 @@ class EvolveCommandsTest {
     }
 
     @Test
+    void aShadowIsToldTheSameAndPromoted() {
+        run(
+                "start",
+                "shadow",
+                "promote",
+                "shadow lamp.xml#plain --probation-events 3",
+                "status",
+                "shadow",
+                "shadow off",
+                "shadow lamp.xml#plain --probation-events 3",
+                "promote",
+                "shadow");
+        assertThat(err.lines()).containsExactly("error: no shadow; shadow FILE#NAME begins one");
+        assertThat(out.text()).isEqualTo("""
+                running: original off, new off
+                no shadow; shadow FILE#NAME begins one
+                shadow of 'plain': 0 events, 0 of them decided otherwise
+                converter   lamp, running
+                states      original off, new off
+                shadow      'plain': 0 events, 0 of them decided otherwise
+                now         waiting for an event
+                'plain': 0 events, 0 of them decided otherwise; it would be in (off, off)
+                ended 'plain': 0 events, 0 of them decided otherwise
+                shadow of 'plain': 0 events, 0 of them decided otherwise
+                evolved to 'plain': (off, off) is (off, off)
+                on probation: rolls back by itself if anything goes wrong
+                no shadow; shadow FILE#NAME begins one
+                """);
+    }
+
+    @Test
     void probationIsShownAndAnOptionNeedsItsValue() {
         run(
                 "start",

@@ -23,6 +23,7 @@ class StatusFormatTest {
             new Configuration(new State("On"), new State("Move")),
             "",
             "",
+            "",
             Optional.empty(),
             new QueueStatus(2, 8, 5, 40, 1, 3),
             new ConverterStatus.EventCounts(30, 4, 2, 1),
@@ -93,7 +94,7 @@ class StatusFormatTest {
     void asJson() {
         assertThat(StatusJson.of(BUSY))
                 .startsWith(
-                        "{\"name\":\"robot\",\"loop\":\"running\",\"originalState\":\"On\",\"newState\":\"Move\",\"evolution\":\"\",\"doubt\":\"\",\"lastKnownSince\":null,"
+                        "{\"name\":\"robot\",\"loop\":\"running\",\"originalState\":\"On\",\"newState\":\"Move\",\"evolution\":\"\",\"shadow\":\"\",\"doubt\":\"\",\"lastKnownSince\":null,"
                                 + "\"queue\":{\"depth\":2,\"capacity\":8,\"highest\":5,"
                                 + "\"taken\":40,\"dropped\":1,\"refused\":3},"
                                 + "\"events\":{\"handled\":30,\"ignored\":4,\"stale\":2,\"failed\":1},"
@@ -119,6 +120,7 @@ class StatusFormatTest {
                 BUSY.states(),
                 "",
                 "",
+                "",
                 Optional.of(since),
                 BUSY.queue(),
                 BUSY.events(),
@@ -142,6 +144,7 @@ class StatusFormatTest {
                 BUSY.name(),
                 LoopState.RUNNING,
                 BUSY.states(),
+                "",
                 "",
                 "",
                 Optional.empty(),

@@ -7,7 +7,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.WeakHashMap;
-import org.evoloop.loop.Component;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -28,13 +27,13 @@ final class Belongings {
     }
 
     /**
-     * Takes {@code component}.
+     * Takes {@code thing}.
      *
      * @throws IllegalStateException if it belongs to a converter already
      */
-    void take(Component component) {
+    void take(Object thing, String name) {
         List<String> problems = new ArrayList<>();
-        take(component, component.name(), "make another one", problems);
+        take(thing, name, "make another one", problems);
         if (!problems.isEmpty()) {
             throw new IllegalStateException(problems.get(0));
         }

@@ -14,6 +14,7 @@ import java.util.function.Predicate;
 import org.evoloop.evolution.DecisionTable;
 import org.evoloop.evolution.DeviceEvents;
 import org.evoloop.evolution.ModelPair;
+import org.evoloop.evolution.OnFailure;
 import org.evoloop.evolution.Values;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.statemachine.Event;
@@ -35,6 +36,7 @@ final class Bindings implements Predicate<String> {
     private final Map<String, Effect.OfEvent> effects = new HashMap<>();
     private final Map<Event, Integer> costs = new LinkedHashMap<>();
     private final Set<State> doNotPass = new HashSet<>();
+    private final Map<State, Map<String, OnFailure>> onFailure = new LinkedHashMap<>();
 
     Bindings(ModelPair pair) {
         this.pair = pair;
@@ -61,6 +63,13 @@ final class Bindings implements Predicate<String> {
 
     void doNotPass(String state) {
         doNotPass.add(new State(state));
+    }
+
+    /** Returns what was said before. */
+    @Nullable
+    OnFailure onFailure(String state, String event, OnFailure then) {
+        Map<String, OnFailure> inState = onFailure.computeIfAbsent(new State(state), first -> new LinkedHashMap<>());
+        return inState.put(requireNonNull(event, "the event is null"), requireNonNull(then, "what follows is null"));
     }
 
     /** Whether the guard of this text holds now for an event without values; false if nothing is bound to it. */
@@ -109,7 +118,10 @@ final class Bindings implements Predicate<String> {
 
     /** The same with the ways that are welcome and the guards that can be asked. */
     DeviceEvents refine(DeviceEvents device) {
-        return device.withCosts(costs).withDoNotPass(doNotPass).withBoundGuards(guards.keySet());
+        return device.withCosts(costs)
+                .withDoNotPass(doNotPass)
+                .withBoundGuards(guards.keySet())
+                .withOnFailure(onFailure);
     }
 
     /** What is wrong with what was bound, a line each; see {@link StateKnowledge#problems}. */
@@ -149,7 +161,19 @@ final class Bindings implements Predicate<String> {
                         + Names.hint(state.name(), pair.original().states()));
             }
         }
+        onFailure.forEach((state, byEvent) -> byEvent.keySet().stream()
+                .filter(event -> !leaves(state, event))
+                .forEach(event -> problems.add("it is said what follows when a plan for " + event + " in " + state
+                        + " breaks off, but the new model has no such transition")));
         return problems;
+    }
+
+    private boolean leaves(State state, String event) {
+        return pair.evolved().hasState(state)
+                && pair.evolved().transitionsFrom(state).stream()
+                        .map(Transition::event)
+                        .anyMatch(drawn -> drawn.toString().equals(event)
+                                || drawn.trigger().name().equals(event));
     }
 
     private static boolean draws(StateMachine machine, String effect) {

@@ -78,11 +78,7 @@ final class Construction {
             return built;
         }
         StateKnowledge present = knowledgeOf(evolved, factory);
-        List<String> problems = new ArrayList<>();
-        belongings.take(present, present.name(), "make another one", problems);
-        if (!problems.isEmpty()) {
-            throw refused(problems);
-        }
+        belongings.take(present, present.name());
         return present;
     }
 

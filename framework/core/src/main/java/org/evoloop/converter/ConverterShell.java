@@ -5,11 +5,13 @@ import java.time.Instant;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BooleanSupplier;
 import java.util.stream.Stream;
 import org.evoloop.core.Output;
 import org.evoloop.core.Rules;
+import org.evoloop.core.Sentry;
 import org.evoloop.core.Swap;
 import org.evoloop.core.Tally;
 import org.evoloop.evolution.DecisionTable;
@@ -54,22 +56,26 @@ final class ConverterShell implements LoopListener<Occurrence> {
             FailureLog failures,
             Listeners listeners,
             BooleanSupplier closing,
-            @Nullable ConverterJournal journal) {
+            @Nullable ConverterJournal journal,
+            Sentry.@Nullable Posting posting) {
         this.config = config;
         this.knowledge = new CurrentKnowledge(first);
         this.books = new Books(config, failures, listeners);
         this.hooks = new Hooks(config, closing);
         this.visits = new Visits(config, knowledge, books.transcript(), books.failures());
+        Watchman watchman = new Watchman(config.clock(), posting);
         this.driver = new CoreDriver(
                 new Rules(table, first::timersOf, config.queueCapacity()),
                 config.clock(),
                 knowledge,
                 books,
                 visits::leaving,
-                journal);
+                journal,
+                watchman);
         this.carrier = new Carrier(driver, visits, knowledge, books);
         this.loop = new MapeLoop<>(config, this, carrier::next, driver);
         visits.attach(loop);
+        watchman.attach(driver, loop::offer);
         adopt(first);
     }
 
@@ -99,6 +105,22 @@ final class ConverterShell implements LoopListener<Occurrence> {
         }
         books.listeners().evolved(done);
         return done;
+    }
+
+    /**
+     * Another knowledge is told the same from now on.
+     *
+     * @throws EvolutionException if something keeps it from that now
+     */
+    void shadow(Swap swap) {
+        AtomicBoolean begun = new AtomicBoolean();
+        loop.between(LONGEST_WAIT, () -> {
+            driver.shadow(swap);
+            begun.set(true);
+        });
+        if (!begun.get()) {
+            throw new EvolutionException("an event is in progress");
+        }
     }
 
     private Evolution.Result take(Swap swap, StateKnowledge next, Duration idle, List<EventMonitor> monitors) {
@@ -151,6 +173,7 @@ final class ConverterShell implements LoopListener<Occurrence> {
         for (EventExecute execute : carrier.executes()) {
             hook(execute, "settled", config.stepLimit(), () -> execute.settled(driver.configuration()));
         }
+        driver.watch();
         loop.start(carrier::carryOut);
     }
 
@@ -238,11 +261,13 @@ final class ConverterShell implements LoopListener<Occurrence> {
     ConverterStatus status(String evolution, @Nullable DeviceLink link, Instant closedAt) {
         Optional<Instant> closed = loop.state() == LoopState.RUNNING ? Optional.empty() : Optional.of(closedAt);
         Optional<Instant> down = link == null ? Optional.empty() : link.downSince();
+        ShadowReport shadow = driver.shadowReport();
         return new ConverterStatus(
                 config.name(),
                 loop.state(),
                 driver.configuration(),
                 evolution,
+                shadow == null ? "" : shadow.toString(),
                 driver.doubt(),
                 Stream.concat(closed.stream(), down.stream()).min(Comparator.naturalOrder()),
                 loop.queueStatus(),

@@ -22,6 +22,7 @@ import org.jspecify.annotations.Nullable;
  * @param states the current states of both models
  * @param evolution which models took over from which while it ran, as long as a way leads back, or as its journal says;
  *     else empty
+ * @param shadow what other models would have done beside those that run; empty if there are none
  * @param doubt why the record of the device's state may be wrong; empty if it is certain
  * @param lastKnownSince since when these are only the last states that are known, because the loop is closed or the
  *     device cannot be reached; empty while they are kept up to date
@@ -39,6 +40,7 @@ public record ConverterStatus(
         LoopState loop,
         Configuration states,
         String evolution,
+        String shadow,
         String doubt,
         Optional<Instant> lastKnownSince,
         QueueStatus queue,

@@ -44,8 +44,12 @@ final class CoreDriver implements Intake<Occurrence> {
     private final CoreOutputs outputs;
     private final Books books;
     private final @Nullable ConverterJournal journal;
+    private final Watchman watchman;
 
     private volatile Rules rules;
+
+    /** Other models that are told the same; null if none are. */
+    private @Nullable ShadowCore shadow;
 
     /** When an event came to its end last. */
     private long endedNanos;
@@ -59,7 +63,8 @@ final class CoreDriver implements Intake<Occurrence> {
             CurrentKnowledge knowledge,
             Books books,
             Supplier<String> leaving,
-            @Nullable ConverterJournal journal) {
+            @Nullable ConverterJournal journal,
+            Watchman watchman) {
         this.rules = rules;
         this.clock = clock;
         this.knowledge = knowledge;
@@ -74,7 +79,8 @@ final class CoreDriver implements Intake<Occurrence> {
                                 books.latency(),
                                 rules.table().models().initial()));
         Configuration at = kept == null ? rules.table().models().initial() : kept.at();
-        this.outputs = new CoreOutputs(at, knowledge, books, leaving);
+        this.outputs = new CoreOutputs(at, knowledge, books, leaving, watchman);
+        this.watchman = watchman;
         this.core = kept == null ? new Core(rules, outputs) : new Core(rules, kept, outputs);
         if (kept != null) {
             books.history().countOn(ended(kept.tally()));
@@ -89,10 +95,16 @@ final class CoreDriver implements Intake<Occurrence> {
     @Override
     public synchronized Admission offer(Occurrence occurrence) {
         outputs.admission = Admission.TAKEN;
+        if (core.isOpen() || occurrence.isFact()) {
+            watchman.comes(occurrence, core.at());
+        }
         if (occurrence.source() == Source.TIMER && occurrence instanceof Occurrence.Heard timer) {
             inputs.timerDue(timer.visit(), timer.event(), timer.observedNanos());
         } else {
             inputs.observed(occurrence);
+            if (shadow != null && outputs.admission == Admission.TAKEN) {
+                shadow.observed(occurrence);
+            }
         }
         return outputs.admission;
     }
@@ -122,15 +134,22 @@ final class CoreDriver implements Intake<Occurrence> {
         notifyAll();
     }
 
+    /** Models begin to be watched. */
+    synchronized void watch() {
+        watchman.begin(rules.table().models(), core.at());
+    }
+
     @Override
     public synchronized void opened() {
         outputs.agenda.begin(Agenda.NOBODY);
         inputs.opened(clock.nanoTime());
+        shadow(new Input.Opened(clock.nanoTime()));
     }
 
     @Override
     public synchronized void closed() {
         inputs.closing();
+        shadow(new Input.Closing());
     }
 
     @Override
@@ -268,6 +287,7 @@ final class CoreDriver implements Intake<Occurrence> {
     synchronized void release() {
         outputs.agenda.begin(Agenda.NOBODY);
         inputs.closed();
+        shadow(new Input.Closed());
     }
 
     /** Models or components have changed. */
@@ -294,15 +314,51 @@ final class CoreDriver implements Intake<Occurrence> {
         if (!idle.isZero() && (core.waiting() > 0 || quiet.compareTo(idle) < 0)) {
             throw new EvolutionException("it has not been idle for " + idle.toSeconds() + " s");
         }
-        String hindrance = core.hindrance(swap);
-        if (!hindrance.isEmpty()) {
-            throw new EvolutionException(hindrance);
-        }
+        requirePossible(swap);
+        endShadow();
         outputs.agenda.begin(Agenda.NOBODY);
         inputs.evolved(swap, clock.nanoTime());
         rules = swap.rules();
         knowledge.become(next);
+        watchman.begin(rules.table().models(), core.at());
         return outputs.evolution();
+    }
+
+    private void requirePossible(Swap swap) {
+        String hindrance = core.hindrance(swap);
+        if (!hindrance.isEmpty()) {
+            throw new EvolutionException(hindrance);
+        }
+    }
+
+    // Shadow
+
+    /**
+     * Other models are told the same from now on; nothing is in the loop.
+     *
+     * @throws EvolutionException if they have no place for where the system is
+     */
+    synchronized void shadow(Swap swap) {
+        requirePossible(swap);
+        ShadowCore begun = new ShadowCore(core, swap, clock);
+        shadow = begun;
+        outputs.shadow = begun.hears();
+    }
+
+    private void shadow(Input input) {
+        if (shadow != null) {
+            shadow.follow(input);
+        }
+    }
+
+    synchronized void endShadow() {
+        shadow = null;
+        outputs.shadow = null;
+    }
+
+    /** How the shadow stands; null if there is none. */
+    synchronized @Nullable ShadowReport shadowReport() {
+        return shadow == null ? null : shadow.report();
     }
 
     /** How many events have come to an end that history tells of. */

@@ -31,9 +31,14 @@ final class CoreOutputs implements Outputs {
     /** What became of what was offered last. */
     Admission admission = Admission.TAKEN;
 
+    /** Hears, too, how each event is dealt with; null if nobody does. */
+    @Nullable
+    Outputs shadow;
+
     private final CurrentKnowledge knowledge;
     private final Books books;
     private final Supplier<String> leaving;
+    private final Watchman watchman;
     private volatile Configuration at;
     private Output.@Nullable Evolved evolution;
 
@@ -41,7 +46,9 @@ final class CoreOutputs implements Outputs {
     private @Nullable Event unknown;
 
     /** @param leaving how far the function is that is about to be left, in words; empty if there is none */
-    CoreOutputs(Configuration at, CurrentKnowledge knowledge, Books books, Supplier<String> leaving) {
+    CoreOutputs(
+            Configuration at, CurrentKnowledge knowledge, Books books, Supplier<String> leaving, Watchman watchman) {
+        this.watchman = watchman;
         this.leaving = leaving;
         this.at = at;
         this.knowledge = knowledge;
@@ -58,6 +65,9 @@ final class CoreOutputs implements Outputs {
         if (output instanceof Output.Directive directive) {
             agenda.add(directive);
         }
+        if (shadow != null) {
+            shadow.say(output);
+        }
     }
 
     @Override
@@ -72,12 +82,18 @@ final class CoreOutputs implements Outputs {
         begun = pending;
         books.flight().begun(pending.occurrence());
         books.transcript().observed(pending.occurrence());
+        if (shadow != null) {
+            shadow.begin(pending);
+        }
     }
 
     @Override
     public void send(Step step) {
         agenda.add(new Output.Send(step));
         books.transcript().step(step);
+        if (shadow != null) {
+            shadow.send(step);
+        }
     }
 
     @Override
@@ -105,6 +121,9 @@ final class CoreOutputs implements Outputs {
         books.latency().record(waitedNanos);
         books.listeners().converted(waitedNanos);
         books.flight().decided(waitedNanos);
+        if (shadow != null) {
+            shadow.decided(pending, decision, waitedNanos);
+        }
     }
 
     @Override
@@ -115,11 +134,15 @@ final class CoreOutputs implements Outputs {
     @Override
     public void took(Step step) {
         books.transcript().command(step.trigger());
+        if (shadow != null) {
+            shadow.took(step);
+        }
     }
 
     @Override
     public void moved(Configuration before, Configuration after) {
         at = after;
+        watchman.moved(after);
         books.listeners().moved(before, after);
     }
 
@@ -157,9 +180,15 @@ final class CoreOutputs implements Outputs {
             warnOfUnknown(heard, outcome, detail);
         } else if (occurrence instanceof Occurrence.Found && outcome == Outcome.FAILED) {
             books.failures().warnSoon(detail);
+        } else if (occurrence instanceof Occurrence.Violated violated) {
+            books.failures().warnSoon("'" + violated.property() + "' is violated in " + after);
+            books.transcript().violated(violated);
         }
         books.transcript().ended(occurrence, after);
         books.record(occurrence, before, after, outcome, decision, detail);
+        if (shadow != null) {
+            shadow.ended(occurrence, before, after, outcome, decision, detail);
+        }
     }
 
     /** An event that neither model knows is told once a burst: until another one comes. */

@@ -19,7 +19,8 @@ import org.evoloop.migration.Mapping;
  * @since 0.1
  */
 public final class Evolution {
-    private static final Duration USUAL_DEADLINE = Duration.ofSeconds(30);
+    /** How long it is tried unless something else is said. */
+    public static final Duration USUAL_DEADLINE = Duration.ofSeconds(30);
 
     private final StateKnowledge next;
     private final Mapping mapping;
@@ -79,7 +80,7 @@ public final class Evolution {
         return duration;
     }
 
-    /** Everything goes by name, within 30 s, without probation. */
+    /** Everything goes by name, within {@link #USUAL_DEADLINE}, without probation. */
     public static Evolution to(StateKnowledge next) {
         return new Evolution(next, Mapping.byName(), USUAL_DEADLINE, Duration.ZERO, Probation.NONE, true);
     }
@@ -125,7 +126,8 @@ public final class Evolution {
         return idle;
     }
 
-    Probation probation() {
+    /** How long it is on trial. */
+    public Probation probation() {
         return probation;
     }
 

@@ -1,6 +1,5 @@
 package org.evoloop.converter;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
@@ -34,11 +33,19 @@ final class Evolver {
 
     private volatile @Nullable Trial trial;
 
+    private volatile @Nullable Shadow shadow;
+
     /** From which models it had evolved before its process was started, by what it was built with. */
     private volatile @Nullable WayBack resumed;
 
     /** What leads back to the models before. */
-    private record WayBack(StateKnowledge from, StateKnowledge to, Mapping mapping) {}
+    private record WayBack(StateKnowledge from, StateKnowledge to, Mapping mapping) {
+        /** For messages. */
+        String tookOver() {
+            return "'" + from.models().evolved().name() + "', which took over from '"
+                    + to.models().evolved().name() + "'";
+        }
+    }
 
     /** What has been checked and compiled, as long as the converter has this knowledge and these components. */
     private record Prepared(StateKnowledge present, Assembly components, Swap swap) {}
@@ -53,7 +60,7 @@ final class Evolver {
     /** As {@link SystemEventConverter#evolve}. */
     Evolution.Result evolve(ConverterShell shell, Evolution evolution) {
         StateKnowledge next = evolution.next();
-        changes.change(() -> take(next));
+        changes.change(() -> belongings.take(next, next.name()));
         try {
             return evolve(shell, evolution, false);
         } catch (RuntimeException refused) {
@@ -64,7 +71,7 @@ final class Evolver {
 
     /** As {@link SystemEventConverter#rollBack}. */
     Evolution.Result rollBack(ConverterShell shell, String why) {
-        WayBack back = wayBack;
+        WayBack back = wayBack == null ? resumed : wayBack;
         if (back == null || back.from() != shell.knowledge()) {
             throw new IllegalStateException("there is nothing to roll back to: the converter " + config.name()
                     + " has not evolved, or said that it need not be undone");
@@ -73,11 +80,54 @@ final class Evolver {
         return evolve(shell, Evolution.to(back.to()).withMapping(back.mapping()).withoutWayBack(), true);
     }
 
-    private void take(StateKnowledge next) {
-        List<String> problems = new ArrayList<>();
-        belongings.take(next, next.name(), "make another one", problems);
-        if (!problems.isEmpty()) {
-            throw new IllegalStateException(String.join("; ", problems));
+    /** As {@link SystemEventConverter#shadow(Evolution)}. */
+    Shadow shadow(ConverterShell shell, Evolution evolution) {
+        Shadow begun = new Shadow(this, shell, evolution);
+        StateKnowledge next = evolution.next();
+        changes.change(() -> {
+            belongings.take(next, next.name());
+            try {
+                shell.shadow(compile(shell, evolution, false).swap());
+            } catch (RuntimeException refused) {
+                belongings.giveBack(next);
+                throw refused;
+            }
+            forgetShadow(null);
+            shadow = begun;
+        });
+        return begun;
+    }
+
+    /** The one that has not ended; null if there is none. */
+    @Nullable
+    Shadow shadow() {
+        return shadow;
+    }
+
+    /** As {@link Shadow#promote}. */
+    Evolution.Result promote(Shadow promoted, ConverterShell shell) {
+        if (shadow != promoted) {
+            throw new IllegalStateException("the shadow has ended");
+        }
+        return evolve(shell, promoted.evolution(), false);
+    }
+
+    /** As {@link Shadow#close}. */
+    void end(Shadow ended, ConverterShell shell) {
+        changes.change(() -> {
+            if (shadow == ended) {
+                shell.driver.endShadow();
+                forgetShadow(null);
+            }
+        });
+    }
+
+    /** @param adopted the knowledge that has taken over, if any has */
+    private void forgetShadow(@Nullable StateKnowledge adopted) {
+        Shadow ended = shadow;
+        shadow = null;
+        if (ended != null && ended.evolution().next() != adopted) {
+            belongings.giveBack(ended.evolution().next());
         }
     }
 
@@ -109,7 +159,7 @@ final class Evolver {
     }
 
     /** Checks everything, and compiles what the next models make of each event. */
-    private Prepared prepare(ConverterShell shell, Evolution evolution, boolean back) {
+    private Prepared compile(ConverterShell shell, Evolution evolution, boolean back) {
         StateKnowledge next = evolution.next();
         StateKnowledge present = shell.knowledge();
         Assembly components = assembly.get();
@@ -120,7 +170,6 @@ final class Evolver {
         if (evolution.needsWayBack() && !back) {
             requireWayBack(Swap.of(rules, running, evolution.mapping().reversed()), rules, running);
         }
-        shell.driver.prepare(rules);
         return new Prepared(present, components, Swap.of(running, rules, evolution.mapping()));
     }
 
@@ -157,7 +206,8 @@ final class Evolver {
         public void run() {
             Prepared ready = prepared;
             if (ready == null || ready.components() != assembly.get() || ready.present() != shell.knowledge()) {
-                ready = prepare(shell, evolution, back);
+                ready = compile(shell, evolution, back);
+                shell.driver.prepare(ready.swap().rules());
                 prepared = ready;
             }
             StateKnowledge next = evolution.next();
@@ -171,6 +221,7 @@ final class Evolver {
             Mapping reversed = evolution.mapping().reversed();
             boolean leadsBack = !back && evolution.needsWayBack();
             endTrial();
+            forgetShadow(next);
             wayBack = leadsBack ? new WayBack(next, ready.present(), reversed) : null;
             if (back) {
                 belongings.giveBack(ready.present());
@@ -206,14 +257,10 @@ final class Evolver {
         WayBack back = wayBack;
         Trial running = trial;
         WayBack before = resumed;
-        if (back == null && before != null && before.from() == present) {
-            return "'" + present.models().evolved().name() + "', which took over from '"
-                    + before.to().models().evolved().name() + "' before the program was started";
+        if (back != null) {
+            return back.tookOver()
+                    + (running == null || running.isOver() ? "" : ", on probation " + running.describe());
         }
-        return back == null
-                ? ""
-                : "'" + back.from().models().evolved().name() + "', which took over from '"
-                        + back.to().models().evolved().name() + "'"
-                        + (running == null || running.isOver() ? "" : ", on probation " + running.describe());
+        return before == null || before.from() != present ? "" : before.tookOver() + " before the program was started";
     }
 }

@@ -18,6 +18,7 @@ import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.DeviceEvents;
 import org.evoloop.evolution.EventNames;
 import org.evoloop.evolution.ModelPair;
+import org.evoloop.evolution.OnFailure;
 import org.evoloop.evolution.Values;
 import org.evoloop.function.NewFunction;
 import org.evoloop.loop.Knowledge;
@@ -167,6 +168,17 @@ public class StateKnowledge extends Knowledge {
     /** No path of several events leads through {@code state} of the original model; it may begin or end there. */
     protected final void doNotPass(String state) {
         bindings.doNotPass(state);
+    }
+
+    /**
+     * Says what follows when a step of a plan fails, so that the device is somewhere on the way. Unless this is said it
+     * stays there.
+     *
+     * @param state of the new model, in which the event comes
+     * @param event with its guards, as in {@code press [hot]}, if only that transition is meant
+     */
+    protected final void onFailure(String state, String event, OnFailure then) {
+        noteIfRepeated("what follows on failure", event + " in " + state, bindings.onFailure(state, event, then));
     }
 
     /**

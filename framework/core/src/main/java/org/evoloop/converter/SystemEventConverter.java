@@ -4,10 +4,11 @@ import static java.util.Objects.requireNonNull;
 
 import java.time.Instant;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.function.Function;
 import java.util.function.Supplier;
-import org.evoloop.evolution.DecisionTable;
+import org.evoloop.core.Sentry;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.loop.Component;
@@ -51,11 +52,12 @@ public final class SystemEventConverter implements AutoCloseable {
     private final ChangeLock changes;
     private final Stopping stopping;
     private final Evolver evolver;
-    private Assembly assembly = new Assembly();
+    private final Crewing crewing;
     private @Nullable StateKnowledge knowledge;
     private volatile @Nullable Function<ModelPair, ? extends StateKnowledge> knowledgeFactory;
     private volatile @Nullable DeviceLink link;
     private @Nullable ConverterJournal journal;
+    private Sentry.@Nullable Posting posting;
     private volatile @Nullable ConverterShell shell;
 
     /** When the loop was closed last, or built. */
@@ -69,7 +71,8 @@ public final class SystemEventConverter implements AutoCloseable {
         this.listeners = new Listeners(config, failures);
         this.changes = new ChangeLock(config.name(), this::isComponent, this::ownsCurrentThread);
         this.stopping = new Stopping(config.name());
-        this.evolver = new Evolver(config, changes, belongings, () -> assembly);
+        this.crewing = new Crewing(belongings);
+        this.evolver = new Evolver(config, changes, belongings, crewing::present);
     }
 
     /** Adds a monitor, also while the converter runs. @throws IllegalStateException if the name is taken */
@@ -156,6 +159,22 @@ public final class SystemEventConverter implements AutoCloseable {
         });
     }
 
+    /**
+     * Has a sentry watch this converter from each start on, and from each time at which other models take over. What it finds
+     * to be violated is an event of the history that has failed.
+     *
+     * @throws IllegalStateException if it has been built, or is watched already
+     */
+    public void watch(Sentry.Posting sentries) {
+        changes.change(() -> {
+            if (shell != null || posting != null) {
+                throw new IllegalStateException(
+                        "converter " + config.name() + " has been built, or is watched already");
+            }
+            posting = requireNonNull(sentries, "the sentries are null");
+        });
+    }
+
     private void closeJournal() {
         if (journal != null) {
             journal.close();
@@ -178,29 +197,7 @@ public final class SystemEventConverter implements AutoCloseable {
 
     private void add(Component component) {
         requireNonNull(component, "the component is null");
-        changes.change(() -> addInTurn(component));
-    }
-
-    private void addInTurn(Component component) {
-        ConverterShell built = shell;
-        Assembly changed = assembly.with(component);
-        if (built != null) {
-            DecisionTable table = changed.decisions(built.knowledge());
-            taking(component, () -> built.join(component));
-            built.use(table, changed.executes());
-        }
-        assembly = changed;
-    }
-
-    /** Takes {@code component} for {@code change}; gives it back if that is refused. */
-    private void taking(Component component, Runnable change) {
-        belongings.take(component);
-        try {
-            change.run();
-        } catch (RuntimeException refused) {
-            belongings.giveBack(component);
-            throw refused;
-        }
+        changes.change(() -> crewing.add(shell, component));
     }
 
     /**
@@ -221,7 +218,7 @@ public final class SystemEventConverter implements AutoCloseable {
         if (shell != null) {
             throw new IllegalStateException("converter " + config.name() + " has been built before");
         }
-        Construction construction = new Construction(config, belongings, assembly);
+        Construction construction = new Construction(config, belongings, crewing.present());
         StateKnowledge complete = construction.complete(known);
         try {
             StateKnowledge present = construction.present(complete, journal, knowledgeFactory);
@@ -230,7 +227,7 @@ public final class SystemEventConverter implements AutoCloseable {
                     present,
                     present != complete,
                     table -> new ConverterShell(
-                            config, present, table, failures, listeners, changes::isClosing, journal));
+                            config, present, table, failures, listeners, changes::isClosing, journal, posting));
             closedAt = config.clock().wallTime();
         } catch (RuntimeException refused) {
             belongings.giveBackAll(null);
@@ -334,18 +331,7 @@ public final class SystemEventConverter implements AutoCloseable {
      */
     public void remove(String name) {
         ConverterShell built = built();
-        changes.change(() -> removeInTurn(built, name));
-    }
-
-    private void removeInTurn(ConverterShell built, String name) {
-        Assembly changed = assembly.without(name);
-        DecisionTable table = changed.has(Component.Role.EXECUTE)
-                ? changed.decisions(built.knowledge())
-                : built.driver.rules().table();
-        built.loop.remove(name);
-        belongings.giveBack(assembly.require(name));
-        assembly = changed;
-        built.use(table, changed.executes());
+        changes.change(() -> crewing.remove(built, name));
     }
 
     /**
@@ -357,19 +343,7 @@ public final class SystemEventConverter implements AutoCloseable {
     public void exchange(String name, Component next) {
         ConverterShell built = built();
         requireNonNull(next, "what shall take the place of " + name + " is null");
-        changes.change(() -> exchangeInTurn(built, name, next));
-    }
-
-    private void exchangeInTurn(ConverterShell built, String name, Component next) {
-        built.loop.requireExchangeable(name, next);
-        Assembly changed = assembly.with(name, next);
-        DecisionTable table = changed.decisions(built.knowledge());
-        taking(next, () -> {
-            built.attach(next);
-            built.loop.exchange(name, next, () -> built.use(table, changed.executes()));
-        });
-        belongings.giveBack(assembly.require(name));
-        assembly = changed;
+        changes.change(() -> crewing.exchange(built, name, next));
     }
 
     /**
@@ -403,13 +377,29 @@ public final class SystemEventConverter implements AutoCloseable {
     }
 
     /**
-     * Puts the models before the last {@link #evolve} back in their place, in the same way.
+     * Puts the models before the last {@link #evolve} back, in the same way; after a start, those with which it was built.
      *
      * @throws IllegalStateException if there was none, or it was one without a way back
      * @throws EvolutionException as in {@link #evolve}
      */
     public Evolution.Result rollBack() {
         return evolver.rollBack(built(), "as its owner asked for");
+    }
+
+    /**
+     * Tells other models the same from now on, and compares what they make of it. A shadow before it ends.
+     *
+     * @param evolution by which {@link Shadow#promote} puts them in
+     * @throws ModelException as in {@link #evolve}
+     * @throws EvolutionException if they have no place for where the system is at this moment
+     */
+    public Shadow shadow(Evolution evolution) {
+        return evolver.shadow(built(), evolution);
+    }
+
+    /** The shadow that has not ended. */
+    public Optional<Shadow> shadow() {
+        return Optional.ofNullable(evolver.shadow());
     }
 
     /** Queues an occurrence as if a monitor had reported it; false if it was refused or dropped. */
@@ -460,8 +450,7 @@ public final class SystemEventConverter implements AutoCloseable {
     }
 
     /**
-     * The last events and what became of them, oldest first. Those that are not remembered any more are read from the journal, as
-     * far as it reaches; that takes some seconds if it is large.
+     * The same, and those before them that the journal has; reading it takes some seconds if it is large.
      *
      * @param count how many at most, 1 to {@value #MOST_HISTORY}
      * @throws IllegalArgumentException if it is another number

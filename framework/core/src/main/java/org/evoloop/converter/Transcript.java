@@ -131,6 +131,18 @@ final class Transcript {
         line("***  The converter has {}.  ***  ", occurrence.label());
     }
 
+    /** A property is violated; nobody waits for the logger here. */
+    synchronized void violated(Occurrence.Violated occurrence) {
+        String text = "***  A " + occurrence.label() + ".  ***  ";
+        if (!inEvent) {
+            line("{}", text);
+        } else if (later.size() < MOST_LATER) {
+            later.add(text);
+        } else {
+            leftOut++;
+        }
+    }
+
     /** An occurrence has come to its end, or its plan was overtaken. */
     void ended(Occurrence occurrence, Configuration now) {
         if (occurrence != about) {

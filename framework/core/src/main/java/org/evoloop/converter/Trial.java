@@ -3,6 +3,7 @@ package org.evoloop.converter;
 import java.util.function.Consumer;
 import org.evoloop.core.Outcome;
 import org.evoloop.evolution.Decision;
+import org.evoloop.evolution.Occurrence;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.time.Clock;
 import org.evoloop.time.Threads;
@@ -86,6 +87,9 @@ final class Trial implements ConverterListener {
     }
 
     private String fault(HistoryEntry entry) {
+        if (entry.occurrence() instanceof Occurrence.Violated violated) {
+            return "'" + violated.property() + "' is violated";
+        }
         if (entry.outcome() == Outcome.FAILED) {
             return entry.occurrence().label() + " failed: " + entry.detail();
         }

@@ -12,6 +12,7 @@ import org.jspecify.annotations.Nullable;
 
 /** How occurrences come in, wait, and get their turn. */
 final class Arrivals {
+    private static final String VIOLATED = "what was written of time was not kept";
     private static final String OVERTAKEN = "the device has been sent an event since";
 
     private final Ledger ledger;
@@ -29,6 +30,8 @@ final class Arrivals {
     void observe(Occurrence occurrence) {
         if (occurrence instanceof Occurrence.Found found) {
             find(found);
+        } else if (occurrence instanceof Occurrence.Violated) {
+            endAtOnce(occurrence, Outcome.FAILED, VIOLATED);
         } else if (occurrence instanceof Occurrence.Heard heard) {
             hear(heard);
         } else {

@@ -1,11 +1,14 @@
 package org.evoloop.core;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import java.util.Set;
+import org.evoloop.evolution.BrokenPlan;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;
+import org.evoloop.evolution.OnFailure;
 import org.evoloop.evolution.Step;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.Transition;
@@ -195,10 +198,51 @@ final class Conversion {
         if (next.attempts() > MOST_ATTEMPTS || (!ledger.open && !next.hasHappened())) {
             conclude(next.number(), Outcome.FAILED, "overtaken: " + why);
         } else {
-            progress.end();
-            ledger.line.addFirst(next);
-            ledger.out.overtaken(next.occurrence(), why);
+            retry(next, why);
         }
+    }
+
+    /** The occurrence in progress has its turn again before all others, as {@code next}. */
+    private void retry(Pending next, String why) {
+        progress.end();
+        ledger.line.addFirst(next);
+        ledger.out.overtaken(next.occurrence(), why);
+    }
+
+    /** What was to be done next for the occurrence in progress has failed, and has had no effect. */
+    void fail(long number, String reason) {
+        if (!progress.isOf(number)) {
+            return;
+        }
+        Pending pending = progress.pending();
+        BrokenPlan before = pending.broken();
+        BrokenPlan broken = broken(pending, reason);
+        if (broken != null) {
+            retry(pending.after(broken), reason);
+        } else {
+            conclude(number, Outcome.FAILED, before == null ? reason : before.reason() + "; then " + reason);
+        }
+    }
+
+    /** What more is to be done about it; null if nothing is. */
+    private @Nullable BrokenPlan broken(Pending pending, String reason) {
+        Decision decision = progress.decision();
+        Transition transition = decision == null ? null : decision.transition();
+        Step failed = progress.step();
+        if (decision == null || transition == null || failed == null || !ledger.open) {
+            return null;
+        }
+        OnFailure then = ledger.rules.table().device().onFailure(transition);
+        BrokenPlan before = pending.broken();
+        State begun = before == null ? decision.deviceStart() : before.begun();
+        boolean isPossible = switch (then) {
+            case STAY -> false;
+            case GO_BACK -> !begun.equals(ledger.place.at().original());
+            case OTHER_WAY -> pending.attempts() < MOST_ATTEMPTS;
+        };
+        List<Step> all = new ArrayList<>(before == null ? List.of() : before.failed());
+        all.add(failed);
+        return isPossible ? new BrokenPlan(then, reason, begun, all) : null;
     }
 
     /** The occurrence in progress ends before its plan was carried out. */

@@ -168,7 +168,7 @@ public final class Core implements Inputs {
     @Override
     public void failed(long number, String reason, long atNanos) {
         ledger.isAt(atNanos);
-        conversion.conclude(number, Outcome.FAILED, reason);
+        conversion.fail(number, reason);
     }
 
     @Override
@@ -236,6 +236,11 @@ public final class Core implements Inputs {
     /** Whether the step that was asked for may be sent: it was announced, and nothing has overtaken it. */
     public boolean maySend(long number) {
         return ledger.progress.isOf(number) && ledger.progress.isSending();
+    }
+
+    /** Whether controllers' events are taken. */
+    public boolean isOpen() {
+        return ledger.open;
     }
 
     /** Whether an occurrence is in progress. */

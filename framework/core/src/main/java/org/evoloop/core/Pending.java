@@ -1,5 +1,6 @@
 package org.evoloop.core;
 
+import org.evoloop.evolution.BrokenPlan;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Step;
 import org.evoloop.statemachine.State;
@@ -15,6 +16,7 @@ import org.jspecify.annotations.Nullable;
  * @param own the step of its model that the device took; null if it took none
  * @param stepsBefore how many steps had been sent when it was observed
  * @param attempts how often its plan was overtaken
+ * @param broken the plan for it that has broken off; null if none has, or nothing more is to be done about it
  * @since 0.1
  */
 public record Pending(
@@ -23,7 +25,19 @@ public record Pending(
         @Nullable State from,
         @Nullable Step own,
         long stepsBefore,
-        int attempts) {
+        int attempts,
+        @Nullable BrokenPlan broken) {
+
+    /** One of which no plan has broken off. */
+    public Pending(
+            long number,
+            Occurrence occurrence,
+            @Nullable State from,
+            @Nullable Step own,
+            long stepsBefore,
+            int attempts) {
+        this(number, occurrence, from, own, stepsBefore, attempts, null);
+    }
 
     /** Whether it has happened at the device, or is about what has. */
     boolean hasHappened() {
@@ -32,7 +46,12 @@ public record Pending(
 
     /** The same for another attempt. */
     Pending again() {
-        return new Pending(number, occurrence, from, own, stepsBefore, attempts + 1);
+        return new Pending(number, occurrence, from, own, stepsBefore, attempts + 1, broken);
+    }
+
+    /** The same for another attempt, after a plan for it has broken off. */
+    Pending after(BrokenPlan plan) {
+        return new Pending(number, occurrence, from, own, stepsBefore, attempts + 1, plan);
     }
 
     /** The same in the visit {@code after}, if it belongs to the visit {@code before}. */
@@ -47,6 +66,6 @@ public record Pending(
     }
 
     private Pending with(Occurrence another) {
-        return new Pending(number, another, from, own, stepsBefore, attempts);
+        return new Pending(number, another, from, own, stepsBefore, attempts, broken);
     }
 }

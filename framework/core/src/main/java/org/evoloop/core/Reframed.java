@@ -4,11 +4,16 @@ import java.util.List;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.statemachine.Event;
 
-/** Occurrences as another visit, or another clock, has them. */
-final class Reframed {
+/**
+ * Occurrences as another visit, or another clock, has them.
+ *
+ * @since 0.1
+ */
+public final class Reframed {
     private Reframed() {}
 
-    static Occurrence inVisit(Occurrence occurrence, long visit) {
+    /** The same, which belongs to {@code visit}. */
+    public static Occurrence inVisit(Occurrence occurrence, long visit) {
         return of(occurrence, visit, occurrence.observedNanos());
     }
 
@@ -34,6 +39,8 @@ final class Reframed {
             return new Occurrence.Found(found.state(), atNanos);
         } else if (occurrence instanceof Occurrence.Evolved evolved) {
             return new Occurrence.Evolved(evolved.model(), atNanos);
+        } else if (occurrence instanceof Occurrence.Violated violated) {
+            return new Occurrence.Violated(violated.property(), atNanos);
         }
         return new Occurrence.InDoubt(((Occurrence.InDoubt) occurrence).why(), atNanos);
     }

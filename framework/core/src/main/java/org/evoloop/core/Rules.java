@@ -28,6 +28,11 @@ public record Rules(DecisionTable table, Timers timers, int queueCapacity) {
      * @param holds whether the guard of this text holds now
      */
     public Decision decide(Configuration at, long steps, Pending pending, Predicate<String> holds) {
+        Decision usual = usual(at, steps, pending, holds);
+        return pending.broken() == null ? usual : table.afterFailure(usual, at, pending.broken());
+    }
+
+    private Decision usual(Configuration at, long steps, Pending pending, Predicate<String> holds) {
         Occurrence occurrence = pending.occurrence();
         State from = pending.from();
         if (occurrence instanceof Occurrence.Heard heard) {

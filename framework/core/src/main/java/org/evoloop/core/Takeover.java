@@ -29,22 +29,27 @@ final class Takeover {
 
     /** What keeps the models of {@code swap} from taking over now, for people; empty if nothing does. */
     String hindrance(Swap swap) {
+        String obstacle = obstacle();
+        return obstacle.isEmpty() && swap.succession().fate(ledger.place.at()) instanceof Fate.Stuck stuck
+                ? stuck.because()
+                : obstacle;
+    }
+
+    /** What keeps any models from that. */
+    private String obstacle() {
         Doubt doubt = ledger.place.doubt();
         if (ledger.progress.isInterrupted()) {
             return "the plan for " + ledger.progress.pending().occurrence().label()
                     + " was interrupted; it goes on when the converter is started";
         } else if (!ledger.progress.isIdle() || ledger.line.isRetryNext()) {
             return "an event is in progress";
-        } else if (doubt != null) {
-            return "nobody knows for sure where the device is: " + doubt.why();
         }
-        Fate fate = swap.succession().fate(ledger.place.at());
-        return fate instanceof Fate.Stuck stuck ? stuck.because() : "";
+        return doubt == null ? "" : "nobody knows for sure where the device is: " + doubt.why();
     }
 
     /** Nothing happens if anything {@linkplain #hindrance keeps it} from that. */
     void take(Swap swap) {
-        if (hindrance(swap).isEmpty() && swap.succession().fate(ledger.place.at()) instanceof Fate.Maps maps) {
+        if (obstacle().isEmpty() && swap.succession().fate(ledger.place.at()) instanceof Fate.Maps maps) {
             take(swap, maps);
         }
     }
@@ -85,15 +90,14 @@ final class Takeover {
     // What waits
 
     private void line(Succession succession, Fate.Maps maps, boolean goesOn) {
-        List<Pending> waiting = ledger.line.waiting();
-        ledger.line.replace(
-                pending -> isOver(pending.occurrence(), maps, goesOn) ? null : in(pending, succession, maps));
-        for (Pending pending : waiting) {
-            if (isOver(pending.occurrence(), maps, goesOn)) {
-                String why = "what raised it has ended with the models before";
-                ledger.ended(pending.occurrence(), ledger.place.at(), Outcome.STALE, null, why);
+        ledger.line.replace(pending -> {
+            if (!isOver(pending.occurrence(), maps, goesOn)) {
+                return in(pending, succession, maps);
             }
-        }
+            String why = "what raised it has ended with the models before";
+            ledger.ended(pending.occurrence(), ledger.place.at(), Outcome.STALE, null, why);
+            return null;
+        });
     }
 
     /** Whether what raised it is not carried over. */
@@ -162,19 +166,16 @@ final class Takeover {
                 kept.add(each.becomes());
             }
         }
-        if (goesOn) {
-            ledger.stay.goOn(state, by, left, kept, ledger.rules, ledger.nowNanos);
-            if (!wasOver && ledger.open) {
-                ledger.out.carryOver(ledger.stay.number(), state, ledger.stay.inOrder());
-            }
-            return;
+        if (!goesOn) {
+            ledger.stay.leave(ledger.out);
         }
-        ledger.stay.leave(ledger.out);
         ledger.stay.goOn(state, by, left, kept, ledger.rules, ledger.nowNanos);
-        if (maps.steps().isEmpty()) {
-            long before = ledger.stay.number();
+        long visit = ledger.stay.number();
+        if (goesOn && !wasOver && ledger.open) {
+            ledger.out.carryOver(visit, state, ledger.stay.inOrder());
+        } else if (!goesOn && maps.steps().isEmpty()) {
             ledger.enterAsLeft();
-            ledger.start(before, false);
+            ledger.start(visit, false);
         }
     }
 }

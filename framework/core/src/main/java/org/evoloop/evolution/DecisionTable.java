@@ -41,7 +41,6 @@ public final class DecisionTable {
     private final GuardedTriggers evolvedGuards;
     /** In the order in which they were reached, which is that of their numbers. */
     private final Map<Configuration, Integer> situations = new LinkedHashMap<>();
-
     /** The same by their numbers, those that are still to be explored included. */
     private final List<Configuration> reached = new ArrayList<>();
 
@@ -132,10 +131,7 @@ public final class DecisionTable {
         }
     }
 
-    /**
-     * What can happen in {@code at} as it should: events that the new model accepts there, and what the device does of its
-     * own accord.
-     */
+    /** What can happen in {@code at} as it should: events that the new model accepts, and what the device does by itself. */
     public List<Turn> expected(Configuration at) {
         return expected(at, situation(at));
     }
@@ -161,10 +157,10 @@ public final class DecisionTable {
     }
 
     private List<Turn> interference(Configuration at, int situation) {
-        List<Turn> turns = new ArrayList<>();
         if (!interferes) {
-            return turns;
+            return List.of();
         }
+        List<Turn> turns = new ArrayList<>();
         for (Transition transition : pair.evolved().transitionsFrom(at.evolved())) {
             if (isSpontaneous(transition)
                     && evolvedGuards.shadowOf(transition) == null
@@ -216,9 +212,7 @@ public final class DecisionTable {
         if (asked.get(situation, number) == null) {
             Transition same = conversion.originalTransition(at.original(), event);
             asked.put(situation, number, conversion.decide(at, event, false, transition, same));
-            // Where the device itself has no transition, it makes no difference whether it has acted already; where it
-            // is
-            // not said to act by itself, what its doing so means is decided when that happens.
+            // If the device is not said to act by itself, what its doing so means is decided when that happens.
             if (same != null && device.spontaneous().contains(event.trigger())) {
                 acted.put(situation, number, conversion.decide(at, event, true, transition, same));
             }
@@ -425,14 +419,21 @@ public final class DecisionTable {
     }
 
     /**
-     * What it takes that device and evolved system stand together, where another pair of models has led: nothing if they do;
-     * else a way to a state of the device in which the new model's may be.
-     *
-     * @param at in states of these models
-     * @return a {@link Decision.Sending}, or {@link Decision.Impossible}
+     * What it takes that device and evolved system stand together, where another pair of models has led: nothing, or a way to
+     * a state of the device in which the new model's may be; a {@link Decision.Sending} or {@link Decision.Impossible}.
      */
     public synchronized Decision settle(Configuration at) {
         return conversion.settle(at, standsTogether(at) ? List.of(at.original()) : companions(at.evolved()));
+    }
+
+    /**
+     * What is to be done for an event whose plan has broken off: a {@link Decision.Impossible} with the way back as its
+     * steps; another way, or that there is none.
+     *
+     * @param usual what the event means now, had nothing failed
+     */
+    public synchronized Decision afterFailure(Decision usual, Configuration at, BrokenPlan broken) {
+        return conversion.afterFailure(usual, at, broken);
     }
 
     /** The states of the device in which {@code evolved} may be: those that it is, or for a new one all that go with it. */

@@ -1,11 +1,13 @@
 package org.evoloop.evolution;
 
+import java.util.HashMap;
 import java.util.LinkedHashSet;
 import java.util.Map;
 import java.util.Set;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
+import org.evoloop.statemachine.Transition;
 
 /**
  * What passes between converter and device, and which ways through the device's states a plan may take.
@@ -18,6 +20,8 @@ import org.evoloop.statemachine.StateMachine;
  * @param costs what sending an event costs, from 1 to {@value #MAX_COST}; 1 for those that are not named
  * @param doNotPass states of the device in which a way may begin and end, but through which none may lead
  * @param boundGuards texts of the guards that can be asked; a way never leads over a transition whose guard cannot
+ * @param onFailure what follows when a step fails of a plan for an event in a state of the new model; the device stays where
+ *     nothing is said. Events are written as {@link Event#toString} does; without guards, all of the trigger are meant
  * @since 0.1
  */
 public record DeviceEvents(
@@ -25,7 +29,8 @@ public record DeviceEvents(
         Set<Event> spontaneous,
         Map<Event, Integer> costs,
         Set<State> doNotPass,
-        Set<String> boundGuards) {
+        Set<String> boundGuards,
+        Map<State, Map<String, OnFailure>> onFailure) {
     /** The highest cost of one event. */
     public static final int MAX_COST = 1_000_000;
 
@@ -36,6 +41,9 @@ public record DeviceEvents(
         costs = Map.copyOf(costs);
         doNotPass = Set.copyOf(doNotPass);
         boundGuards = Set.copyOf(boundGuards);
+        Map<State, Map<String, OnFailure>> copy = new HashMap<>();
+        onFailure.forEach((state, byEvent) -> copy.put(state, Map.copyOf(byEvent)));
+        onFailure = Map.copyOf(copy);
         costs.forEach((event, cost) -> {
             if (cost < 1 || cost > MAX_COST) {
                 throw new IllegalArgumentException(
@@ -46,7 +54,7 @@ public record DeviceEvents(
 
     /** Every event costs the same, every state may be passed, and no guard is bound. */
     public DeviceEvents(Set<Event> sendable, Set<Event> spontaneous) {
-        this(sendable, spontaneous, Map.of(), Set.of(), Set.of());
+        this(sendable, spontaneous, Map.of(), Set.of(), Set.of(), Map.of());
     }
 
     /** The same with what {@code original} itself declares to be the device's own, its time triggers among that. */
@@ -58,7 +66,7 @@ public record DeviceEvents(
                 all.add(trigger);
             }
         }
-        return new DeviceEvents(sendable, all, costs, doNotPass, boundGuards);
+        return new DeviceEvents(sendable, all, costs, doNotPass, boundGuards, onFailure);
     }
 
     /** Whether only the device itself can take {@code trigger}. */
@@ -76,17 +84,29 @@ public record DeviceEvents(
 
     /** The same with other costs. */
     public DeviceEvents withCosts(Map<Event, Integer> newCosts) {
-        return new DeviceEvents(sendable, spontaneous, newCosts, doNotPass, boundGuards);
+        return new DeviceEvents(sendable, spontaneous, newCosts, doNotPass, boundGuards, onFailure);
     }
 
     /** The same with other states that must not be passed. */
     public DeviceEvents withDoNotPass(Set<State> states) {
-        return new DeviceEvents(sendable, spontaneous, costs, states, boundGuards);
+        return new DeviceEvents(sendable, spontaneous, costs, states, boundGuards, onFailure);
     }
 
     /** The same with other guards that can be asked. */
     public DeviceEvents withBoundGuards(Set<String> texts) {
-        return new DeviceEvents(sendable, spontaneous, costs, doNotPass, texts);
+        return new DeviceEvents(sendable, spontaneous, costs, doNotPass, texts, onFailure);
+    }
+
+    /** The same with other consequences of steps that fail. */
+    public DeviceEvents withOnFailure(Map<State, Map<String, OnFailure>> consequences) {
+        return new DeviceEvents(sendable, spontaneous, costs, doNotPass, boundGuards, consequences);
+    }
+
+    /** What follows when a step of a plan for {@code transition} of the new model fails. */
+    public OnFailure onFailure(Transition transition) {
+        Map<String, OnFailure> inState = onFailure.getOrDefault(transition.source(), Map.of());
+        OnFailure ofTrigger = inState.getOrDefault(transition.event().trigger().name(), OnFailure.STAY);
+        return inState.getOrDefault(transition.event().toString(), ofTrigger);
     }
 
     int costOf(Event trigger) {

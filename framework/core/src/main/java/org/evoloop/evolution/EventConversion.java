@@ -193,6 +193,51 @@ final class EventConversion {
         return new Decision.Sending(at, at.withOriginal(reached), way);
     }
 
+    /** See {@link DecisionTable#afterFailure}. */
+    Decision afterFailure(Decision usual, Configuration at, BrokenPlan broken) {
+        PathPlanner others = new PathPlanner(pair.original(), device, broken.failed());
+        if (broken.then() == OnFailure.GO_BACK) {
+            return goBack(at, broken, others);
+        }
+        if (!(usual instanceof Decision.ExistingState existing)
+                || broken.failed().stream().noneMatch(usual.steps()::contains)) {
+            return usual;
+        }
+        List<Step> own = existing.steps().stream().filter(Step::byDevice).toList();
+        Target target = target(existing.transition().target());
+        List<Step> way =
+                others.shortestPath(existing.deviceStart(), target.goals()).orElse(null);
+        return way == null
+                ? new Decision.Impossible(
+                        existing.before(),
+                        existing.start(),
+                        own,
+                        existing.transition(),
+                        broken.reason() + "; no other way leads from " + existing.deviceStart() + " to "
+                                + target.state())
+                : existing(existing.before(), own, own, way, existing.transition(), target);
+    }
+
+    /** Whatever becomes of it, the event has failed. */
+    private static Decision goBack(Configuration at, BrokenPlan broken, PathPlanner planner) {
+        List<Step> way =
+                planner.shortestPath(at.original(), List.of(broken.begun())).orElse(null);
+        return way == null
+                ? new Decision.Impossible(
+                        at,
+                        at,
+                        List.of(),
+                        null,
+                        broken.reason() + "; no events that can be sent lead back from " + at.original() + " to "
+                                + broken.begun())
+                : new Decision.Impossible(
+                        at,
+                        at.withOriginal(broken.begun()),
+                        way,
+                        null,
+                        broken.reason() + "; the device goes back to " + broken.begun());
+    }
+
     private static List<Step> joined(List<Step> first, List<Step> then) {
         if (first.isEmpty() || then.isEmpty()) {
             return first.isEmpty() ? then : first;

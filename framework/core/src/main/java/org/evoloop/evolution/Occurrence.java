@@ -166,6 +166,33 @@ public sealed interface Occurrence {
     }
 
     /**
+     * A property that is watched over time is violated. Nothing has to be done about it.
+     *
+     * @param property its name
+     */
+    record Violated(String property, long observedNanos) implements Occurrence {
+        @Override
+        public String label() {
+            return "violation of " + property;
+        }
+
+        @Override
+        public Source source() {
+            return Source.OWNER;
+        }
+
+        @Override
+        public boolean isFact() {
+            return false;
+        }
+
+        @Override
+        public String toString() {
+            return label();
+        }
+    }
+
+    /**
      * Other models have taken over, and device and new model do not stand together in them yet.
      *
      * @param model the name of the new model

@@ -24,6 +24,7 @@ final class PathPlanner {
     private final StateMachine original;
     private final DeviceEvents device;
     private final GuardedTriggers guards;
+    private final List<Transition> avoided;
     /** The {@link #KEPT} that were asked last. */
     private final Map<State, PathSearch> searches = new LinkedHashMap<>(KEPT, 0.75f, true) {
         @Override
@@ -33,6 +34,12 @@ final class PathPlanner {
     };
 
     PathPlanner(StateMachine original, DeviceEvents device) {
+        this(original, device, List.of());
+    }
+
+    /** @param avoided steps that are not taken */
+    PathPlanner(StateMachine original, DeviceEvents device, List<Step> avoided) {
+        this.avoided = avoided.stream().map(Step::transition).toList();
         this.original = original;
         this.device = device;
         this.guards = new GuardedTriggers(original);
@@ -66,7 +73,9 @@ final class PathPlanner {
     /** The step over {@code transition} if it can be sent; null if it cannot, or a guard on it cannot be asked. */
     @Nullable
     Step stepOver(Transition transition) {
-        if (!device.sendable().contains(transition.event().trigger()) || guards.shadowOf(transition) != null) {
+        if (!device.sendable().contains(transition.event().trigger())
+                || guards.shadowOf(transition) != null
+                || avoided.contains(transition)) {
             return null;
         }
         var conditions = guards.conditionsOf(transition);

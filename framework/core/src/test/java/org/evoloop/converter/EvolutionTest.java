@@ -2,14 +2,11 @@ package org.evoloop.converter;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
-import static org.evoloop.Machines.machine;
 
 import java.time.Duration;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Set;
-import java.util.stream.Stream;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Source;
@@ -41,37 +38,6 @@ class EvolutionTest {
         player.close();
     }
 
-    /** What the player can do already, and more, where {@code functions} are new. */
-    private static StateKnowledge knowledge(List<String> functions, NewFunction function, String... more) {
-        String[] device = {
-            "Stopped play -> Playing",
-            "Playing pause -> Paused",
-            "Paused play -> Playing",
-            "Playing stop -> Stopped",
-            "Paused stop -> Stopped"
-        };
-        String[] lines =
-                Stream.concat(Arrays.stream(device), Arrays.stream(more)).toArray(String[]::new);
-        ModelPair models = new ModelPair(Player.MODELS.original(), machine("next", lines));
-        return new StateKnowledge(models) {
-            @Override
-            protected void registerNewFunctions() {
-                functions.forEach(state -> function(state, function));
-            }
-        };
-    }
-
-    private StateKnowledge dozing(NewFunction function) {
-        return knowledge(
-                List.of("Fading", "Dozing"),
-                function,
-                "Playing fade -> Fading",
-                "Fading stop -> Stopped",
-                "Fading tm(10s) -> Stopped",
-                "Paused doze -> Dozing",
-                "Dozing play -> Playing");
-    }
-
     private void playAndFade() {
         player.press("play");
         player.press("fade");
@@ -83,7 +49,7 @@ class EvolutionTest {
     void aFunctionThatRunsGoesOnAndWhatItRaisesIsHeard() throws Exception {
         playAndFade();
         Visit fading = fadings.get(0);
-        Evolution.Result result = player.converter.evolve(Evolution.to(knowledge(
+        Evolution.Result result = player.converter.evolve(Evolution.to(Player.knowledge(
                 List.of("Fading"),
                 NewFunction.none(),
                 "Playing fade -> Fading",
@@ -105,7 +71,7 @@ class EvolutionTest {
         player.settle();
         player.press("pause");
         player.press("play");
-        player.converter.evolve(Evolution.to(dozing(NewFunction.none())));
+        player.converter.evolve(Evolution.to(Player.dozing(NewFunction.none())));
         player.settle();
         assertThat(player.outcomes()).containsExactly("play HANDLED", "pause HANDLED", "play HANDLED");
         player.press("pause");
@@ -119,7 +85,7 @@ class EvolutionTest {
         player.press("play");
         player.settle();
         player.acts("pause");
-        player.converter.evolve(Evolution.to(dozing(NewFunction.none())));
+        player.converter.evolve(Evolution.to(Player.dozing(NewFunction.none())));
         player.settle();
         assertThat(player.states()).hasToString("(Paused, Paused)");
         assertThat(player.sent).containsExactly("play");
@@ -127,12 +93,12 @@ class EvolutionTest {
 
     @Test
     void aTimerKeepsWhatIsLeftOfItUnderAnotherName() {
-        StateKnowledge first = dozing(NewFunction.none());
+        StateKnowledge first = Player.dozing(NewFunction.none());
         player.converter.evolve(Evolution.to(first));
         playAndFade();
         player.clock.advance(Duration.ofSeconds(8));
-        StateKnowledge next =
-                knowledge(List.of("Muting"), NewFunction.none(), "Playing fade -> Muting", "Muting tm(20s) -> Paused");
+        StateKnowledge next = Player.knowledge(
+                List.of("Muting"), NewFunction.none(), "Playing fade -> Muting", "Muting tm(20s) -> Paused");
         Mapping mapping = Mapping.parse(
                 "m", "state Fading -> Muting\ntimer tm(10s) of Fading -> tm(20s)\n", first.models(), next.models());
         Evolution.Result result =
@@ -149,7 +115,7 @@ class EvolutionTest {
     @Test
     void theDeviceIsSentToWhereBothStandTogether() {
         playAndFade();
-        Evolution.Result result = player.converter.evolve(Evolution.to(knowledge(
+        Evolution.Result result = player.converter.evolve(Evolution.to(Player.knowledge(
                         List.of("Fading"), fading(fadings), "Paused fade -> Fading", "Fading stop -> Stopped"))
                 .withoutWayBack());
         assertThat(result.steps()).hasToString("[Playing --pause--> Paused]");
@@ -192,7 +158,7 @@ class EvolutionTest {
     void rollingBackLeadsToTheModelsBefore() {
         playAndFade();
         Visit fading = fadings.get(0);
-        player.converter.evolve(Evolution.to(dozing(NewFunction.none())));
+        player.converter.evolve(Evolution.to(Player.dozing(NewFunction.none())));
         assertThat(player.converter.rollBack().model()).isEqualTo("new");
         assertThat(fadings).containsExactly(fading);
         player.press("faded");
@@ -204,7 +170,7 @@ class EvolutionTest {
     @Test
     void aFailedEventOnProbationRollsBack() {
         player.converter.evolve(
-                Evolution.to(dozing(NewFunction.none())).withProbation(Probation.of(Duration.ofMinutes(1))));
+                Evolution.to(Player.dozing(NewFunction.none())).withProbation(Probation.of(Duration.ofMinutes(1))));
         player.press("play");
         player.settle();
         assertThat(player.converter.knowledge().models().evolved().name()).isEqualTo("next");
@@ -219,7 +185,7 @@ class EvolutionTest {
     @Test
     void aProbationEnds() {
         player.converter.evolve(
-                Evolution.to(dozing(NewFunction.none())).withProbation(Probation.of(Duration.ofMinutes(1))));
+                Evolution.to(Player.dozing(NewFunction.none())).withProbation(Probation.of(Duration.ofMinutes(1))));
         player.clock.advance(Duration.ofMinutes(1));
         player.before = () -> {
             throw new IllegalStateException("the cable is loose");
@@ -232,14 +198,14 @@ class EvolutionTest {
     @Test
     void whatIsImpossibleIsRefusedAndChangesNothing() {
         playAndFade();
-        assertThatThrownBy(() -> player.converter.evolve(Evolution.to(knowledge(List.of(), NewFunction.none()))))
+        assertThatThrownBy(() -> player.converter.evolve(Evolution.to(Player.knowledge(List.of(), NewFunction.none()))))
                 .isInstanceOf(EvolutionException.class)
                 .hasMessageContaining("the next new model has no state Fading; map it: state Fading -> STATE");
         assertThatThrownBy(() -> player.converter.evolve(
-                        Evolution.to(knowledge(List.of(), NewFunction.none(), "Playing fade -> Fading"))))
+                        Evolution.to(Player.knowledge(List.of(), NewFunction.none(), "Playing fade -> Fading"))))
                 .isInstanceOf(ModelException.class)
                 .hasMessageContaining("new state Fading has no function");
-        assertThatThrownBy(() -> player.converter.evolve(Evolution.to(knowledge(
+        assertThatThrownBy(() -> player.converter.evolve(Evolution.to(Player.knowledge(
                         List.of("Fading", "Dead"),
                         NewFunction.none(),
                         "Playing fade -> Fading",
@@ -257,7 +223,7 @@ class EvolutionTest {
 
     @Test
     void codeThatKnowsMoreThanTheModelsIsLeftOut() {
-        player.converter.evolve(Evolution.to(knowledge(List.of("Fading"), NewFunction.none())));
+        player.converter.evolve(Evolution.to(Player.knowledge(List.of("Fading"), NewFunction.none())));
         player.press("play");
         player.settle();
         assertThat(player.states()).hasToString("(Playing, Playing)");
@@ -266,7 +232,7 @@ class EvolutionTest {
     @Test
     void knowledgeThatWasRefusedCanBeUsedAgain() {
         playAndFade();
-        StateKnowledge next = knowledge(List.of(), NewFunction.none());
+        StateKnowledge next = Player.knowledge(List.of(), NewFunction.none());
         assertThatThrownBy(() -> player.converter.evolve(Evolution.to(next))).isInstanceOf(EvolutionException.class);
         player.press("stop");
         player.settle();

@@ -3,9 +3,11 @@ package org.evoloop.converter;
 import static org.evoloop.Machines.machine;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Stream;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.evolution.Step;
@@ -75,6 +77,38 @@ final class Player implements AutoCloseable {
         });
         converter.build();
         converter.start();
+    }
+
+    /** What the player can do already, and more, where {@code functions} are new. */
+    static StateKnowledge knowledge(List<String> functions, NewFunction function, String... more) {
+        String[] device = {
+            "Stopped play -> Playing",
+            "Playing pause -> Paused",
+            "Paused play -> Playing",
+            "Playing stop -> Stopped",
+            "Paused stop -> Stopped"
+        };
+        String[] lines =
+                Stream.concat(Arrays.stream(device), Arrays.stream(more)).toArray(String[]::new);
+        ModelPair models = new ModelPair(MODELS.original(), machine("next", lines));
+        return new StateKnowledge(models) {
+            @Override
+            protected void registerNewFunctions() {
+                functions.forEach(state -> function(state, function));
+            }
+        };
+    }
+
+    /** The same that fades for ten seconds at most, and can doze. */
+    static StateKnowledge dozing(NewFunction function) {
+        return knowledge(
+                List.of("Fading", "Dozing"),
+                function,
+                "Playing fade -> Fading",
+                "Fading stop -> Stopped",
+                "Fading tm(10s) -> Stopped",
+                "Paused doze -> Dozing",
+                "Dozing play -> Playing");
     }
 
     final class Buttons extends PushMonitor {

@@ -6,6 +6,7 @@ import java.util.Random;
 import java.util.stream.LongStream;
 import java.util.stream.Stream;
 import org.evoloop.core.Scene.Act;
+import org.evoloop.evolution.OnFailure;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -60,6 +61,23 @@ class ExplorationTest {
     @MethodSource("ofTheRobot")
     @Tag("slow")
     void allStoriesOfTheRobot(Scene scene) {
+        explore(scene, TO_THE_END);
+    }
+
+    static Stream<Scene> ofPlansThatBreakOff() {
+        return Stream.of(OnFailure.GO_BACK, OnFailure.OTHER_WAY)
+                .flatMap(then -> Stream.of(Scene.robot(), Scene.bulb()).map(scene -> scene.onFailure(then)))
+                .flatMap(scene -> Stream.of(
+                        scene.with(2, Act.PRESS, Act.FAIL).with(1, Act.OWN),
+                        scene.with(2, Act.PRESS).with(1, Act.FAIL, Act.STOP, Act.RAISE),
+                        scene.with(1, Act.PRESS, Act.OWN, Act.GIVE_UP).with(2, Act.FAIL),
+                        scene.with(1, Act.PRESS, Act.JUMP, Act.END).with(2, Act.FAIL)))
+                .flatMap(ExplorationTest::bestAndWorst);
+    }
+
+    @ParameterizedTest
+    @MethodSource("ofPlansThatBreakOff")
+    void allStoriesOfPlansThatBreakOff(Scene scene) {
         explore(scene, TO_THE_END);
     }
 

@@ -186,6 +186,15 @@ enum Mutation {
             return input instanceof Input.Recovered ? Snapshots.sure(after) : after;
         }
     },
+    A_STEP_IS_WRITTEN_DOWN_AFTER_IT_WAS_SENT("record", Scene.bulb().with(1, Act.PRESS, Act.END)) {
+        @Override
+        Snapshot ahead(Snapshot before, Input input) {
+            Work work = before.work();
+            return input instanceof Input.Recovered && work != null && work.sending()
+                    ? Snapshots.work(before, Snapshots.notSent(work))
+                    : before;
+        }
+    },
     AN_END_FORGETS_WHAT_WAITS("sum", Scene.bulb().with(1, Act.PRESS, Act.END)) {
         @Override
         Snapshot undo(Snapshot before, Input input, Snapshot after) {

@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.Random;
 import java.util.Set;
 import org.evoloop.evolution.ModelPair;
+import org.evoloop.evolution.OnFailure;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
@@ -27,7 +28,9 @@ public final class RandomPair {
     }
 
     static Scene scene(long seed) {
-        return Scene.of("pair of seed " + seed, models(seed), Map.of("W", "late"), "a b", "a", 2);
+        OnFailure then = OnFailure.values()[Math.floorMod(seed, OnFailure.values().length)];
+        return Scene.of("pair of seed " + seed, models(seed), Map.of("W", "late"), "a b", "a", 2)
+                .onFailure(then);
     }
 
     /** The pair that belongs to {@code seed}. */

@@ -4,6 +4,7 @@ import static org.evoloop.Machines.machine;
 
 import java.time.Duration;
 import java.util.EnumMap;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -13,6 +14,7 @@ import org.evoloop.PaperModels;
 import org.evoloop.evolution.DecisionTable;
 import org.evoloop.evolution.DeviceEvents;
 import org.evoloop.evolution.ModelPair;
+import org.evoloop.evolution.OnFailure;
 import org.evoloop.migration.Mapping;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
@@ -158,6 +160,19 @@ record Scene(
     /** There, or back. */
     Swap swap(boolean back) {
         return back ? Swap.of(next, rules, mapping.reversed()) : Swap.of(rules, next, mapping);
+    }
+
+    /** The same where this follows whenever a step of a plan fails. */
+    Scene onFailure(OnFailure then) {
+        ModelPair pair = rules.table().models();
+        Map<State, Map<String, OnFailure>> all = new HashMap<>();
+        pair.evolved()
+                .transitions()
+                .forEach(transition -> all.computeIfAbsent(transition.source(), state -> new HashMap<>())
+                        .put(transition.event().toString(), then));
+        DecisionTable table = DecisionTable.compile(pair, rules.table().device().withOnFailure(all));
+        Rules other = rules.with(table);
+        return new Scene(name + ", " + then, other, other, mapping, presses, own, raised, inOrder, canLocate, times);
     }
 
     private static Map<Event, Duration> timersOf(Map<String, String> timers, State state) {

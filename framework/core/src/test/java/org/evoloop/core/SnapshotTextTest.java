@@ -14,6 +14,7 @@ import org.evoloop.core.Scene.Act;
 import org.evoloop.core.text.SnapshotException;
 import org.evoloop.core.text.SnapshotText;
 import org.evoloop.evolution.Occurrence;
+import org.evoloop.evolution.OnFailure;
 import org.evoloop.evolution.Source;
 import org.evoloop.evolution.Values;
 import org.evoloop.statemachine.Event;
@@ -53,10 +54,22 @@ class SnapshotTextTest {
         return told.press("Clean").begins().core.snapshot();
     }
 
+    /** The same, whose second step has failed, and which is to be sent back. */
+    private static Snapshot brokenOff() {
+        Told told = new Told(Scene.robot().onFailure(OnFailure.GO_BACK));
+        told.press("Clean").begins().sent(false).press("Clean").begins().sent(false);
+        told.press("Clean").ready().planned();
+        told.press("Clean").begins().sent(false);
+        return told.tell(new Input.Failed(told.number(), "the \"cable\" is loose", 99))
+                .core
+                .snapshot();
+    }
+
     @Test
-    void versionOneIsWrittenAsEver() throws IOException {
-        isWrittenAsIn("snapshot-1-doubt.txt", eventful());
-        isWrittenAsIn("snapshot-1-plan.txt", onADetour());
+    void versionTwoIsWrittenAsEver() throws IOException {
+        isWrittenAsIn("snapshot-2-doubt.txt", eventful());
+        isWrittenAsIn("snapshot-2-plan.txt", onADetour());
+        isWrittenAsIn("snapshot-2-broken.txt", brokenOff());
     }
 
     private static void isWrittenAsIn(String golden, Snapshot snapshot) throws IOException {
@@ -72,8 +85,8 @@ class SnapshotTextTest {
     void everySnapshotThatIsMetIsReadAsItWasWritten() {
         for (Scene scene : List.of(
                 Scene.robot().outOfOrder().with(1, Act.PRESS, Act.OWN, Act.GIVE_UP, Act.JUMP),
-                RandomPair.scene(1).with(1, Act.PRESS, Act.OWN, Act.RAISE, Act.DISMISS),
-                RandomPair.scene(2).with(1, Act.PRESS, Act.OWN, Act.RAISE, Act.ASK))) {
+                RandomPair.scene(1).with(1, Act.PRESS, Act.OWN, Act.FAIL, Act.DISMISS),
+                RandomPair.scene(2).with(1, Act.PRESS, Act.FAIL, Act.RAISE, Act.ASK))) {
             Exploration.of(scene, 12, (rules, snapshot) -> {
                 Snapshot read = SnapshotText.read(rules, SnapshotText.write(snapshot));
                 if (!read.equals(snapshot)) {
@@ -88,8 +101,8 @@ class SnapshotTextTest {
             delimiter = '|',
             quoteCharacter = '`',
             value = {
-                "evoloop-snapshot 1|evoloop-snapshot 2|line 1: version 2 cannot be read, only version 1; go on with",
-                "evoloop-snapshot 1|evoloop-models 1|line 1: this is no snapshot of Evoloop; its first line is",
+                "evoloop-snapshot 2|evoloop-snapshot 3|line 1: version 3 cannot be read, only version 2; go on with",
+                "evoloop-snapshot 2|evoloop-models 2|line 1: this is no snapshot of Evoloop; its first line is",
                 "open true|open maybe|line 2: 'true' or 'false' was expected, not 'maybe'; the text is damaged",
                 "at \"Off\"|at \"Aus\"|line 3: the model 'original' has no state 'Aus'; use the models with which",
                 "at \"Off\" \"Off\"|at \"Off|line 3: a text has no closing quote",

@@ -43,6 +43,18 @@ final class Snapshots {
                 : null;
     }
 
+    /** As if its next step had not been announced. */
+    static Work notSent(Work of) {
+        return new Work(
+                of.pending(),
+                of.decision(),
+                of.taken(),
+                of.effectsRun(),
+                of.failedEffects(),
+                Work.Stage.READY,
+                List.of());
+    }
+
     /** What waits is all of this visit. */
     static Snapshot allOf(Snapshot of, long visit) {
         return waiting(

@@ -80,6 +80,7 @@ final class Decoder {
             case 'h' -> heard(observedNanos);
             case 'a' -> asked(observedNanos);
             case 'f' -> new Occurrence.Found(state(), observedNanos);
+            case 'v' -> new Occurrence.Violated(cursor.text(), observedNanos);
             case 'd' -> new Occurrence.InDoubt(cursor.text(), observedNanos);
             default -> throw new Cursor.Senseless("there is no occurrence of kind " + kind);
         };

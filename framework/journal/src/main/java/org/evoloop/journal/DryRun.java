@@ -1,21 +1,18 @@
 package org.evoloop.journal;
 
-import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
-import java.util.Comparator;
-import java.util.HashMap;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
+import java.util.concurrent.TimeUnit;
 import org.evoloop.check.temporal.Property;
 import org.evoloop.core.Input;
 import org.evoloop.core.Rules;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.evolution.Occurrence;
-import org.evoloop.evolution.Source;
-import org.evoloop.journal.Chronicle.Ending;
+import org.evoloop.rehearsal.Comparison;
+import org.evoloop.rehearsal.Difference;
+import org.evoloop.rehearsal.Verdict;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -30,44 +27,15 @@ import org.jspecify.annotations.Nullable;
  * @since 0.1
  */
 public final class DryRun {
-    private static final Duration SAME_TIMER = Duration.ofSeconds(1);
+    private static final long SAME_CLOCK_NANOS = TimeUnit.SECONDS.toNanos(1);
 
-    private final Map<EventKey, Instant> events = new LinkedHashMap<>();
-    private final EventKey.Sequence keys = new EventKey.Sequence();
-    private final Map<EventKey, Ending> then = new HashMap<>();
-    private final Map<EventKey, Ending> now = new HashMap<>();
     private final OtherRules rules;
     private final KeptProperties properties;
-    private @Nullable Rehearsal rehearsal;
+    private final Comparison comparison;
+    private final List<Difference> differences = new ArrayList<>();
+    private long events;
     private @Nullable Head last;
-
-    /**
-     * An event of which the other models make something else.
-     *
-     * @param recorded what became of it; null for a timer that only the other models have
-     * @param other what would have; null if the event would not have happened
-     */
-    public record Difference(
-            Instant at,
-            Occurrence occurrence,
-            @Nullable Verdict recorded,
-            @Nullable Verdict other) {
-
-        /** For messages: what became of it. */
-        public String then() {
-            return recorded == null ? "had no such timer" : recorded.toString();
-        }
-
-        /** For messages: what the other models make of it. */
-        public String now() {
-            return other == null ? "would not have happened" : other.toString();
-        }
-
-        @Override
-        public String toString() {
-            return at + "  " + occurrence + "\n    then  " + then() + "\n    now   " + now();
-        }
-    }
+    private long lastNanos;
 
     /**
      * A property of the other models that the events break.
@@ -109,6 +77,7 @@ public final class DryRun {
     private DryRun(ModelPair models, List<Property> properties) {
         this.rules = new OtherRules(models);
         this.properties = new KeptProperties(properties);
+        this.comparison = new Comparison(this::compared, this.properties::see);
     }
 
     /**
@@ -122,113 +91,53 @@ public final class DryRun {
         models.requireValid();
         DryRun run = new DryRun(models, properties);
         journal.each(Told::of, run::add);
-        run.end();
-        run.matchTimers();
-        return new Result(run.events.size(), run.differences(), run.properties.broken(), run.properties.open());
+        run.comparison.rest(run.lastNanos);
+        return new Result(run.events, run.differences, run.properties.broken(), run.properties.open());
     }
 
     private void add(Told told) {
-        Head head = told.head();
-        then.putAll(told.endings());
-        Rehearsal running = continued(told);
+        goOn(told);
         for (Told.Moment moment : told.moments()) {
             if (moment.input() instanceof Input.Observed observed) {
-                Occurrence occurrence = observed.occurrence();
-                events.put(keys.take(occurrence), head.wallTime(occurrence.observedNanos()));
-                Occurrence here = occurrence.visit() == Occurrence.ANY_VISIT
-                        ? occurrence
-                        : isHere(moment, occurrence, running) ? running.inThisVisit(occurrence) : null;
-                if (here != null) {
-                    running.follow(new Input.Observed(here), moment.atNanos());
-                }
+                boolean current = observed.occurrence().visit() == moment.visit();
+                comparison.observed(observed.occurrence(), current ? moment.state() : null, moment.atNanos());
             } else {
-                running.follow(moment.input(), moment.atNanos());
+                comparison.follow(moment.input(), moment.atNanos());
             }
+            moment.endings().forEach(ending -> comparison.ended(ending, moment.atNanos()));
+            lastNanos = moment.atNanos();
         }
-        timers(told.endings(), head);
-        last = head;
-    }
-
-    /** Whether the function that raised it runs in the other models, too. */
-    private static boolean isHere(Told.Moment moment, Occurrence occurrence, Rehearsal running) {
-        return occurrence.visit() == moment.visit() && running.at().evolved().equals(moment.state());
     }
 
     /** Goes on where the segment before has ended; on another clock as after a restart. */
-    private Rehearsal continued(Told told) {
-        Rehearsal before = rehearsal;
+    private void goOn(Told told) {
+        Head before = last;
         Head head = told.head();
-        if (before != null && last != null && Math.abs(offset(head) - offset(last)) < SAME_TIMER.toNanos()) {
-            return before;
+        if (before != null && Math.abs(offset(head) - offset(before)) < SAME_CLOCK_NANOS) {
+            last = head;
+            return;
         }
-        end();
-        Configuration at = before == null ? rules.placed(told.from().at()) : before.at();
+        comparison.rest(lastNanos);
+        last = head;
+        Configuration at = before == null ? rules.placed(told.from().at()) : comparison.at();
         Rules like = rules.like(head);
         properties.begin(like.table(), at, head);
-        Rehearsal fresh = new Rehearsal(like, at, head.nowNanos(), then, properties::see);
+        comparison.begin(like, Comparison.still(at, head.nowNanos()));
         if (told.from().open()) {
-            fresh.follow(new Input.Opened(head.nowNanos()), head.nowNanos());
+            comparison.follow(new Input.Opened(head.nowNanos()), head.nowNanos());
         }
-        rehearsal = fresh;
-        return fresh;
     }
 
     private static long offset(Head head) {
         return head.wallNanos() - head.nowNanos();
     }
 
-    private void end() {
-        Rehearsal ended = rehearsal;
+    private void compared(Occurrence occurrence, @Nullable Verdict then, @Nullable Verdict now) {
+        events++;
         Head head = last;
-        if (ended != null && head != null) {
-            now.putAll(ended.endings());
-            timers(ended.endings(), head);
-        }
-    }
-
-    private void timers(Map<EventKey, Ending> endings, Head head) {
-        endings.keySet().stream()
-                .filter(key -> key.source() == Source.TIMER)
-                .forEach(key -> events.put(key, head.wallTime(key.observedNanos())));
-    }
-
-    private List<Difference> differences() {
-        List<Difference> differences = new ArrayList<>();
-        events.forEach((key, at) -> {
-            Ending recorded = then.get(key);
-            Ending other = now.get(key);
-            boolean same =
-                    recorded != null && other != null && recorded.verdict().isSame(other.verdict());
-            if (recorded != null && !same) {
-                differences.add(new Difference(at, recorded.occurrence(), recorded.verdict(), verdict(other)));
-            } else if (recorded == null && other != null && key.source() == Source.TIMER) {
-                differences.add(new Difference(at, other.occurrence(), null, other.verdict()));
-            }
-        });
-        differences.sort(Comparator.comparing(Difference::at));
-        return differences;
-    }
-
-    private static @Nullable Verdict verdict(@Nullable Ending ending) {
-        return ending == null ? null : ending.verdict();
-    }
-
-    /** A timer is told a moment after it is due; here it is due to the nanosecond. */
-    private void matchTimers() {
-        for (EventKey here : List.copyOf(now.keySet())) {
-            if (here.source() != Source.TIMER || then.containsKey(here)) {
-                continue;
-            }
-            then.keySet().stream()
-                    .filter(key -> key.source() == Source.TIMER
-                            && key.label().equals(here.label())
-                            && !now.containsKey(key)
-                            && Math.abs(key.observedNanos() - here.observedNanos()) <= SAME_TIMER.toNanos())
-                    .min(Comparator.comparingLong(key -> Math.abs(key.observedNanos() - here.observedNanos())))
-                    .ifPresent(key -> {
-                        now.put(key, now.remove(here));
-                        events.remove(here);
-                    });
+        if (head != null && (then == null || now == null || !then.isSame(now))) {
+            Instant at = head.wallTime(occurrence.observedNanos());
+            differences.add(new Difference(at, occurrence, then, now));
         }
     }
 }

@@ -83,6 +83,9 @@ final class Encoder implements Inputs {
         } else if (occurrence instanceof Occurrence.InDoubt inDoubt) {
             bytes.octet('d');
             bytes.text(inDoubt.why());
+        } else if (occurrence instanceof Occurrence.Violated violated) {
+            bytes.octet('v');
+            bytes.text(violated.property());
         }
     }
 

@@ -1,5 +1,6 @@
 package org.evoloop.journal;
 
+import java.io.IOException;
 import java.time.Duration;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
@@ -10,12 +11,15 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Puts on the disk what was written, every {@value #PERIOD_MILLIS} ms while something is. It sleeps when nothing was
- * written for {@value #AWAKE_PERIODS} periods, so that an event seldom has to wake it.
+ * Puts on the disk what was written, every {@value #PERIOD_MILLIS} ms while something is, and closes the segments that have
+ * ended, which no event has to wait for. It sleeps when nothing was written for {@value #AWAKE_PERIODS} periods, so that an
+ * event seldom has to wake it.
  */
 final class Forcer implements AutoCloseable {
     static final int PERIOD_MILLIS = 100;
     private static final int AWAKE_PERIODS = 20;
+    private static final String NOT_FORCED =
+            "a journal cannot be put on the disk; a power cut would lose what was written";
     private static final Logger LOG = LoggerFactory.getLogger(Journal.class);
 
     private final Thread thread;
@@ -30,13 +34,16 @@ final class Forcer implements AutoCloseable {
         thread.start();
     }
 
-    /** From now on {@code next} is written; the one before it is forced once more. */
-    void use(Segment next) {
-        Segment before = segment;
+    /**
+     * From now on {@code next} is written.
+     *
+     * @param before the one that has ended, to be closed; null if none has
+     */
+    void use(Segment next, @Nullable Segment before) {
+        segment = next;
         if (before != null) {
             ended.add(before);
         }
-        segment = next;
         wake();
     }
 
@@ -80,18 +87,27 @@ final class Forcer implements AutoCloseable {
 
     private boolean force() {
         try {
-            for (Segment old = ended.poll(); old != null; old = ended.poll()) {
-                old.force();
-            }
+            closeEnded();
             Segment current = segment;
             if (current == null || !current.isDirty()) {
                 return false;
             }
             current.force();
         } catch (RuntimeException | InternalError e) {
-            LOG.warn("a journal cannot be put on the disk; a power cut would lose what was written", e);
+            LOG.warn(NOT_FORCED, e);
         }
         return true;
+    }
+
+    private void closeEnded() {
+        for (Segment old = ended.poll(); old != null; old = ended.poll()) {
+            try {
+                old.force();
+                old.close();
+            } catch (IOException | RuntimeException | InternalError e) {
+                LOG.warn(NOT_FORCED, e);
+            }
+        }
     }
 
     @Override
@@ -99,5 +115,6 @@ final class Forcer implements AutoCloseable {
         closed = true;
         LockSupport.unpark(thread);
         Threads.join(thread, Duration.ofSeconds(2));
+        closeEnded();
     }
 }

@@ -14,6 +14,7 @@ import org.evoloop.core.Rules;
 import org.evoloop.evolution.DecisionTable;
 import org.evoloop.evolution.DeviceEvents;
 import org.evoloop.evolution.ModelPair;
+import org.evoloop.evolution.OnFailure;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
@@ -113,6 +114,7 @@ record Head(
         });
         texts(bytes, device.doNotPass().stream().map(State::name).toList());
         texts(bytes, device.boundGuards());
+        onFailure(bytes, device.onFailure());
         bytes.number(timers.size());
         timers.forEach((state, ofState) -> {
             bytes.text(state.name());
@@ -123,6 +125,30 @@ record Head(
             });
         });
         bytes.number(queueCapacity);
+    }
+
+    private static void onFailure(Bytes bytes, Map<State, Map<String, OnFailure>> all) {
+        bytes.number(all.size());
+        new TreeMap<>(all).forEach((state, byEvent) -> {
+            bytes.text(state.name());
+            bytes.number(byEvent.size());
+            new TreeMap<>(byEvent).forEach((event, then) -> {
+                bytes.text(event);
+                bytes.text(then.name());
+            });
+        });
+    }
+
+    private static Map<State, Map<String, OnFailure>> onFailure(Cursor cursor) {
+        Map<State, Map<String, OnFailure>> all = new HashMap<>();
+        for (int left = cursor.count(); left > 0; left--) {
+            Map<String, OnFailure> byEvent = new HashMap<>();
+            all.put(new State(cursor.text()), byEvent);
+            for (int events = cursor.count(); events > 0; events--) {
+                byEvent.put(cursor.text(), OnFailure.valueOf(cursor.text()));
+            }
+        }
+        return all;
     }
 
     private static void events(Bytes bytes, Collection<Event> events) {
@@ -165,7 +191,8 @@ record Head(
                 spontaneous.stream().collect(Collectors.toSet()),
                 costs,
                 doNotPass.stream().collect(Collectors.toSet()),
-                texts(cursor).stream().collect(Collectors.toSet()));
+                texts(cursor).stream().collect(Collectors.toSet()),
+                onFailure(cursor));
     }
 
     private static Map<Event, Duration> timersOfState(Cursor cursor) {

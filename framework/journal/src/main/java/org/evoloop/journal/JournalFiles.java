@@ -62,7 +62,7 @@ public final class JournalFiles {
     }
 
     /**
-     * Reads every record, the oldest first.
+     * Reads every record, the oldest first. That other models took over is a record, too, of number 0.
      *
      * @return its segments, the oldest first
      * @throws JournalException if it is damaged, of another version or cannot be read
@@ -70,8 +70,13 @@ public final class JournalFiles {
     public List<SegmentInfo> read(Consumer<JournalRecord> reader) {
         List<SegmentInfo> read = new ArrayList<>();
         each(file -> new SegmentRecords(file, new SegmentReader(file)), segment -> {
+            SegmentInfo info = segment.info();
+            SegmentInfo before = read.isEmpty() ? null : read.get(read.size() - 1);
+            if (before != null && !before.fingerprint().equals(info.fingerprint())) {
+                reader.accept(segment.evolvedFrom(before));
+            }
             segment.records().forEach(reader);
-            read.add(segment.info());
+            read.add(info);
         });
         return read;
     }

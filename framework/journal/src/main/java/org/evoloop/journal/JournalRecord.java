@@ -11,7 +11,7 @@ import org.evoloop.evolution.Configuration;
  * <p>Threading: immutable.
  *
  * @param segment the name of its file
- * @param number of the record in its segment, from 1
+ * @param number of the record in its segment, from 1; 0 where other models took over with the segment
  * @param offset where its payload begins in the file, in bytes
  * @param at the time of day, by the clock that the segment began with; that of the latest time that was told by then
  * @param nanos the same on the converter's monotonic clock

@@ -10,6 +10,7 @@ import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.DecisionTable;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.journal.DryRun.Broken;
+import org.evoloop.rehearsal.Ending;
 import org.jspecify.annotations.Nullable;
 
 /** The properties that are watched while other models are told a journal's events. */
@@ -36,10 +37,11 @@ final class KeptProperties {
     }
 
     /** An event has come to its end. */
-    void see(Output.Ended ended) {
+    void see(Ending ending) {
         PropertyWatch watching = watch;
         Head process = head;
         if (watching != null && process != null) {
+            Output.Ended ended = ending.ended();
             Occurrence occurrence = ended.occurrence();
             add(
                     watching.ended(occurrence, ended.after(), ended.outcome(), ended.decision()),

@@ -97,7 +97,8 @@ record Masks(Set<String> names) {
                 pending.from(),
                 pending.own(),
                 pending.stepsBefore(),
-                pending.attempts());
+                pending.attempts(),
+                pending.broken());
     }
 
     private Occurrence of(Occurrence occurrence) {

@@ -42,6 +42,7 @@ final class OtherRules {
         return new DeviceEvents(sendable, spontaneous)
                 .withCosts(then.costs())
                 .withDoNotPass(then.doNotPass())
+                .withOnFailure(then.onFailure())
                 .withBoundGuards(models.original().guards());
     }
 

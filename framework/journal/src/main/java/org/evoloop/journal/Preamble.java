@@ -11,7 +11,7 @@ final class Preamble {
     static final int BYTES = 32;
 
     /** The version that is written and read. */
-    static final int VERSION = 3;
+    static final int VERSION = 4;
 
     private static final long MAGIC = 0x45564F4C4F4F504AL; // EVOLOOPJ
     private static final int CHECKED_BYTES = 12;
@@ -22,7 +22,7 @@ final class Preamble {
     static void write(ByteBuffer file) {
         file.putInt(8, VERSION);
         file.putInt(CHECKED_BYTES, crcOf(VERSION));
-        file.putLong(0, MAGIC);
+        Frame.finish(file, 0, MAGIC);
     }
 
     static void sure(ByteBuffer file, int until) {

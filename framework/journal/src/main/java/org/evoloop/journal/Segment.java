@@ -1,7 +1,6 @@
 package org.evoloop.journal;
 
 import java.io.IOException;
-import java.lang.invoke.VarHandle;
 import java.nio.ByteBuffer;
 import java.nio.MappedByteBuffer;
 import java.nio.channels.FileChannel;
@@ -73,24 +72,18 @@ final class Segment implements AutoCloseable {
     boolean append(byte[] bytes, int length) {
         int at = end;
         int payload = at + Frame.HEADER_BYTES;
-        if (length > Frame.MOST_BYTES || length > map.capacity() - payload) {
+        if (length > Frame.MOST_BYTES || Frame.padded(length) > map.capacity() - payload) {
             return false;
         }
         map.put(payload, bytes, 0, length);
-        finish(at, Frame.header(length, Frame.crcOf(bytes, 0, length)));
-        end = payload + length;
+        Frame.finish(map, at, Frame.header(length, Frame.crcOf(bytes, 0, length)));
+        end = payload + Frame.padded(length);
         return true;
     }
 
     /** From now on it is one: its first records are there. */
     void begin() {
         Preamble.write(map);
-    }
-
-    /** Whatever ends the process: where a header is, its payload is. */
-    private void finish(int at, long header) {
-        VarHandle.releaseFence();
-        map.putLong(at, header);
     }
 
     /** Whether something was written that is not on the disk for sure. */

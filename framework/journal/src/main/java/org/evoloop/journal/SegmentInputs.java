@@ -1,5 +1,7 @@
 package org.evoloop.journal;
 
+import static java.util.Objects.requireNonNull;
+
 import java.nio.file.Path;
 import org.evoloop.core.Core;
 import org.evoloop.core.Input;
@@ -8,25 +10,26 @@ import org.evoloop.core.Rules;
 import org.evoloop.core.Snapshot;
 import org.evoloop.core.text.SnapshotException;
 import org.evoloop.core.text.SnapshotText;
+import org.jspecify.annotations.Nullable;
 
 /** Tells a core of its own again what a segment holds, by the models that the segment holds. */
 final class SegmentInputs {
     private final SegmentReader segment;
     private final Decoder decoder;
     private final Snapshot from;
-    private final Core core;
+    private final Rules rules;
+    private @Nullable Core core;
 
     /** @throws JournalException if the segment's beginning is damaged */
-    SegmentInputs(Path file, SegmentReader segment, Outputs outputs) {
+    SegmentInputs(Path file, SegmentReader segment) {
         this.segment = segment;
-        Rules rules = segment.head().rules();
+        this.rules = segment.head().rules();
         this.decoder = new Decoder(segment.cursor(), rules);
         try {
             this.from = SnapshotText.read(rules, segment.snapshot());
         } catch (SnapshotException e) {
             throw JournalException.ofDamage(file + ", record 0: " + e.getMessage());
         }
-        this.core = new Core(rules, from, outputs);
     }
 
     /** Where the converter was when the segment began. */
@@ -34,15 +37,18 @@ final class SegmentInputs {
         return from;
     }
 
-    Core core() {
-        return core;
+    /** The core that is told, which these hear. */
+    Core begin(Outputs outputs) {
+        Core begun = new Core(rules, from, outputs);
+        core = begun;
+        return begun;
     }
 
     /** The record that {@link SegmentReader#next} has come to, told to the core. @throws JournalException if it is damaged */
     Input tell() {
         try {
             Input input = decoder.read(segment.at(), segment.length());
-            core.apply(input);
+            requireNonNull(core).apply(input);
             return input;
         } catch (RuntimeException e) {
             throw segment.damaged("it makes no sense: " + e.getMessage());

@@ -117,21 +117,26 @@ final class SegmentReader {
         }
         int payload = next + Frame.HEADER_BYTES;
         int size = Frame.length(header);
-        if (size > bytes.length - payload) {
+        int after = payload + Frame.padded(size);
+        if (after > bytes.length) {
             return ends(true);
         }
-        if (Frame.crcOf(bytes, payload, size) != Frame.crc(header)) {
+        if (Frame.crcOf(bytes, payload, size) != Frame.crc(header) || !isZero(payload + size, after)) {
             return endsAtRagged("its checksum is wrong");
         }
         at = payload;
         length = size;
-        next = payload + size;
+        next = after;
         records++;
         return true;
     }
 
     private boolean isZeroFrom(int from) {
-        for (int index = from; index < bytes.length; index++) {
+        return isZero(from, bytes.length);
+    }
+
+    private boolean isZero(int from, int until) {
+        for (int index = from; index < until; index++) {
             if (bytes[index] != 0) {
                 return false;
             }

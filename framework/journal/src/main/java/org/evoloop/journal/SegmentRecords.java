@@ -13,13 +13,15 @@ final class SegmentRecords {
     private final Path file;
     private final SegmentReader segment;
     private final SegmentInputs inputs;
+    private final Core core;
     private final List<JournalRecord> records = new ArrayList<>();
     private final List<String> endings = new ArrayList<>();
 
     SegmentRecords(Path file, SegmentReader segment) {
         this.file = file;
         this.segment = segment;
-        this.inputs = new SegmentInputs(file, segment, this::heard);
+        this.inputs = new SegmentInputs(file, segment);
+        this.core = inputs.begin(this::heard);
         while (segment.next()) {
             records.add(record());
         }
@@ -38,7 +40,6 @@ final class SegmentRecords {
 
     private JournalRecord record() {
         Input input = inputs.tell();
-        Core core = inputs.core();
         List<String> ended = List.copyOf(endings);
         endings.clear();
         return new JournalRecord(
@@ -52,6 +53,23 @@ final class SegmentRecords {
                 core.at(),
                 core.doubt(),
                 ended);
+    }
+
+    /** That the models of this segment took over from those of {@code before}. */
+    JournalRecord evolvedFrom(SegmentInfo before) {
+        Head head = segment.head();
+        Core begun = new SegmentInputs(file, segment).begin(output -> {});
+        return new JournalRecord(
+                name(),
+                0,
+                Preamble.BYTES,
+                head.wallTime(head.nowNanos()),
+                head.nowNanos(),
+                "evolved",
+                new Input.Changed(begun.rules(), head.nowNanos()),
+                begun.at(),
+                begun.doubt(),
+                List.of("'" + head.models().evolved().name() + "' took over from '" + before.evolved() + "'"));
     }
 
     private String name() {

@@ -104,17 +104,19 @@ final class Segments implements AutoCloseable {
         next.append(snapshot, snapshot.length);
         next.begin();
         directory.add(next.file(), next.size());
-        end();
+        Segment ended = segment;
         segment = next;
         failing = false;
         head = begun;
         models = begun.models();
         fingerprint = begun.fingerprint();
         if (options.forcing() == Forcing.PER_INTENT) {
-            segment.force();
+            next.force();
         }
         if (forcer != null) {
-            forcer.use(segment);
+            forcer.use(next, ended);
+        } else if (ended != null) {
+            ended.close();
         }
         directory.prune(options.keptBytes());
     }

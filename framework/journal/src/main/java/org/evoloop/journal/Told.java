@@ -2,12 +2,12 @@ package org.evoloop.journal;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import org.evoloop.core.Core;
 import org.evoloop.core.Input;
 import org.evoloop.core.Snapshot;
+import org.evoloop.rehearsal.Chronicle;
+import org.evoloop.rehearsal.Ending;
 import org.evoloop.statemachine.State;
 
 /**
@@ -15,31 +15,34 @@ import org.evoloop.statemachine.State;
  *
  * @param from where it was when the segment began
  * @param moments its inputs, in order
- * @param endings what became of the events
  */
-record Told(Head head, Snapshot from, List<Moment> moments, Map<EventKey, Chronicle.Ending> endings) {
+record Told(Head head, Snapshot from, List<Moment> moments) {
 
     /**
      * An input.
      *
      * @param atNanos the latest time that was told by then
      * @param visit of which state, before
+     * @param endings of events that came to their ends by it
      */
-    record Moment(Input input, long atNanos, long visit, State state) {}
+    record Moment(Input input, long atNanos, long visit, State state, List<Ending> endings) {}
 
     /** @throws JournalException if the segment is damaged */
     static Told of(Path file) {
         SegmentReader segment = new SegmentReader(file);
-        Chronicle chronicle = new Chronicle();
-        SegmentInputs inputs = new SegmentInputs(file, segment, chronicle);
-        Core core = inputs.core();
+        SegmentInputs inputs = new SegmentInputs(file, segment);
         Snapshot from = inputs.from();
+        List<Ending> endings = new ArrayList<>();
+        Chronicle chronicle = new Chronicle(from.visit().number(), endings::add);
+        Core core = inputs.begin(chronicle);
         List<Moment> moments = new ArrayList<>();
         while (segment.next()) {
-            long visit = Math.max(from.visit().number(), chronicle.visit());
+            long visit = chronicle.visit();
             State state = core.at().evolved();
-            moments.add(new Moment(inputs.tell(), core.nowNanos(), visit, state));
+            Input input = inputs.tell();
+            moments.add(new Moment(input, core.nowNanos(), visit, state, List.copyOf(endings)));
+            endings.clear();
         }
-        return new Told(segment.head(), from, moments, new LinkedHashMap<>(chronicle.endings()));
+        return new Told(segment.head(), from, moments);
     }
 }

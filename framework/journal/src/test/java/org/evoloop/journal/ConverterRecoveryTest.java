@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.LongStream;
 import org.evoloop.converter.HistoryEntry;
+import org.evoloop.evolution.Occurrence;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -50,6 +51,17 @@ class ConverterRecoveryTest {
         assertThat(robot.states()).isEqualTo("(Clean, SpotWait)");
         assertThat(robot.sent).containsExactly("Clean", "Clean");
         assertThat(robot.outcomes()).containsExactly("Clean HANDLED", "Clean HANDLED", "Clean HANDLED");
+    }
+
+    @Test
+    void aViolationIsKept() throws Exception {
+        robot.press("Clean");
+        robot.settle();
+        robot.converter.offer(new Occurrence.Violated("It rests", 0));
+        robot.settle();
+        robot.copyAndRevive();
+
+        assertThat(robot.outcomes()).containsExactly("Clean HANDLED", "violation of It rests FAILED");
     }
 
     @Test
@@ -237,8 +249,11 @@ class ConverterRecoveryTest {
         assertThat(robot.converter.history(100))
                 .extracting(entry -> entry.occurrence().label())
                 .containsExactly("Clean", "Spot", "arriveSpot");
+        assertThat(robot.swaps()).containsExactly("[(On, Move), 'direct' took over from 'new']");
 
-        robot.evolve(Robot.models("original", "Clean"));
+        assertThat(robot.converter.rollBack().model()).isEqualTo("new");
+        assertThat(robot.states()).isEqualTo("(Spot, Spot)");
+        assertThatThrownBy(robot.converter::rollBack).hasMessageContaining("nothing to roll back to");
         robot.copyAndRevive();
         assertThat(robot.converter.knowledge().models().evolved().name()).isEqualTo("new");
         assertThat(robot.states()).isEqualTo("(Spot, Spot)");

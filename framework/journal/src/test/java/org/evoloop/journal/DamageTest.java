@@ -119,6 +119,18 @@ class DamageTest {
         }
     }
 
+    /** Elsewhere a kill could leave half of a header. */
+    @Test
+    void everyRecordBeginsWhereItsHeaderIsWrittenInOnePiece() {
+        SegmentReader reader = new SegmentReader(segmentIn(journal));
+        int records = 0;
+        while (reader.next()) {
+            assertThat(reader.at() % 8).as("record %d", reader.number()).isZero();
+            records++;
+        }
+        assertThat(records).isGreaterThan(STORY.size() / 2);
+    }
+
     @Test
     void anotherVersionIsRefused() throws Exception {
         Path segment = segmentIn(journal);
@@ -130,7 +142,7 @@ class DamageTest {
         assertThatThrownBy(() -> Kept.recovered(Robot.RULES, journal, clock))
                 .isInstanceOf(JournalException.class)
                 .hasMessage(segment
-                        + ", byte 8: it is written in version 9 of the format, and this Evoloop reads version 3;"
+                        + ", byte 8: it is written in version 9 of the format, and this Evoloop reads version 4;"
                         + " go on with the Evoloop that wrote it, or begin with an empty directory");
     }
 

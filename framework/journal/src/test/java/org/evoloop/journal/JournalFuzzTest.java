@@ -100,7 +100,7 @@ class JournalFuzzTest {
     }
 
     private static byte[] framed(byte[] bytes, int from, int length) {
-        return ByteBuffer.allocate(Frame.HEADER_BYTES + length)
+        return ByteBuffer.allocate(Frame.HEADER_BYTES + Frame.padded(length))
                 .putLong(Frame.header(length, Frame.crcOf(bytes, from, length)))
                 .put(bytes, from, length)
                 .array();
@@ -122,7 +122,7 @@ class JournalFuzzTest {
             one.write(WHOLE, next + Frame.HEADER_BYTES, length);
             records.add(one.toByteArray());
             all.writeBytes(one.toByteArray());
-            next += Frame.HEADER_BYTES + length;
+            next += Frame.HEADER_BYTES + Frame.padded(length);
         }
         records.add(all.toByteArray());
         return records;

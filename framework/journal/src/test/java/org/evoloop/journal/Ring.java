@@ -5,6 +5,7 @@ import org.evoloop.evolution.ModelPair;
 import org.evoloop.function.NewFunction;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
+import org.evoloop.statemachine.StateMachineBuilder;
 
 /** A device that goes from A to B to C and round again, and a new model in which one event takes it two steps on. */
 final class Ring extends StateKnowledge {
@@ -15,30 +16,26 @@ final class Ring extends StateKnowledge {
                     .transition("B", "next", "C")
                     .transition("C", "next", "A")
                     .build(),
-            StateMachine.named("new")
-                    .initial("A")
-                    .transition("A", "next", "B")
-                    .transition("B", "next", "C")
-                    .transition("C", "next", "A")
-                    .transition("A", "skip", "C")
-                    .transition("B", "skip", "A")
-                    .transition("C", "skip", "B")
-                    .build());
+            round("new").build());
 
     /** The same with a state more. */
     static final ModelPair LARGER = new ModelPair(
             MODELS.original(),
-            StateMachine.named("larger")
-                    .initial("A")
-                    .transition("A", "next", "B")
-                    .transition("B", "next", "C")
-                    .transition("C", "next", "A")
-                    .transition("A", "skip", "C")
-                    .transition("B", "skip", "A")
-                    .transition("C", "skip", "B")
+            round("larger")
                     .transition("A", "rest", "Rest")
                     .transition("Rest", "next", "B")
                     .build());
+
+    private static StateMachineBuilder round(String name) {
+        return StateMachine.named(name)
+                .initial("A")
+                .transition("A", "next", "B")
+                .transition("B", "next", "C")
+                .transition("C", "next", "A")
+                .transition("A", "skip", "C")
+                .transition("B", "skip", "A")
+                .transition("C", "skip", "B");
+    }
 
     Ring(ModelPair models) {
         super(models);

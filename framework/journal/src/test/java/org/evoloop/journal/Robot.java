@@ -8,6 +8,7 @@ import org.evoloop.core.Rules;
 import org.evoloop.evolution.DecisionTable;
 import org.evoloop.evolution.DeviceEvents;
 import org.evoloop.evolution.ModelPair;
+import org.evoloop.evolution.OnFailure;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
@@ -66,11 +67,9 @@ final class Robot {
 
     static Rules rules(ModelPair models, int queueCapacity) {
         DeviceEvents device = new DeviceEvents(
-                Set.of(new Event("Clean"), new Event("Spot")),
-                Set.of(new Event("endSpot")),
-                Map.of(new Event("Spot"), 2),
-                Set.of(),
-                Set.of());
+                        Set.of(new Event("Clean"), new Event("Spot")), Set.of(new Event("endSpot")))
+                .withCosts(Map.of(new Event("Spot"), 2))
+                .withOnFailure(Map.of(new State("SpotWait"), Map.of("Clean", OnFailure.GO_BACK)));
         return new Rules(
                 DecisionTable.compile(models, device),
                 state -> state.name().equals("SpotWait")

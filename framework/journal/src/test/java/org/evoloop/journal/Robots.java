@@ -163,6 +163,17 @@ final class Robots implements AutoCloseable {
         return converter.status().states().toString();
     }
 
+    /** Where other models took over, and which, as the journal tells. */
+    List<String> swaps() {
+        List<String> swaps = new ArrayList<>();
+        new JournalFiles(journal()).read(each -> {
+            if (each.kind().equals("evolved")) {
+                swaps.add("[" + each.where() + ", " + String.join(", ", each.endings()) + "]");
+            }
+        });
+        return swaps;
+    }
+
     List<String> outcomes() {
         return converter.history().stream()
                 .map(entry -> entry.occurrence().label() + " " + entry.outcome())

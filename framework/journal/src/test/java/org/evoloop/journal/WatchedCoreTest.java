@@ -4,22 +4,23 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.Random;
 import java.util.Set;
 import java.util.stream.LongStream;
+import org.evoloop.check.properties.PropertyFile;
 import org.evoloop.check.temporal.Moment;
 import org.evoloop.check.temporal.Outlook;
 import org.evoloop.check.temporal.Property;
-import org.evoloop.check.temporal.PropertyFile;
 import org.evoloop.check.temporal.PropertyWatch;
 import org.evoloop.core.Input;
+import org.evoloop.core.Output;
 import org.evoloop.core.Rules;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Source;
 import org.evoloop.evolution.Values;
+import org.evoloop.rehearsal.Comparison;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -71,12 +72,11 @@ class WatchedCoreTest {
     }
 
     private static void run(Random random, PropertyWatch watch, Configuration initial) {
-        Rehearsal core = new Rehearsal(
-                RULES,
-                initial,
-                0,
-                Map.of(),
-                ended -> watch.ended(ended.occurrence(), ended.after(), ended.outcome(), ended.decision()));
+        Comparison core = new Comparison((occurrence, then, now) -> {}, ending -> {
+            Output.Ended ended = ending.ended();
+            watch.ended(ended.occurrence(), ended.after(), ended.outcome(), ended.decision());
+        });
+        core.begin(RULES, Comparison.still(initial, 0));
         core.follow(new Input.Opened(0), 0);
         long now = 0;
         for (int number = 0; number < EVENTS; number++) {
@@ -85,16 +85,18 @@ class WatchedCoreTest {
             boolean own = event.equals("endSpot");
             boolean here = core.at().original().name().equals("Spot");
             if (!own || here) {
-                core.follow(
-                        new Input.Observed(new Occurrence.Heard(
+                core.observed(
+                        new Occurrence.Heard(
                                 new Event(event),
                                 Values.NONE,
                                 own ? Source.DEVICE : Source.CONTROLLER,
                                 own,
                                 Set.of(),
                                 Occurrence.ANY_VISIT,
-                                now)),
+                                now),
+                        null,
                         now);
+                core.rest(now);
             }
         }
     }

@@ -2,6 +2,7 @@ package org.evoloop.models;
 
 import java.io.IOException;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.concurrent.Callable;
 import org.evoloop.check.Check;
@@ -10,7 +11,9 @@ import org.evoloop.check.Finding;
 import org.evoloop.check.Rule;
 import org.evoloop.check.RuleSwitches;
 import org.evoloop.check.RuleSwitches.SwitchedOff;
-import org.evoloop.check.temporal.PropertyFile;
+import org.evoloop.check.properties.PropertyFile;
+import org.evoloop.check.timing.TimeCheck;
+import org.evoloop.check.timing.TimeReport;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.models.checking.Drawings;
 import org.evoloop.models.checking.FindingDiagram;
@@ -62,12 +65,19 @@ final class CheckCommand implements Callable<Integer> {
     @Override
     public Integer call() throws IOException {
         ModelPair pair = options.read();
-        CheckInput input = converter.tell(CheckInput.of(pair).withDevice(options.device(pair.original())));
+        CheckInput input = converter.tell(CheckInput.of(pair).withDevice(options.device(pair)));
         List<Finding> all = new ArrayList<>(Check.run(input));
         PropertyFile written = PropertyFile.none();
+        TimeReport times = TimeReport.NONE;
         if (all.stream().noneMatch(CheckCommand::isNoEvolution)) {
             written = properties.read(options.evolved(), pair);
             all.addAll(PropertyCheck.run(input, written));
+            times = TimeCheck.run(input, written.time(), written.file());
+            all.addAll(times.findings());
+            all.sort(Comparator.comparing(Finding::rule));
+            if (!times.note().isEmpty()) {
+                Output.note(spec, times.note());
+            }
             written.switches().useless(all).forEach(useless -> Output.note(spec, useless));
         }
         RuleSwitches switches = written.switches();
@@ -77,10 +87,14 @@ final class CheckCommand implements Callable<Integer> {
         Output.print(
                 spec,
                 switch (format) {
-                    case TEXT -> FindingsText.write(findings, off, drawings::place);
-                    case JSON -> FindingsJson.write(findings, off, drawings::place);
+                    case TEXT -> FindingsText.write(findings, off, times.verdicts(), drawings::place);
+                    case JSON -> FindingsJson.write(findings, off, times.verdicts(), drawings::place);
                     case SVG -> picture(pair, findings);
                 });
+        times.undecided().forEach(message -> Output.error(spec, message));
+        if (!times.undecided().isEmpty()) {
+            return 2;
+        }
         return findings.stream().allMatch(finding -> finding.rule().severity() == Rule.Severity.NOTE) ? 0 : 1;
     }
 
@@ -97,6 +111,8 @@ final class CheckCommand implements Callable<Integer> {
                 .flatMap(finding -> FindingDiagram.of(pair, finding).stream())
                 .toList();
         return SvgWriter.write(
-                "Check of " + pair.original().name() + " and " + pair.evolved().name(), diagrams);
+                "Check of " + pair.original().name() + " and " + pair.evolved().name(),
+                diagrams,
+                FindingDiagram.timings(findings));
     }
 }

@@ -2,7 +2,7 @@ package org.evoloop.models;
 
 import java.time.ZoneId;
 import java.util.concurrent.Callable;
-import org.evoloop.check.temporal.PropertyFile;
+import org.evoloop.check.properties.PropertyFile;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.journal.DryRun;
 import org.evoloop.models.record.ReplayDiagram;

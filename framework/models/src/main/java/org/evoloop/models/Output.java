@@ -12,6 +12,11 @@ final class Output {
         spec.commandLine().getErr().println("note: " + text);
     }
 
+    /** Says on the standard error what has gone wrong beside what is printed. */
+    static void error(CommandSpec spec, String text) {
+        spec.commandLine().getErr().println("error: " + text);
+    }
+
     /** Prints {@code result} and returns the exit status of a command that has done its work. */
     static int print(CommandSpec spec, String result) {
         PrintWriter out = spec.commandLine().getOut();

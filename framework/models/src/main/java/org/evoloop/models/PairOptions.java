@@ -1,12 +1,13 @@
 package org.evoloop.models;
 
+import java.util.Map;
 import org.evoloop.evolution.DeviceEvents;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.models.checking.Drawings;
-import org.evoloop.statemachine.StateMachine;
 import org.evoloop.xmi.ModelReference;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
 /** The two models of an evolution, and what their author knows of the device. */
@@ -20,6 +21,15 @@ final class PairOptions {
 
     @Mixin
     private DeviceOptions device;
+
+    @Option(
+            names = "--on-failure",
+            paramLabel = "EVENT[@STATE]=CHOICE",
+            description =
+                    "What follows when a step of a plan for EVENT fails, in STATE of the new model or in all: back"
+                            + " (the device is sent back to where the plan began), other-way (the event goes on by another way)"
+                            + " or stay, as where nothing is said.")
+    private Map<String, String> onFailure = Map.of();
 
     ModelReference original() {
         return models.original();
@@ -40,8 +50,8 @@ final class PairOptions {
                 ModelReader.drawing(original(), pair.original()), ModelReader.drawing(evolved(), pair.evolved()));
     }
 
-    /** What passes between converter and device. @throws IllegalArgumentException for a name that the model lacks */
-    DeviceEvents device(StateMachine original) {
-        return device.of(original);
+    /** What passes between converter and device. @throws IllegalArgumentException for a name that the models lack */
+    DeviceEvents device(ModelPair pair) {
+        return device.of(pair.original()).withOnFailure(FailureChoices.of(onFailure, pair.evolved()));
     }
 }

@@ -52,7 +52,7 @@ final class PlanCommand implements Callable<Integer> {
     public Integer call() {
         ModelPair pair = options.read();
         pair.requireValid();
-        DeviceEvents device = options.device(pair.original());
+        DeviceEvents device = options.device(pair);
         boolean json = format == Format.JSON;
         if (bypass) {
             Bypass told = Bypass.of(pair, device);

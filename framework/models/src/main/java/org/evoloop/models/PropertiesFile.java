@@ -3,7 +3,7 @@ package org.evoloop.models;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import org.evoloop.check.temporal.PropertyFile;
+import org.evoloop.check.properties.PropertyFile;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.xmi.ModelReference;
 import org.jspecify.annotations.Nullable;

@@ -58,12 +58,14 @@ final class ScaffoldCommand implements Callable<Integer> {
         Scaffold.requirePackage(javaPackage);
         Scaffold.requireDirectory(directory, update);
         ModelPair pair = options.read();
-        DeviceEvents device = options.device(pair.original());
+        DeviceEvents device = options.device(pair);
         List<Finding> errors = Check.run(CheckInput.of(pair).withDevice(device)).stream()
                 .filter(finding -> finding.rule().severity() == Rule.Severity.ERROR)
                 .toList();
         if (!errors.isEmpty()) {
-            spec.commandLine().getErr().print(FindingsText.write(errors, List.of(), options.drawings(pair)::place));
+            spec.commandLine()
+                    .getErr()
+                    .print(FindingsText.write(errors, List.of(), List.of(), options.drawings(pair)::place));
             spec.commandLine().getErr().println("error: no converter of this pair could run; mend the models first");
             return 1;
         }

@@ -62,6 +62,9 @@ class BadInputTest {
         assertRefused(Tool.run("plan", ORIGINAL, NEW, "--do-not-pass", "Move"), "--do-not-pass", "Move", "Spot");
         assertRefused(Tool.run("plan", ORIGINAL, NEW, "--cost", "Clean=0"), "cost", "Clean");
         assertRefused(Tool.run("plan", ORIGINAL, NEW, "--cost", "Clean=much"), "--cost", "much");
+        assertRefused(
+                Tool.run("plan", ORIGINAL, NEW, "--on-failure", "Clean=bak"), "--on-failure", "did you mean back");
+        assertRefused(Tool.run("check", ORIGINAL, NEW, "--on-failure", "Spot@Off=back"), "--on-failure", "Spot@Off");
     }
 
     @Test

@@ -115,6 +115,31 @@ class CommandsTest {
     }
 
     @Test
+    void planTellsWhatFollowsWhenAStepFails() {
+        String[] plan = {"plan", ORIGINAL, NEW, "--spontaneous", "endSpot", "--on-failure", "Clean@SpotWait=back"};
+        assertThat(good(plan).lines()).contains("    if Spot fails in On: back by Clean");
+        plan[6] = "Clean=other-way";
+        assertThat(good(plan).lines())
+                .contains("    if Clean fails in Off: NO OTHER WAY, the device stays there")
+                .contains("    if Spot fails in On: NO OTHER WAY, the device stays there");
+        JsonNode path = row(
+                json(
+                        "plan",
+                        ORIGINAL,
+                        NEW,
+                        "--spontaneous",
+                        "endSpot",
+                        "--on-failure",
+                        "Clean=back",
+                        "--format",
+                        "json"),
+                "SpotWait",
+                "Clean");
+        assertThat(path.get("onFailure").toString())
+                .isEqualTo("[{\"event\":\"Spot\",\"originalState\":\"On\",\"then\":\"back\",\"events\":[\"Clean\"]}]");
+    }
+
+    @Test
     void planObeysWhatMustNotBePassed() {
         JsonNode plan =
                 json("plan", ORIGINAL, NEW, "--spontaneous", "endSpot", "--do-not-pass", "On", "--format", "json");

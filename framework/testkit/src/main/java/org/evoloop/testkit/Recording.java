@@ -4,12 +4,12 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import org.evoloop.check.temporal.PropertyFile;
+import org.evoloop.check.properties.PropertyFile;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.journal.DryRun;
 import org.evoloop.journal.DryRun.Broken;
-import org.evoloop.journal.DryRun.Difference;
 import org.evoloop.journal.JournalFiles;
+import org.evoloop.rehearsal.Difference;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -23,6 +23,12 @@ public sealed interface Formula {
                 && operands().stream().allMatch(Formula::isPlain);
     }
 
+    /** Whether it names an event anywhere. */
+    default boolean namesEvent() {
+        return (this instanceof Atom atom && atom.kind() == Kind.EVENT)
+                || operands().stream().anyMatch(Formula::namesEvent);
+    }
+
     /**
      * Whether it holds in {@code moment}.
      *

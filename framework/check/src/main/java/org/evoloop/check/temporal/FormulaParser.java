@@ -1,13 +1,10 @@
 package org.evoloop.check.temporal;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Predicate;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.evoloop.check.temporal.Formula.Kind;
@@ -28,9 +25,12 @@ import org.evoloop.statemachine.StateMachine;
  * not F   can F   eventually F   next F
  * Spot   state Spot   device On   event Clean   function Move   true   false   (F)
  * </pre>
+ *
+ * <p>Threading: not thread-safe.
+ *
+ * @since 0.1
  */
-final class FormulaParser {
-    private static final Pattern TOKEN = Pattern.compile("\\(|\\)|\"([^\"]*)\"|[^\\s()\"]+");
+public final class FormulaParser {
     private static final Set<String> KEYWORDS = Set.of(
             "always",
             "never",
@@ -55,32 +55,47 @@ final class FormulaParser {
             ")");
 
     private final ModelPair pair;
-    private List<Token> tokens = List.of();
+    private List<Word> words = List.of();
     private int position;
 
-    /** @param isName whether it stands in quotation marks or is no word of the language */
-    private record Token(String text, boolean isName) {}
-
-    FormulaParser(ModelPair pair) {
+    /** @param pair whose states and events formulas name */
+    public FormulaParser(ModelPair pair) {
         this.pair = pair;
     }
 
-    /** @throws ModelException saying what is wrong and where in the formula */
-    Formula parse(String text) {
-        tokens = new ArrayList<>();
+    /**
+     * The formula that {@code words} make up.
+     *
+     * @throws ModelException saying what is wrong and where in the formula
+     */
+    public Formula parse(List<Word> formula) {
+        words = formula;
         position = 0;
-        for (Matcher matcher = TOKEN.matcher(text); matcher.find(); ) {
-            String quoted = matcher.group(1);
-            tokens.add(
-                    quoted != null
-                            ? new Token(quoted, true)
-                            : new Token(matcher.group(), !KEYWORDS.contains(matcher.group())));
-        }
-        Formula formula = formula();
-        if (position < tokens.size()) {
+        Formula read = formula();
+        if (position < words.size()) {
             throw unexpected("'and', 'or', 'implies' or the end");
         }
-        return formula;
+        return read;
+    }
+
+    /**
+     * What is called {@code name}.
+     *
+     * @throws ModelException if nothing of this kind is, with what there is
+     */
+    public Formula.Atom known(Kind kind, String name) {
+        Set<String> names = names(kind);
+        if (!names.contains(name)) {
+            String what = switch (kind) {
+                case STATE -> "state of the new model";
+                case DEVICE -> "state of the original model";
+                case EVENT -> "event of the new model";
+                case FUNCTION -> "new state";
+            };
+            throw new ModelException(
+                    "there is no " + what + " named " + name + "; there are " + String.join(", ", names));
+        }
+        return new Formula.Atom(kind, name);
     }
 
     private Formula formula() {
@@ -165,8 +180,8 @@ final class FormulaParser {
         return known(Kind.STATE, name());
     }
 
-    private Formula known(Kind kind, String name) {
-        Set<String> names = switch (kind) {
+    private Set<String> names(Kind kind) {
+        return switch (kind) {
             case STATE -> names(pair.evolved(), state -> true);
             case DEVICE -> names(pair.original(), state -> true);
             case EVENT ->
@@ -175,17 +190,6 @@ final class FormulaParser {
                         .collect(Collectors.toCollection(java.util.TreeSet::new));
             case FUNCTION -> names(pair.evolved(), pair::isNew);
         };
-        if (!names.contains(name)) {
-            String what = switch (kind) {
-                case STATE -> "state of the new model";
-                case DEVICE -> "state of the original model";
-                case EVENT -> "event of the new model";
-                case FUNCTION -> "new state";
-            };
-            throw new ModelException(
-                    "there is no " + what + " named " + name + "; there are " + String.join(", ", names));
-        }
-        return new Formula.Atom(kind, name);
     }
 
     private static Set<String> names(StateMachine machine, Predicate<State> wanted) {
@@ -197,28 +201,31 @@ final class FormulaParser {
     }
 
     private String name() {
-        Token token = next().filter(Token::isName).orElseThrow(() -> unexpected("a name"));
+        Word word = next().filter(FormulaParser::isName).orElseThrow(() -> unexpected("a name"));
         position++;
-        return token.text();
+        return word.text();
+    }
+
+    private static boolean isName(Word word) {
+        return word.quoted() || !KEYWORDS.contains(word.text());
     }
 
     private boolean take(String keyword) {
-        boolean found = next().filter(token -> !token.isName() && token.text().equals(keyword))
-                .isPresent();
+        boolean found = next().filter(word -> word.is(keyword)).isPresent();
         if (found) {
             position++;
         }
         return found;
     }
 
-    private Optional<Token> next() {
-        return position < tokens.size() ? Optional.of(tokens.get(position)) : Optional.empty();
+    private Optional<Word> next() {
+        return position < words.size() ? Optional.of(words.get(position)) : Optional.empty();
     }
 
     private ModelException unexpected(String wanted) {
-        String found = next().map(token -> "'" + token.text() + "'").orElse("the end");
+        String found = next().map(word -> "'" + word.text() + "'").orElse("the end");
         return new ModelException(found + " stands where " + wanted + " should"
-                + (position == 0 ? "" : ", after '" + tokens.get(position - 1).text() + "'")
+                + (position == 0 ? "" : ", after '" + words.get(position - 1).text() + "'")
                 + "; write names that are words of the language in quotation marks");
     }
 }

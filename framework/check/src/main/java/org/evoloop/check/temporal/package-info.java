@@ -1,6 +1,6 @@
 /**
  * What an evolution must keep to: properties in temporal logic, written beside the models in words
- * ({@link org.evoloop.check.temporal.PropertyFile}), over moments of a converter
+ * ({@link org.evoloop.check.properties.PropertyFile}), over moments of a converter
  * ({@link org.evoloop.check.temporal.Moment}). {@link org.evoloop.check.temporal.PropertyWatch} judges what has happened,
  * {@link org.evoloop.check.temporal.Outlook} what can happen by the models.
  *

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.nio.file.Path;
 import java.util.Set;
 import org.evoloop.check.CheckInput;
+import org.evoloop.check.properties.PropertyFile;
 import org.evoloop.evolution.DecisionTable;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.xmi.XmiFile;

@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Set;
 import org.evoloop.check.CheckInput;
+import org.evoloop.check.properties.PropertyFile;
 import org.evoloop.check.temporal.PropertyWatch.Standing;
 import org.evoloop.core.Outcome;
 import org.evoloop.evolution.Configuration;

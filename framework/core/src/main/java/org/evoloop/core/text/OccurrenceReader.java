@@ -28,6 +28,7 @@ final class OccurrenceReader {
             case "asked" -> asked(observedNanos);
             case "found" -> new Occurrence.Found(names.originalState(), observedNanos);
             case "evolved" -> new Occurrence.Evolved(lines.text(), observedNanos);
+            case "violated" -> new Occurrence.Violated(lines.text(), observedNanos);
             case "in-doubt" -> new Occurrence.InDoubt(lines.text(), observedNanos);
             default -> throw lines.damaged("'" + kind + "' is no occurrence");
         };

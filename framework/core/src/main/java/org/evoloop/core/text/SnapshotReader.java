@@ -1,6 +1,7 @@
 package org.evoloop.core.text;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -11,10 +12,12 @@ import org.evoloop.core.Pending;
 import org.evoloop.core.Snapshot;
 import org.evoloop.core.Tally;
 import org.evoloop.core.Work;
+import org.evoloop.evolution.BrokenPlan;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.evolution.Occurrence;
+import org.evoloop.evolution.OnFailure;
 import org.evoloop.evolution.Step;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
@@ -158,7 +161,26 @@ final class SnapshotReader {
         State from = isNone() ? null : names.originalState();
         lines.ends();
         Step own = step("own");
-        return new Pending(number, occurrences.read(), from, own, stepsBefore, attempts);
+        BrokenPlan broken = broken();
+        return new Pending(number, occurrences.read(), from, own, stepsBefore, attempts, broken);
+    }
+
+    private @Nullable BrokenPlan broken() {
+        lines.next("broken");
+        String first = lines.word();
+        if (first.equals("none")) {
+            lines.ends();
+            return null;
+        }
+        OnFailure then = constant(first, OnFailure.values());
+        State begun = names.originalState();
+        String reason = lines.text();
+        int count = ended(lines.count());
+        List<Step> failed = new ArrayList<>();
+        while (failed.size() < count) {
+            failed.add(someStep());
+        }
+        return new BrokenPlan(then, reason, begun, failed);
     }
 
     private List<Occurrence> meanwhile() {
@@ -188,19 +210,18 @@ final class SnapshotReader {
         }
         int taken = lines.countIn(first);
         int effectsRun = lines.count();
-        Work.Stage stage = stage();
+        Work.Stage stage = constant(lines.word(), Work.Stage.values());
         String failedEffects = ended(lines.text());
         return new Work(pending(), decision(), taken, effectsRun, failedEffects, stage, meanwhile());
     }
 
-    private Work.Stage stage() {
-        String word = lines.word();
-        for (Work.Stage stage : Work.Stage.values()) {
-            if (stage.name().toLowerCase(Locale.ROOT).equals(word)) {
-                return stage;
+    private <E extends Enum<E>> E constant(String word, E[] all) {
+        for (E each : all) {
+            if (each.name().toLowerCase(Locale.ROOT).equals(word)) {
+                return each;
             }
         }
-        throw lines.damaged("'" + word + "' is no stage of a plan");
+        throw lines.damaged("'" + word + "' is none of " + Arrays.toString(all).toLowerCase(Locale.ROOT));
     }
 
     private @Nullable Decision decision() {

@@ -18,7 +18,7 @@ public final class SnapshotText {
     static final String TITLE = "evoloop-snapshot";
 
     /** The version that is written and read. */
-    public static final int VERSION = 1;
+    public static final int VERSION = 2;
 
     private SnapshotText() {}
 

@@ -9,6 +9,7 @@ import org.evoloop.core.Pending;
 import org.evoloop.core.Snapshot;
 import org.evoloop.core.Tally;
 import org.evoloop.core.Work;
+import org.evoloop.evolution.BrokenPlan;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;
@@ -19,7 +20,10 @@ import org.jspecify.annotations.Nullable;
 
 /** Writes what {@link SnapshotReader} reads, line by line in the same order. */
 final class SnapshotWriter {
-    private final StringBuilder text = new StringBuilder();
+    /** Most snapshots fit. */
+    private static final int CAPACITY = 512;
+
+    private final StringBuilder text = new StringBuilder(CAPACITY);
 
     String write(Snapshot snapshot) {
         line(SnapshotText.TITLE, SnapshotText.VERSION);
@@ -119,7 +123,22 @@ final class SnapshotWriter {
             line("from", new Quoted(pending.from().name()));
         }
         step("own", pending.own());
+        broken(pending.broken());
         occurrence(pending.occurrence());
+    }
+
+    private void broken(@Nullable BrokenPlan broken) {
+        if (broken == null) {
+            line("broken", "none");
+            return;
+        }
+        line(
+                "broken",
+                broken.then().name().toLowerCase(Locale.ROOT),
+                new Quoted(broken.begun().name()),
+                new Quoted(broken.reason()),
+                broken.failed().size());
+        broken.failed().forEach(step -> step("step", step));
     }
 
     private void occurrence(Occurrence occurrence) {
@@ -146,6 +165,10 @@ final class SnapshotWriter {
             text.append("in-doubt");
             word(inDoubt.observedNanos());
             word(new Quoted(inDoubt.why()));
+        } else if (occurrence instanceof Occurrence.Violated violated) {
+            text.append("violated");
+            word(violated.observedNanos());
+            word(new Quoted(violated.property()));
         } else if (occurrence instanceof Occurrence.Evolved evolved) {
             text.append("evolved");
             word(evolved.observedNanos());

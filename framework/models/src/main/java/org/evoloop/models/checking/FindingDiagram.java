@@ -13,6 +13,7 @@ import org.evoloop.models.chart.FlatChart;
 import org.evoloop.models.diagram.ChartDiagram;
 import org.evoloop.models.diagram.Diagram;
 import org.evoloop.models.diagram.Diagram.Tone;
+import org.evoloop.models.diagram.Timing;
 import org.evoloop.statechart.Arc;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.Transition;
@@ -29,6 +30,14 @@ public final class FindingDiagram {
             return Stream.concat(original, evolved).toList();
         }
         return (finding.element().side() == Element.ModelRole.ORIGINAL ? original : evolved).toList();
+    }
+
+    /** What happens in time, for findings in which that matters. */
+    public static List<Timing> timings(List<Finding> findings) {
+        return findings.stream()
+                .filter(finding -> !finding.timed().isEmpty())
+                .map(TimedWay::picture)
+                .toList();
     }
 
     private static Diagram draw(StateMachine machine, Element.ModelRole side, Finding finding) {

@@ -6,17 +6,22 @@ import java.util.function.Function;
 import org.evoloop.check.Element;
 import org.evoloop.check.Finding;
 import org.evoloop.check.RuleSwitches.SwitchedOff;
+import org.evoloop.check.TimedEvent;
+import org.evoloop.check.timing.Span;
+import org.evoloop.check.timing.TimeVerdict;
 import org.evoloop.evolution.Turn;
 import org.evoloop.models.format.Json;
+import org.jspecify.annotations.Nullable;
 
 /** Findings for programs, in the shape that docs/models.md promises: components are the keys, in this order. */
-public record FindingsJson(List<Row> findings, List<OffRow> switchedOff) {
+public record FindingsJson(List<Row> findings, List<OffRow> switchedOff, List<Verdict> times) {
 
     /**
      * A finding.
      *
      * @param machine {@code original} or {@code new}
      * @param example what happens until it shows, from the start; often nothing
+     * @param timed the same with times, where they matter
      */
     public record Row(
             String rule,
@@ -26,10 +31,28 @@ public record FindingsJson(List<Row> findings, List<OffRow> switchedOff) {
             String place,
             String message,
             String mend,
-            List<Happening> example) {}
+            List<Happening> example,
+            List<Timed> timed) {}
 
     /** A finding that its author has switched off; {@code where} the switch stands. */
     public record OffRow(String rule, String machine, String element, String message, String reason, String where) {}
+
+    /** What a time property comes to; {@code worstNanos} is null if there is no bound, both are if it never comes to that. */
+    public record Verdict(
+            String property,
+            int line,
+            boolean holds,
+            @Nullable Long bestNanos,
+            @Nullable Long worstNanos,
+            long moments) {}
+
+    /** Something that happens at a time; {@code sending} is the event on its way to the device then, or null. */
+    public record Timed(
+            long atNanos,
+            String what,
+            String originalState,
+            String newState,
+            @Nullable String sending) {}
 
     /** An event and where it leads. */
     public record Happening(String event, boolean deviceActed, String originalState, String newState) {}
@@ -38,12 +61,18 @@ public record FindingsJson(List<Row> findings, List<OffRow> switchedOff) {
      * The text for {@code findings}.
      *
      * @param off findings that do not count
+     * @param verdicts what time properties come to
      * @param places where in a file an element stands
      */
-    public static String write(List<Finding> findings, List<SwitchedOff> off, Function<Element, String> places) {
+    public static String write(
+            List<Finding> findings,
+            List<SwitchedOff> off,
+            List<TimeVerdict> verdicts,
+            Function<Element, String> places) {
         return Json.write(new FindingsJson(
                 findings.stream().map(finding -> row(finding, places)).toList(),
-                off.stream().map(FindingsJson::row).toList()));
+                off.stream().map(FindingsJson::row).toList(),
+                verdicts.stream().map(FindingsJson::verdict).toList()));
     }
 
     private static OffRow row(SwitchedOff off) {
@@ -70,7 +99,27 @@ public record FindingsJson(List<Row> findings, List<OffRow> switchedOff) {
                 places.apply(finding.element()),
                 finding.message(),
                 finding.mend(),
-                finding.example().stream().map(FindingsJson::happening).toList());
+                finding.example().stream().map(FindingsJson::happening).toList(),
+                finding.timed().stream().map(FindingsJson::timed).toList());
+    }
+
+    private static Verdict verdict(TimeVerdict verdict) {
+        return new Verdict(
+                verdict.property().name(),
+                verdict.property().line(),
+                verdict.holds(),
+                verdict.best() < 0 ? null : verdict.best(),
+                verdict.worst() < 0 || verdict.worst() == Span.FOR_EVER ? null : verdict.worst(),
+                verdict.moments());
+    }
+
+    private static Timed timed(TimedEvent event) {
+        return new Timed(
+                event.atNanos(),
+                event.what(),
+                event.after().original().name(),
+                event.after().evolved().name(),
+                event.step().isEmpty() ? null : event.step());
     }
 
     private static Happening happening(Turn turn) {

@@ -8,6 +8,7 @@ import java.util.stream.Collectors;
 import org.evoloop.check.Element;
 import org.evoloop.check.Finding;
 import org.evoloop.check.RuleSwitches.SwitchedOff;
+import org.evoloop.check.timing.TimeVerdict;
 import org.evoloop.evolution.Turn;
 
 /** Findings for people: a paragraph each. */
@@ -18,9 +19,14 @@ public final class FindingsText {
      * The text for {@code findings}.
      *
      * @param off findings that do not count
+     * @param verdicts what time properties come to
      * @param places where in a file an element stands
      */
-    public static String write(List<Finding> findings, List<SwitchedOff> off, Function<Element, String> places) {
+    public static String write(
+            List<Finding> findings,
+            List<SwitchedOff> off,
+            List<TimeVerdict> verdicts,
+            Function<Element, String> places) {
         List<String> lines = new ArrayList<>();
         for (Finding finding : findings) {
             lines.add(finding.rule().severity().name().toLowerCase(Locale.ROOT) + ": "
@@ -30,12 +36,16 @@ public final class FindingsText {
             if (!finding.example().isEmpty()) {
                 lines.add("  way:  " + way(finding));
             }
+            if (!finding.timed().isEmpty()) {
+                lines.add("  way:  " + TimedWay.text(finding.timed()));
+            }
         }
         for (SwitchedOff each : off) {
             lines.add(
                     "off: " + each.finding().rule().id() + ": " + each.finding().message());
             lines.add("  why:  " + each.reason() + " (" + each.where() + ")");
         }
+        verdicts.forEach(verdict -> lines.add("time: " + verdict));
         lines.add((findings.isEmpty() ? "nothing found" : count(findings))
                 + (off.isEmpty() ? "" : ", " + off.size() + " switched off"));
         return String.join("\n", lines) + "\n";

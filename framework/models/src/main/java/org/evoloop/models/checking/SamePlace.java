@@ -61,6 +61,7 @@ public final class SamePlace {
                 first.element(),
                 first.message() + "; the same holds for " + others + more,
                 first.mend(),
-                first.example());
+                first.example(),
+                first.timed());
     }
 }

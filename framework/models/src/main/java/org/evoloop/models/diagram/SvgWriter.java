@@ -48,6 +48,15 @@ public final class SvgWriter {
 
     /** The same with a table below. */
     public static String write(String title, List<Diagram> diagrams, Table table) {
+        return write(title, diagrams, table, List.of());
+    }
+
+    /** The same with timing diagrams below. */
+    public static String write(String title, List<Diagram> diagrams, List<Timing> timings) {
+        return write(title, diagrams, Table.NONE, timings);
+    }
+
+    private static String write(String title, List<Diagram> diagrams, Table table, List<Timing> timings) {
         List<Layout> layouts = diagrams.stream().map(ElkLayout::of).toList();
         Shelves shelves = Shelves.of(layouts);
         Set<Tone> tones = tones(diagrams);
@@ -57,13 +66,19 @@ public final class SvgWriter {
         TablePainter rows = new TablePainter(table);
         double below = table.caption().isEmpty() ? 0 : rows.height() + GAP;
         double drawn = Math.max(shelves.width(), below == 0 ? 0 : rows.width() + 2 * GAP);
+        List<TimingPainter> painters = timings.stream().map(TimingPainter::new).toList();
+        double timed = 0;
+        for (TimingPainter painter : painters) {
+            drawn = Math.max(drawn, painter.width() + 2 * GAP);
+            timed += painter.height() + GAP;
+        }
         double width = legend == 0 ? drawn : Math.max(drawn, LEGEND_WIDTH);
         SvgWriter writer = new SvgWriter(new Svg(
                 title,
                 width,
-                shelves.height() + legend + below,
+                shelves.height() + legend + below + timed,
                 TextSize.FONT_SIZE,
-                style(tones) + (below == 0 ? "" : TablePainter.STYLE),
+                style(tones) + (below == 0 ? "" : TablePainter.STYLE) + (painters.isEmpty() ? "" : TimingPainter.STYLE),
                 markers(tones)));
         for (int i = 0; i < layouts.size(); i++) {
             writer.machine(diagrams.get(i), layouts.get(i), shelves.places().get(i));
@@ -75,6 +90,13 @@ public final class SvgWriter {
             writer.svg.group("table", GAP, shelves.height() + legend);
             rows.paint(writer.svg);
             writer.svg.endGroup();
+        }
+        double top = shelves.height() + legend + below;
+        for (TimingPainter painter : painters) {
+            writer.svg.group("timing", GAP, top);
+            painter.paint(writer.svg);
+            writer.svg.endGroup();
+            top += painter.height() + GAP;
         }
         return writer.svg.toString();
     }

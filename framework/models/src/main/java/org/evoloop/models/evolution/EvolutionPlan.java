@@ -8,11 +8,11 @@ import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.DecisionTable;
 import org.evoloop.evolution.DeviceEvents;
+import org.evoloop.evolution.Fallback;
 import org.evoloop.evolution.GuardedTriggers;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.evolution.Passage;
 import org.evoloop.evolution.Step;
-import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.Transition;
 
 /**
@@ -49,11 +49,19 @@ public record EvolutionPlan(ModelPair pair, DeviceEvents device, List<Line> line
      *
      * @param steps of the device, those that it takes itself too
      * @param passed the states of the device on the way, without the last
+     * @param fallbacks what follows when a step fails, where the author has said so
      * @param reason why it is impossible; else empty
      */
     public record Line(
-            Configuration at, Transition transition, Kind kind, List<Step> steps, List<Passage> passed, String reason) {
+            Configuration at,
+            Transition transition,
+            Kind kind,
+            List<Step> steps,
+            List<Passage> passed,
+            List<Fallback> fallbacks,
+            String reason) {
         public Line {
+            fallbacks = List.copyOf(fallbacks);
             steps = List.copyOf(steps);
             passed = List.copyOf(passed);
         }
@@ -84,7 +92,7 @@ public record EvolutionPlan(ModelPair pair, DeviceEvents device, List<Line> line
                 if (guards.shadowOf(transition) == null) {
                     taken.add(transition);
                     Decision decision = table.decide(at, transition.event(), false);
-                    lines.add(line(at, transition, decision, pair.original()));
+                    lines.add(line(at, transition, decision, table));
                 }
             }
         }
@@ -94,10 +102,16 @@ public record EvolutionPlan(ModelPair pair, DeviceEvents device, List<Line> line
         return new EvolutionPlan(pair, table.device(), lines, unreached);
     }
 
-    private static Line line(Configuration at, Transition transition, Decision decision, StateMachine original) {
+    private static Line line(Configuration at, Transition transition, Decision decision, DecisionTable table) {
         String reason = decision instanceof Decision.Impossible impossible ? impossible.reason() : "";
         return new Line(
-                at, transition, kind(transition, decision), decision.steps(), Passage.of(decision, original), reason);
+                at,
+                transition,
+                kind(transition, decision),
+                decision.steps(),
+                Passage.of(decision, table.models().original()),
+                Fallback.of(table, decision),
+                reason);
     }
 
     private static Kind kind(Transition transition, Decision decision) {

@@ -4,6 +4,9 @@ import com.fasterxml.jackson.annotation.JsonProperty;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import org.evoloop.evolution.Fallback;
+import org.evoloop.evolution.OnFailure;
+import org.evoloop.evolution.Step;
 import org.evoloop.models.evolution.EvolutionPlan.Line;
 import org.evoloop.models.format.Json;
 import org.evoloop.statemachine.Event;
@@ -30,11 +33,32 @@ public record PlanJson(
             List<String> events,
             List<Through> through,
             boolean marked,
+            List<OnFailed> onFailure,
             @Nullable String function,
             @Nullable String reason) {}
 
     /** A state that is passed, and what the device does there. */
     public record Through(String state, List<String> effects) {}
+
+    /** What follows when an event cannot be sent in a state; {@code events} is null if no way leads there. */
+    public record OnFailed(
+            String event,
+            String originalState,
+            String then,
+            @Nullable List<String> events) {
+        static OnFailed of(Fallback fallback) {
+            List<Step> way = fallback.way();
+            return new OnFailed(
+                    fallback.failed().trigger().name(),
+                    fallback.failed().source().name(),
+                    fallback.then() == OnFailure.GO_BACK ? "back" : "otherWay",
+                    way == null ? null : names(way));
+        }
+    }
+
+    private static List<String> names(List<Step> steps) {
+        return steps.stream().map(step -> step.trigger().name()).toList();
+    }
 
     public static String write(EvolutionPlan plan) {
         Map<String, Integer> costs = new TreeMap<>();
@@ -56,11 +80,12 @@ public record PlanJson(
                 line.at().evolved().name(),
                 TransitionJson.of(line.transition()),
                 kind(line.kind()),
-                line.sent().stream().map(step -> step.trigger().name()).toList(),
+                names(line.sent()),
                 line.passed().stream()
                         .map(passed -> new Through(passed.state().name(), passed.effects()))
                         .toList(),
                 line.isMarked(),
+                line.fallbacks().stream().map(OnFailed::of).toList(),
                 line.kind() == EvolutionPlan.Kind.NEW_FUNCTION
                         ? line.transition().target().name()
                         : null,

@@ -4,6 +4,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
+import org.evoloop.evolution.Fallback;
+import org.evoloop.evolution.OnFailure;
+import org.evoloop.evolution.Step;
 import org.evoloop.models.evolution.EvolutionPlan.Line;
 import org.evoloop.statemachine.Event;
 
@@ -28,7 +31,10 @@ public final class PlanText {
                 .forEach(event -> lines.add(
                         "cost of " + event + ": " + plan.device().costs().get(event)));
         lines.add("(device, system)");
-        plan.lines().forEach(line -> lines.add(line(line)));
+        plan.lines().forEach(line -> {
+            lines.add(line(line));
+            line.fallbacks().forEach(fallback -> lines.add("    " + fallback(fallback)));
+        });
         plan.unreached().forEach(transition -> lines.add("never taken: " + DifferenceText.label(transition)));
         return String.join("\n", lines) + "\n";
     }
@@ -40,6 +46,18 @@ public final class PlanText {
 
     private static String line(Line line) {
         return line.at() + "  " + DifferenceText.label(line.transition()) + ":  " + what(line);
+    }
+
+    private static String fallback(Fallback fallback) {
+        List<Step> way = fallback.way();
+        boolean back = fallback.then() == OnFailure.GO_BACK;
+        String then = back ? "back" : "goes on";
+        String sent = way == null || way.isEmpty()
+                ? ""
+                : " by " + way.stream().map(step -> step.trigger().name()).collect(Collectors.joining(", "));
+        return "if " + fallback.failed().trigger() + " fails in "
+                + fallback.failed().source() + ": "
+                + (way == null ? (back ? "NO WAY BACK" : "NO OTHER WAY") + ", the device stays there" : then + sent);
     }
 
     private static String what(Line line) {

@@ -7,18 +7,18 @@ import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import org.evoloop.check.temporal.PropertyFile;
+import org.evoloop.check.properties.PropertyFile;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.journal.DryRun;
 import org.evoloop.journal.DryRun.Broken;
-import org.evoloop.journal.DryRun.Difference;
-import org.evoloop.journal.Verdict;
 import org.evoloop.models.chart.FlatChart;
 import org.evoloop.models.diagram.ChartDiagram;
 import org.evoloop.models.diagram.Diagram;
 import org.evoloop.models.diagram.Diagram.Tone;
 import org.evoloop.models.diagram.SvgWriter;
 import org.evoloop.models.diagram.Table;
+import org.evoloop.rehearsal.Difference;
+import org.evoloop.rehearsal.Verdict;
 import org.evoloop.statemachine.State;
 
 /**

@@ -2,14 +2,14 @@ package org.evoloop.models.record;
 
 import com.fasterxml.jackson.annotation.JsonProperty;
 import java.util.List;
+import org.evoloop.check.properties.PropertyFile;
 import org.evoloop.check.temporal.Property;
-import org.evoloop.check.temporal.PropertyFile;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.journal.DryRun;
-import org.evoloop.journal.DryRun.Difference;
-import org.evoloop.journal.Verdict;
 import org.evoloop.models.format.Json;
+import org.evoloop.rehearsal.Difference;
+import org.evoloop.rehearsal.Verdict;
 import org.jspecify.annotations.Nullable;
 
 /** What other models would have made of a journal's events, for programs: components are the keys, in this order. */

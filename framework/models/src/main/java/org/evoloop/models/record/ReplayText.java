@@ -4,11 +4,11 @@ import java.time.Instant;
 import java.time.ZoneId;
 import java.util.ArrayList;
 import java.util.List;
+import org.evoloop.check.properties.PropertyFile;
 import org.evoloop.check.temporal.Property;
-import org.evoloop.check.temporal.PropertyFile;
 import org.evoloop.journal.DryRun;
 import org.evoloop.journal.DryRun.Broken;
-import org.evoloop.journal.DryRun.Difference;
+import org.evoloop.rehearsal.Difference;
 
 /** What other models would have made of a journal's events, for people. */
 public final class ReplayText {

@@ -9,7 +9,7 @@ import java.util.Set;
 import org.evoloop.check.CheckInput;
 import org.evoloop.check.Finding;
 import org.evoloop.check.Rule;
-import org.evoloop.check.temporal.PropertyFile;
+import org.evoloop.check.properties.PropertyFile;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.statemachine.ModelException;
 import org.evoloop.xmi.XmiFile;

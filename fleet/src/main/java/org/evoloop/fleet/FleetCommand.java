@@ -1,0 +1,204 @@
+package org.evoloop.fleet;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.List;
+import java.util.concurrent.Callable;
+import org.evoloop.fleet.broker.LocalBroker;
+import org.evoloop.fleet.demo.Demo;
+import org.evoloop.fleet.program.Lamp;
+import org.evoloop.fleet.program.Scratch;
+import org.evoloop.fleet.stream.Fleet;
+import org.evoloop.fleet.stream.FleetSettings;
+import org.evoloop.fleet.stream.FleetTopics;
+import org.evoloop.fleet.wire.ModelRecord;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/** Runs an instance of a fleet, or shows one. */
+@Command(
+        name = "fleet",
+        description = {
+            "Converts the events of many devices at a Kafka cluster: one instance, which shares the work with all others of"
+                    + " the same name, until it gets SIGTERM. docs/fleet.md has the topics."
+        },
+        mixinStandardHelpOptions = true,
+        sortOptions = false,
+        subcommands = {PublishCommand.class, RegisterCommand.class, RolloutCommand.class},
+        footer = {"", "Exit status: 0 success, 1 the demo was not as it should be, 2 wrong usage or input."})
+final class FleetCommand implements Callable<Integer> {
+    private static final Duration START_LIMIT = Duration.ofMinutes(10);
+    private static final int MOST_DEVICES = 1_000_000;
+
+    @Spec
+    @SuppressWarnings("NullAway.Init") // picocli sets it
+    private CommandSpec spec;
+
+    @Option(
+            names = "--demo",
+            description =
+                    "Shows a fleet of simulated lamps: presses, bad records, an instance that leaves, and models that"
+                            + " take over. Starts a broker of its own unless --bootstrap names one. Takes a minute.")
+    private boolean demo;
+
+    @Option(names = "--devices", paramLabel = "N", description = "So many lamps in the demo (default: 1000).")
+    private @Nullable Integer devices;
+
+    @Option(names = "--bootstrap", paramLabel = "HOST:PORT", description = "A broker of the cluster.")
+    private @Nullable String bootstrap;
+
+    @Option(
+            names = "--name",
+            paramLabel = "NAME",
+            defaultValue = "evoloop",
+            description = "The fleet's name, with which its topics begin (default: evoloop).")
+    @SuppressWarnings("NullAway.Init") // picocli sets it
+    private String name;
+
+    @Option(names = "--create-topics", description = "Creates the topics that are missing, and ends.")
+    private boolean createTopics;
+
+    @Option(
+            names = "--partitions",
+            paramLabel = "N",
+            defaultValue = "8",
+            description =
+                    "Into so many parts --create-topics divides the devices; it cannot be changed later (default: 8).")
+    private int partitions;
+
+    @Option(
+            names = "--threads",
+            paramLabel = "N",
+            defaultValue = "1",
+            description = "So many threads work (default: 1).")
+    private int threads;
+
+    @Option(
+            names = "--standbys",
+            paramLabel = "N",
+            defaultValue = "0",
+            description = "So many other instances keep a copy of each device, to take it sooner (default: 0).")
+    private int standbys;
+
+    @Option(
+            names = "--state-dir",
+            paramLabel = "DIR",
+            description =
+                    "Holds a copy of what is known of the devices, so that a restart is quick (default: a directory"
+                            + " in /var/tmp).")
+    private @Nullable Path stateDirectory;
+
+    @Option(
+            names = "--commit-ms",
+            paramLabel = "MS",
+            defaultValue = "100",
+            description = "Results become visible that often: less is sooner, more does more (default: 100).")
+    private long commitMillis;
+
+    @Option(
+            names = "--session-ms",
+            paramLabel = "MS",
+            defaultValue = "10000",
+            description = "Of whom nothing is heard for so long, the others take the devices (default: 10000).")
+    private long sessionMillis;
+
+    @Override
+    public Integer call() throws Exception {
+        if (demo) {
+            return demo();
+        }
+        String broker = bootstrap;
+        if (broker == null) {
+            throw new ParameterException(spec.commandLine(), "say --bootstrap HOST:PORT, or --demo");
+        } else if (devices != null) {
+            throw new ParameterException(spec.commandLine(), "--devices is for --demo");
+        }
+        return createTopics ? create(broker) : run(broker);
+    }
+
+    private int create(String broker) {
+        if (partitions < 1 || partitions > 10_000) {
+            throw new IllegalArgumentException("--partitions is " + partitions + ", allowed is 1 to 10000");
+        }
+        try (FleetTopics topics = new FleetTopics(broker, settings().fleet())) {
+            topics.create(partitions);
+            spec.commandLine()
+                    .getOut()
+                    .println("the topics of the fleet '" + name + "' are there; devices are divided into "
+                            + topics.check() + " parts");
+        }
+        return 0;
+    }
+
+    private int run(String broker) throws InterruptedException {
+        FleetSettings settings = settings();
+        try (FleetTopics topics = new FleetTopics(broker, settings.fleet())) {
+            topics.check();
+        }
+        try (Fleet fleet = new Fleet(broker, settings)) {
+            Runtime.getRuntime().addShutdownHook(new Thread(fleet::close, "fleet-end"));
+            fleet.start();
+            if (fleet.awaitRunning(START_LIMIT)) {
+                spec.commandLine().getErr().println("evoloop: an instance of the fleet '" + name + "' runs");
+            }
+            fleet.awaitEnd();
+        }
+        return 0;
+    }
+
+    private FleetSettings settings() {
+        FleetSettings settings = FleetSettings.defaults()
+                .withFleet(name)
+                .withThreads(threads)
+                .withStandbys(standbys)
+                .withSession(Duration.ofMillis(sessionMillis))
+                .withCommitInterval(Duration.ofMillis(commitMillis));
+        Path directory = stateDirectory;
+        return settings.withStateDirectory(directory == null ? Path.of("/var/tmp/evoloop-fleet-" + name) : directory);
+    }
+
+    private int demo() throws IOException, InterruptedException {
+        int number = devices == null ? 1_000 : devices;
+        if (number < 1 || number > MOST_DEVICES) {
+            throw new IllegalArgumentException("--devices is " + number + ", allowed is 1 to " + MOST_DEVICES);
+        }
+        String given = bootstrap;
+        ModelRecord lamp = Lamp.waiting(2_000);
+        try (Scratch scratch = new Scratch()) {
+            if (given != null) {
+                return demo(given, name + "-demo-" + System.currentTimeMillis(), lamp, number, scratch.directory());
+            }
+            spec.commandLine().getErr().println("evoloop: starting a broker");
+            try (LocalBroker broker = LocalBroker.start(scratch.directory().resolve("broker"))) {
+                return demo(broker.bootstrap(), name, lamp, number, scratch.directory());
+            }
+        }
+    }
+
+    private int demo(String broker, String fleet, ModelRecord lamp, int number, Path directory)
+            throws InterruptedException {
+        List<String> problems;
+        try (Demo shown = new Demo(
+                broker, fleet, lamp, number, directory, spec.commandLine().getOut())) {
+            problems = shown.run();
+        }
+        if (bootstrap != null) {
+            try (FleetTopics topics = new FleetTopics(broker, fleet)) {
+                topics.delete();
+            }
+        }
+        problems.forEach(problem -> spec.commandLine().getErr().println("evoloop: " + problem));
+        spec.commandLine()
+                .getOut()
+                .println(
+                        problems.isEmpty()
+                                ? "nothing was lost, and nothing was done twice"
+                                : problems.size() + " things were not as they should be");
+        return problems.isEmpty() ? 0 : 1;
+    }
+}

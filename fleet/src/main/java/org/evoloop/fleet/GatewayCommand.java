@@ -1,0 +1,99 @@
+package org.evoloop.fleet;
+
+import java.nio.file.Path;
+import java.util.Set;
+import java.util.concurrent.Callable;
+import java.util.concurrent.CountDownLatch;
+import org.evoloop.fleet.gateway.Gateway;
+import org.evoloop.mqtt.BrokerAddress;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** Bridges the devices of an MQTT broker to a fleet. */
+@Command(
+        name = "gateway",
+        description = {
+            "Bridges the devices of an MQTT broker to a fleet, until it gets SIGTERM. While Kafka is not reached, what devices"
+                    + " tell is kept, and sent in order when it is."
+        },
+        mixinStandardHelpOptions = true,
+        sortOptions = false,
+        footer = {"", "Exit status: 0 success, 2 wrong usage or input."})
+final class GatewayCommand implements Callable<Integer> {
+    @Spec
+    @SuppressWarnings("NullAway.Init") // picocli sets it
+    private CommandSpec spec;
+
+    @Mixin
+    @SuppressWarnings("NullAway.Init") // picocli sets it
+    private ClusterOptions cluster;
+
+    @Option(
+            names = "--mqtt",
+            required = true,
+            paramLabel = "URL",
+            description =
+                    "The devices' MQTT broker: mqtt://USER@HOST, or mqtts://USER@HOST with TLS; the password stands in"
+                            + " the environment, EVOLOOP_MQTT_PASSWORD.")
+    @SuppressWarnings("NullAway.Init") // picocli sets it
+    private String mqtt;
+
+    @Option(
+            names = "--device",
+            required = true,
+            paramLabel = "ID",
+            split = ",",
+            description =
+                    "The devices, as the fleet knows them; they speak on evoloop/ID/occurrence and evoloop/ID/effect, and"
+                            + " listen to evoloop/ID/command.")
+    @SuppressWarnings("NullAway.Init") // picocli sets it
+    private Set<String> devices;
+
+    @Option(
+            names = "--journal",
+            required = true,
+            paramLabel = "DIR",
+            description = "Keeps what the fleet does not have yet, and what devices were given.")
+    @SuppressWarnings("NullAway.Init") // picocli sets it
+    private Path directory;
+
+    @Option(
+            names = "--gateway",
+            paramLabel = "NAME",
+            defaultValue = "gateway",
+            description = "This gateway's name, which no other of the fleet has (default: gateway).")
+    @SuppressWarnings("NullAway.Init") // picocli sets it
+    private String name;
+
+    @Override
+    public Integer call() throws InterruptedException {
+        for (String device : devices) {
+            if (!device.matches("[^/+#\\s]{1,200}")) {
+                throw new IllegalArgumentException("the device is '" + device
+                        + "'; MQTT takes no '/', '+', '#' or spaces in its name, 200 characters at most");
+            }
+        }
+        BrokerAddress address = BrokerAddress.parse(mqtt);
+        String password = System.getenv("EVOLOOP_MQTT_PASSWORD");
+        cluster.check();
+        try (Gateway gateway = new Gateway(
+                cluster.bootstrap(),
+                cluster.fleet(),
+                name,
+                password == null ? address : address.withPassword(password),
+                devices,
+                directory,
+                how -> {
+                    spec.commandLine().getOut().println(how);
+                    spec.commandLine().getOut().flush();
+                })) {
+            Runtime.getRuntime().addShutdownHook(new Thread(gateway::close, "gateway-end"));
+            gateway.start();
+            new CountDownLatch(1).await();
+        }
+        return 0;
+    }
+}

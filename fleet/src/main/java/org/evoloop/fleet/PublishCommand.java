@@ -1,0 +1,103 @@
+package org.evoloop.fleet;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.evoloop.fleet.stream.FleetException;
+import org.evoloop.fleet.wire.ModelRecord;
+import org.evoloop.fleet.wire.Topic;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** Makes models known to a fleet. */
+@Command(
+        name = "publish",
+        description = {
+            "Publishes a pair of models under a version, which means the same for good. They are checked first."
+        },
+        mixinStandardHelpOptions = true,
+        sortOptions = false)
+final class PublishCommand implements Callable<Integer> {
+    private static final Pattern TIMER = Pattern.compile("(.+):(.+):(\\d{1,12})");
+
+    @Spec
+    @SuppressWarnings("NullAway.Init") // picocli sets it
+    private CommandSpec spec;
+
+    @Mixin
+    @SuppressWarnings("NullAway.Init") // picocli sets it
+    private ClusterOptions cluster;
+
+    @Parameters(index = "0", paramLabel = "VERSION", description = "What devices call them, such as lamp-2.")
+    @SuppressWarnings("NullAway.Init") // picocli sets it
+    private String version;
+
+    @Parameters(index = "1", paramLabel = "FILE", description = "A model file with both machines.")
+    @SuppressWarnings("NullAway.Init") // picocli sets it
+    private Path file;
+
+    @Option(
+            names = "--original",
+            paramLabel = "NAME",
+            defaultValue = "original",
+            description = "The device's machine in it.")
+    @SuppressWarnings("NullAway.Init") // picocli sets it
+    private String original;
+
+    @Option(
+            names = "--new",
+            paramLabel = "NAME",
+            defaultValue = "new",
+            description = "The machine in it that is wanted.")
+    @SuppressWarnings("NullAway.Init") // picocli sets it
+    private String evolved;
+
+    @Option(
+            names = "--timer",
+            paramLabel = "STATE:EVENT:MS",
+            description =
+                    "A state raises an event after so many milliseconds; besides the time triggers that are drawn.")
+    private List<String> timers = new ArrayList<>();
+
+    @Override
+    public Integer call() throws IOException, InterruptedException {
+        String text;
+        try {
+            text = Files.readString(file);
+        } catch (NoSuchFileException e) {
+            throw new FleetException("there is no file " + file);
+        }
+        byte[] record = new ModelRecord(
+                        String.valueOf(file.getFileName()),
+                        text,
+                        original,
+                        evolved,
+                        timers.stream().map(PublishCommand::timer).toList(),
+                        ModelRecord.QUEUE)
+                .bytes();
+        ModelRecord.read(version, record);
+        cluster.write(Topic.MODELS, Map.of(version, record));
+        spec.commandLine().getOut().println("the models " + version + " are published");
+        return 0;
+    }
+
+    private static ModelRecord.Timer timer(String text) {
+        Matcher parts = TIMER.matcher(text);
+        if (!parts.matches()) {
+            throw new IllegalArgumentException(
+                    "--timer is '" + text + "'; write STATE:EVENT:MS, such as wait:timeout:2000");
+        }
+        return new ModelRecord.Timer(parts.group(1), parts.group(2), Long.parseLong(parts.group(3)));
+    }
+}

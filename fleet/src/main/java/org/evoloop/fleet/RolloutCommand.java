@@ -1,0 +1,94 @@
+package org.evoloop.fleet;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import org.evoloop.fleet.stream.FleetException;
+import org.evoloop.fleet.wire.Rollout;
+import org.evoloop.fleet.wire.Topic;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** Has other models take over in a share of a fleet, or leads back. */
+@Command(
+        name = "rollout",
+        description =
+                "Has other models take over in a share of the fleet. The same again with a greater share goes on; with"
+                        + " --back all return to the models before. It stops and leads back by itself when too much goes wrong.",
+        mixinStandardHelpOptions = true,
+        sortOptions = false)
+final class RolloutCommand implements Callable<Integer> {
+    @Spec
+    @SuppressWarnings("NullAway.Init") // picocli sets it
+    private CommandSpec spec;
+
+    @Mixin
+    @SuppressWarnings("NullAway.Init") // picocli sets it
+    private ClusterOptions cluster;
+
+    @Parameters(index = "0", paramLabel = "ROLLOUT", description = "A name for it.")
+    @SuppressWarnings("NullAway.Init") // picocli sets it
+    private String rollout;
+
+    @Option(names = "--from", required = true, paramLabel = "VERSION", description = "The models that are left.")
+    @SuppressWarnings("NullAway.Init") // picocli sets it
+    private String from;
+
+    @Option(names = "--to", required = true, paramLabel = "VERSION", description = "The models that take over.")
+    @SuppressWarnings("NullAway.Init") // picocli sets it
+    private String to;
+
+    @Option(names = "--percent", paramLabel = "P", defaultValue = "1", description = "In this share (default: 1).")
+    private double percent;
+
+    @Option(
+            names = "--stop-percent",
+            paramLabel = "P",
+            defaultValue = "5",
+            description = "It stops if more of what happens there are failures or divergences (default: 5).")
+    private double stopPercent;
+
+    @Option(
+            names = "--stop-after",
+            paramLabel = "N",
+            defaultValue = "20",
+            description = "Once so many events were counted there (default: 20).")
+    private long stopAfter;
+
+    @Option(
+            names = "--map",
+            paramLabel = "FILE",
+            description = "What does not go by its name, as for ./evoloop models migrate.")
+    private @Nullable Path mapping;
+
+    @Option(names = "--back", description = "Leads back.")
+    private boolean back;
+
+    @Override
+    public Integer call() throws IOException, InterruptedException {
+        for (double share : new double[] {percent, stopPercent}) {
+            if (!(share >= 0 && share <= 100)) {
+                throw new IllegalArgumentException("a share is " + share + " %, allowed is 0 to 100");
+            }
+        }
+        Path file = mapping;
+        String text;
+        try {
+            text = file == null ? "" : Files.readString(file);
+        } catch (NoSuchFileException e) {
+            throw new FleetException("there is no file " + file);
+        }
+        Rollout written = new Rollout(rollout, from, to, percent, text, stopPercent, stopAfter, back ? "by hand" : "");
+        cluster.write(Topic.ROLLOUTS, Map.of(rollout, written.bytes()));
+        spec.commandLine().getOut().println("the rollout " + rollout + " is written");
+        return 0;
+    }
+}

@@ -1,0 +1,118 @@
+package org.evoloop.fleet.bench;
+
+import java.io.PrintWriter;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.Callable;
+import org.evoloop.fleet.broker.LocalBroker;
+import org.evoloop.fleet.demo.Latencies;
+import org.evoloop.fleet.program.Lamp;
+import org.evoloop.fleet.program.Scratch;
+import org.evoloop.fleet.wire.ModelRecord;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/** Measures the fleet on this machine, in one run. */
+@Command(
+        name = "bench",
+        description = {
+            "Measures the fleet at a broker in the same process: beside a topology that only passes records through, with few"
+                    + " devices and many, and how long a command takes. Takes about ten minutes."
+        },
+        mixinStandardHelpOptions = true)
+public final class BenchCommand implements Callable<Integer> {
+    private static final int KEPT = 310;
+
+    @Spec
+    @SuppressWarnings("NullAway.Init") // picocli sets it
+    private CommandSpec spec;
+
+    @Option(names = "--fleet", description = "Measures the fleet, and not a single converter.")
+    private boolean fleet;
+
+    @Option(
+            names = "--quick",
+            description = "Takes two or three minutes, with 100,000 devices; the figures are rougher.")
+    private boolean quick;
+
+    @Override
+    public Integer call() throws Exception {
+        if (!fleet) {
+            throw new ParameterException(
+                    spec.commandLine(), "say --fleet; a single converter has a benchmark of its own");
+        }
+        ModelRecord lamp = Lamp.waiting(3_600_000);
+        try (Scratch scratch = new Scratch();
+                LocalBroker broker = LocalBroker.start(scratch.directory().resolve("broker"))) {
+            Throughput throughput = new Throughput(broker.bootstrap(), scratch.directory(), lamp);
+            int events = quick ? 200_000 : 600_000;
+            int many = quick ? 100_000 : 1_000_000;
+            say("warming up");
+            throughput.of(1_000, events / 2, KEPT, true);
+            throughput.of(1_000, events / 2, 0, true);
+            List<Throughput.Measured> bare = new ArrayList<>();
+            List<Throughput.Measured> ours = new ArrayList<>();
+            for (int round = 0; round < (quick ? 1 : 3); round++) {
+                say("round " + (round + 1));
+                bare.add(throughput.of(1_000, events, KEPT, true));
+                ours.add(throughput.of(1_000, events, 0, true));
+            }
+            Throughput.Measured passed = Throughput.median(bare);
+            Throughput.Measured few = Throughput.median(ours);
+            head();
+            row("bare pass-through, 1,000 devices", passed);
+            row("fleet, 1,000 devices", few);
+            say(String.format(Locale.ROOT, "%,d devices", many));
+            Throughput.Measured all = throughput.of(many, Traffic.CYCLE * many, 0, true);
+            row(String.format(Locale.ROOT, "fleet, %,d devices", many), all);
+            say("devices on disk");
+            row("fleet, 100,000 devices on disk", throughput.of(100_000, 300_000, 0, false));
+            tell(
+                    "fleet / bare pass-through, per CPU second: %.0f %%",
+                    100 * few.perCpuSecond() / passed.perCpuSecond());
+            tell("fleet / bare pass-through, per second: %.0f %%", 100 * few.perSecond() / passed.perSecond());
+            tell("CPU time per event, many devices / 1,000: %.2f", few.perCpuSecond() / all.perCpuSecond());
+            latencies(new Latency(broker.bootstrap(), scratch.directory(), Lamp.waiting(2_000)));
+        }
+        return 0;
+    }
+
+    private void latencies(Latency latency) throws InterruptedException {
+        say("latency");
+        for (int commitMillis : new int[] {10, 30, 100, 300}) {
+            Latencies measured = latency.of(Duration.ofMillis(commitMillis), quick ? 1_000 : 3_000, 300);
+            tell(
+                    "occurrence to command, commit interval %3d ms: p50 %d ms, p99 %d ms",
+                    commitMillis, measured.percentile(50), measured.percentile(99));
+        }
+    }
+
+    private void head() {
+        tell("%-34s %10s %14s %14s %10s", "", "events/s", "events/CPU s", "bytes/device", "restore s");
+    }
+
+    private void row(String what, Throughput.Measured measured) {
+        tell(
+                "%-34s %,10.0f %,14.0f %,14.0f %10.1f",
+                what,
+                measured.perSecond(),
+                measured.perCpuSecond(),
+                measured.bytesPerDevice(),
+                measured.restoreSeconds());
+    }
+
+    private void tell(String format, Object... details) {
+        PrintWriter out = spec.commandLine().getOut();
+        out.println(String.format(Locale.ROOT, format, details).stripTrailing());
+        out.flush();
+    }
+
+    private void say(String what) {
+        spec.commandLine().getErr().println("bench: " + what);
+    }
+}

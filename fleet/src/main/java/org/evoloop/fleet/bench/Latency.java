@@ -1,0 +1,42 @@
+package org.evoloop.fleet.bench;
+
+import java.nio.file.Path;
+import java.time.Duration;
+import org.evoloop.fleet.demo.Latencies;
+import org.evoloop.fleet.demo.Presses;
+import org.evoloop.fleet.stream.Fleet;
+import org.evoloop.fleet.stream.FleetException;
+import org.evoloop.fleet.stream.FleetSettings;
+import org.evoloop.fleet.wire.ModelRecord;
+
+/** How long it takes from an occurrence to its command, both at the edge, while some hundred come in a second. */
+final class Latency {
+    private final String bootstrap;
+    private final Path directory;
+    private final ModelRecord lamp;
+    private int runs;
+
+    Latency(String bootstrap, Path directory, ModelRecord lamp) {
+        this.bootstrap = bootstrap;
+        this.directory = directory;
+        this.lamp = lamp;
+    }
+
+    /** In milliseconds, of {@code presses}, {@code perSecond} of them in a second. */
+    Latencies of(Duration commitInterval, int presses, int perSecond) throws InterruptedException {
+        runs++;
+        String name = "latency-" + runs;
+        FleetSettings settings = FleetSettings.defaults()
+                .withFleet(name)
+                .withStateDirectory(directory.resolve(name))
+                .withCommitInterval(commitInterval);
+        try (Presses lamps = new Presses(bootstrap, name, lamp, presses);
+                Fleet fleet = new Fleet(bootstrap, settings)) {
+            fleet.start();
+            if (!fleet.awaitRunning(Duration.ofMinutes(1))) {
+                throw new FleetException("the fleet did not start");
+            }
+            return lamps.pressEachOnce(perSecond);
+        }
+    }
+}

@@ -1,0 +1,172 @@
+package org.evoloop.fleet.bench;
+
+import com.sun.management.OperatingSystemMXBean;
+import java.lang.management.ManagementFactory;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import java.util.concurrent.locks.LockSupport;
+import org.apache.kafka.clients.admin.Admin;
+import org.apache.kafka.clients.admin.OffsetSpec;
+import org.apache.kafka.clients.consumer.OffsetAndMetadata;
+import org.apache.kafka.common.TopicPartition;
+import org.apache.kafka.streams.StoreQueryParameters;
+import org.apache.kafka.streams.Topology;
+import org.apache.kafka.streams.state.KeyValueIterator;
+import org.apache.kafka.streams.state.QueryableStoreTypes;
+import org.evoloop.fleet.stream.Fleet;
+import org.evoloop.fleet.stream.FleetException;
+import org.evoloop.fleet.stream.FleetSettings;
+import org.evoloop.fleet.stream.FleetTopics;
+import org.evoloop.fleet.stream.FleetTopology;
+import org.evoloop.fleet.wire.ModelRecord;
+import org.evoloop.fleet.wire.Topic;
+
+/** How fast records are taken that lie at the broker, from when the instance works until the last is committed. */
+final class Throughput {
+    private static final int PARTITIONS = 4;
+    private static final Duration LIMIT = Duration.ofMinutes(10);
+    private static final long LOOK_NANOS = 20_000_000;
+    private static final OperatingSystemMXBean SYSTEM =
+            (OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean();
+
+    private final String bootstrap;
+    private final Path directory;
+    private final ModelRecord lamp;
+    private int runs;
+
+    /**
+     * What a run has measured.
+     *
+     * @param seconds by the clock
+     * @param cpuSeconds of this process: broker, Streams and all
+     * @param bytesPerDevice what is kept of a device, key and value
+     */
+    record Measured(int events, double seconds, double cpuSeconds, double bytesPerDevice, double restoreSeconds) {
+        double perSecond() {
+            return events / seconds;
+        }
+
+        double perCpuSecond() {
+            return events / cpuSeconds;
+        }
+    }
+
+    Throughput(String bootstrap, Path directory, ModelRecord lamp) {
+        this.bootstrap = bootstrap;
+        this.directory = directory;
+        this.lamp = lamp;
+    }
+
+    /** @param keptBytes what a bare topology keeps of a device; 0 for the fleet itself */
+    Measured of(int devices, int events, int keptBytes, boolean inMemory) throws InterruptedException {
+        runs++;
+        String name = "bench-" + runs;
+        FleetSettings plain = FleetSettings.defaults()
+                .withFleet(name)
+                .withStateDirectory(directory.resolve(name))
+                .withStreamTime();
+        FleetSettings settings = inMemory ? plain.withDevicesInMemory() : plain;
+        try (FleetTopics topics = new FleetTopics(bootstrap, name);
+                Traffic traffic = new Traffic(bootstrap, name, devices);
+                Admin admin = Admin.create(Map.of("bootstrap.servers", bootstrap))) {
+            topics.create(PARTITIONS);
+            traffic.write(Topic.MODELS, "lamp", lamp.bytes(), System.currentTimeMillis());
+            traffic.register("lamp");
+            try (Fleet fleet = started(settings, topology(settings, keptBytes))) {
+                awaitDone(admin, fleet.name(), Topic.DEVICES);
+            }
+            traffic.happen(events);
+            Measured measured = measure(admin, settings, topology(settings, keptBytes), events);
+            topics.delete();
+            return measured;
+        }
+    }
+
+    private static Topology topology(FleetSettings settings, int keptBytes) {
+        return keptBytes > 0 ? PassThrough.topology(settings.fleet(), keptBytes) : FleetTopology.of(settings);
+    }
+
+    private Fleet started(FleetSettings settings, Topology topology) throws InterruptedException {
+        Fleet fleet = new Fleet(bootstrap, settings, topology);
+        fleet.start();
+        if (!fleet.awaitRunning(LIMIT)) {
+            fleet.close();
+            throw new FleetException("the fleet did not start");
+        }
+        return fleet;
+    }
+
+    private Measured measure(Admin admin, FleetSettings settings, Topology topology, int events)
+            throws InterruptedException {
+        long starting = System.nanoTime();
+        try (Fleet fleet = started(settings, topology)) {
+            long begun = System.nanoTime();
+            long cpu = SYSTEM.getProcessCpuTime();
+            awaitDone(admin, settings.fleet(), Topic.OCCURRENCES);
+            awaitDone(admin, settings.fleet(), Topic.EFFECTS);
+            double seconds = (System.nanoTime() - begun) / 1e9;
+            double cpuSeconds = (SYSTEM.getProcessCpuTime() - cpu) / 1e9;
+            return new Measured(events, seconds, cpuSeconds, bytesPerDevice(fleet), (begun - starting) / 1e9);
+        }
+    }
+
+    private static double bytesPerDevice(Fleet fleet) {
+        long bytes = 0;
+        long devices = 0;
+        try (KeyValueIterator<String, byte[]> each = fleet.streams()
+                .store(StoreQueryParameters.fromNameAndType(
+                        "devices", QueryableStoreTypes.<String, byte[]>keyValueStore()))
+                .all()) {
+            while (each.hasNext()) {
+                var next = each.next();
+                bytes += next.key.length() + next.value.length;
+                devices++;
+            }
+        }
+        return devices == 0 ? 0 : (double) bytes / devices;
+    }
+
+    private static void awaitDone(Admin admin, String fleet, Topic topic) throws InterruptedException {
+        Map<TopicPartition, OffsetSpec> wanted = new HashMap<>();
+        for (int each = 0; each < PARTITIONS; each++) {
+            wanted.put(new TopicPartition(topic.of(fleet), each), OffsetSpec.latest());
+        }
+        long begun = System.nanoTime();
+        try {
+            var ends = admin.listOffsets(wanted).all().get(1, TimeUnit.MINUTES);
+            while (true) {
+                Map<TopicPartition, OffsetAndMetadata> done = admin.listConsumerGroupOffsets(fleet)
+                        .partitionsToOffsetAndMetadata()
+                        .get(1, TimeUnit.MINUTES);
+                boolean all = ends.entrySet().stream().allMatch(end -> {
+                    OffsetAndMetadata at = done.get(end.getKey());
+                    return end.getValue().offset() == 0
+                            || (at != null && at.offset() >= end.getValue().offset());
+                });
+                if (all) {
+                    return;
+                } else if (System.nanoTime() - begun > LIMIT.toNanos()) {
+                    throw new FleetException("the records were not taken within " + LIMIT);
+                }
+                LockSupport.parkNanos(LOOK_NANOS);
+            }
+        } catch (ExecutionException | TimeoutException e) {
+            throw new FleetException("the broker does not answer: " + e.getMessage());
+        }
+    }
+
+    /** Of several runs, the one in the middle by CPU time. */
+    static Measured median(List<Measured> runs) {
+        return runs.stream()
+                .sorted(Comparator.comparingDouble(Measured::cpuSeconds))
+                .toList()
+                .get(runs.size() / 2);
+    }
+}

@@ -1,0 +1,122 @@
+package org.evoloop.fleet.broker;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.PrintStream;
+import java.io.UncheckedIOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Properties;
+import kafka.server.KafkaConfig;
+import kafka.server.KafkaRaftServer;
+import org.apache.kafka.common.utils.Time;
+import org.apache.kafka.metadata.storage.Formatter;
+import org.apache.kafka.server.common.Feature;
+
+/**
+ * A Kafka broker of its own in this process, for demos and tests: one node that is broker and controller (KRaft), without
+ * replicas, on two free ports of the loopback interface.
+ *
+ * <p>Threading: not thread-safe.
+ *
+ * @since 0.1
+ */
+public final class LocalBroker implements AutoCloseable {
+    private final KafkaRaftServer server;
+    private final String bootstrap;
+
+    private LocalBroker(KafkaRaftServer server, String bootstrap) {
+        this.server = server;
+        this.bootstrap = bootstrap;
+    }
+
+    /**
+     * Starts it, which takes some seconds; what was kept in {@code directory} before is there again.
+     *
+     * @throws UncheckedIOException if the directory cannot be written
+     */
+    public static LocalBroker start(Path directory) {
+        try {
+            return start(directory, freePort(), freePort());
+        } catch (IOException e) {
+            throw new UncheckedIOException("the broker has no port: " + e.getMessage(), e);
+        }
+    }
+
+    /** The same on these ports, such as those that it had before. */
+    public static LocalBroker start(Path directory, int port, int controllerPort) {
+        String bootstrap = "localhost:" + port;
+        Properties settings = settings(directory, port, controllerPort);
+        format(directory);
+        KafkaRaftServer server = new KafkaRaftServer(new KafkaConfig(settings, false), Time.SYSTEM);
+        server.startup();
+        return new LocalBroker(server, bootstrap);
+    }
+
+    private static Properties settings(Path directory, int port, int controllerPort) {
+        Properties settings = new Properties();
+        settings.put("process.roles", "broker,controller");
+        settings.put("node.id", "1");
+        settings.put("log.dirs", directory.toString());
+        settings.put("listeners", "PLAINTEXT://localhost:" + port + ",CONTROLLER://localhost:" + controllerPort);
+        settings.put("controller.listener.names", "CONTROLLER");
+        settings.put("controller.quorum.voters", "1@localhost:" + controllerPort);
+        settings.put("inter.broker.listener.name", "PLAINTEXT");
+        // One node has no replicas, and nobody else to wait for.
+        settings.put("offsets.topic.replication.factor", "1");
+        settings.put("transaction.state.log.replication.factor", "1");
+        settings.put("transaction.state.log.min.isr", "1");
+        settings.put("group.initial.rebalance.delay.ms", "0");
+        // Each partition of these costs time at the start.
+        settings.put("offsets.topic.num.partitions", "4");
+        settings.put("transaction.state.log.num.partitions", "4");
+        settings.put("auto.create.topics.enable", "false");
+        // What is replayed has the times at which it happened, which may be long ago.
+        settings.put("log.retention.ms", "-1");
+        settings.put("group.min.session.timeout.ms", "1000");
+        settings.put("log.cleaner.dedupe.buffer.size", "2000000");
+        return settings;
+    }
+
+    private static void format(Path directory) {
+        try {
+            Files.createDirectories(directory);
+            new Formatter()
+                    .setPrintStream(new PrintStream(OutputStream.nullOutputStream(), false, StandardCharsets.UTF_8))
+                    .setSupportedFeatures(Feature.PRODUCTION_FEATURES)
+                    .setNodeId(1)
+                    .setClusterId("ZXZvbG9vcC1mbGVldC0wMQ")
+                    .setDirectories(List.of(directory.toString()))
+                    .setMetadataLogDirectory(directory.toString())
+                    .setControllerListenerName("CONTROLLER")
+                    .setIgnoreFormatted(true)
+                    .run();
+        } catch (IOException e) {
+            throw new UncheckedIOException(directory + " cannot be used by the broker: " + e.getMessage(), e);
+        } catch (Exception e) {
+            throw new IllegalStateException(directory + " cannot be formatted for the broker: " + e.getMessage(), e);
+        }
+    }
+
+    private static int freePort() throws IOException {
+        try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+            return socket.getLocalPort();
+        }
+    }
+
+    /** Where clients find it, as HOST:PORT. */
+    public String bootstrap() {
+        return bootstrap;
+    }
+
+    /** Ends it; what it has is kept. */
+    @Override
+    public void close() {
+        server.shutdown();
+        server.awaitShutdown();
+    }
+}

@@ -1,0 +1,5 @@
+/** A Kafka broker in this process, for demo, benchmark and tests. It may use nothing else of the fleet. */
+@NullMarked
+package org.evoloop.fleet.broker;
+
+import org.jspecify.annotations.NullMarked;

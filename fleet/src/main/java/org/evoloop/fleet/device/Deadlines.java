@@ -1,0 +1,50 @@
+package org.evoloop.fleet.device;
+
+import java.util.HashSet;
+import java.util.Map;
+import java.util.Set;
+import org.evoloop.core.Pending;
+import org.evoloop.core.Snapshot;
+import org.evoloop.evolution.Occurrence;
+import org.evoloop.evolution.Source;
+import org.evoloop.statemachine.Event;
+import org.jspecify.annotations.Nullable;
+
+/** When something is due at a device without anybody telling it. */
+final class Deadlines {
+    /** Of a device at which nothing is. */
+    static final long NONE = Long.MAX_VALUE;
+
+    private Deadlines() {}
+
+    /** The timer of the visit that is due first; null if none runs, or all are due and wait for their turn. */
+    static Map.@Nullable Entry<Event, Long> next(Snapshot snapshot) {
+        Map<Event, Long> deadlines = snapshot.visit().deadlines();
+        if (deadlines.isEmpty() || !snapshot.open() || snapshot.visit().over()) {
+            return null;
+        }
+        Set<Event> waiting = waiting(snapshot);
+        Map.Entry<Event, Long> next = null;
+        for (Map.Entry<Event, Long> timer : deadlines.entrySet()) {
+            if (!waiting.contains(timer.getKey()) && (next == null || timer.getValue() < next.getValue())) {
+                next = timer;
+            }
+        }
+        return next;
+    }
+
+    private static Set<Event> waiting(Snapshot snapshot) {
+        if (snapshot.waiting().isEmpty()) {
+            return Set.of();
+        }
+        Set<Event> waiting = new HashSet<>();
+        for (Pending pending : snapshot.waiting()) {
+            if (pending.occurrence() instanceof Occurrence.Heard heard
+                    && heard.source() == Source.TIMER
+                    && heard.visit() == snapshot.visit().number()) {
+                waiting.add(heard.event());
+            }
+        }
+        return waiting;
+    }
+}

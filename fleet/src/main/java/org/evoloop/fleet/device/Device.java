@@ -1,0 +1,303 @@
+package org.evoloop.fleet.device;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.HashSet;
+import java.util.Map;
+import java.util.Set;
+import java.util.function.Predicate;
+import org.evoloop.core.Core;
+import org.evoloop.core.Output;
+import org.evoloop.core.Outputs;
+import org.evoloop.core.Pending;
+import org.evoloop.core.Snapshot;
+import org.evoloop.evolution.Decision;
+import org.evoloop.evolution.Occurrence;
+import org.evoloop.evolution.Step;
+import org.evoloop.evolution.Values;
+import org.evoloop.statemachine.Event;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The converter of one device. It decides at once, and waits for an answer only after an {@link Order}: between two calls
+ * either nothing is in progress, or one order is open. Times are nanoseconds since 1970, and never go back.
+ *
+ * <p>A guard holds if the occurrence in progress says so ({@link Occurrence.Heard#holding}).
+ *
+ * <p>Threading: not thread-safe.
+ *
+ * @since 0.1
+ */
+public final class Device {
+    /** When nothing is due. */
+    public static final long NEVER = Deadlines.NONE;
+
+    private static final long NANOS_PER_MILLI = 1_000_000;
+
+    private final Hearer hearer;
+    private final long patienceNanos;
+    private final Core core;
+    private final Deque<Output.Directive> toDo = new ArrayDeque<>();
+    private String model;
+    private long sequence;
+    private long heard;
+    private Order.@Nullable Open open;
+    private Order.@Nullable Open lost;
+    private @Nullable Pending begun;
+    private boolean decided;
+    private Kept kept;
+
+    /** One that is new in the fleet, at the time {@code atNanos}, in the initial states of its models. */
+    public Device(Model model, long patienceNanos, Hearer hearer, long atNanos) {
+        this.hearer = hearer;
+        this.patienceNanos = patienceNanos;
+        this.model = model.version();
+        this.core = new Core(model.rules(), new Ear());
+        core.opened(atNanos);
+        this.kept = now();
+        settle();
+    }
+
+    /**
+     * One that goes on.
+     *
+     * @param model that of {@code kept}
+     * @param patienceNanos after how long an order without an answer is given up
+     */
+    public Device(Model model, Kept kept, long patienceNanos, Hearer hearer) {
+        this.hearer = hearer;
+        this.patienceNanos = patienceNanos;
+        this.model = kept.model();
+        this.sequence = kept.sequence();
+        this.heard = kept.heard();
+        this.open = kept.open();
+        this.lost = kept.lost();
+        this.core = new Core(model.rules(), kept.snapshot(), new Ear());
+        this.begun =
+                kept.snapshot().work() == null ? null : kept.snapshot().work().pending();
+        this.decided = begun != null;
+        this.kept = kept;
+    }
+
+    /** All that has to be kept of it. */
+    public Kept kept() {
+        return kept;
+    }
+
+    private Kept now() {
+        return new Kept(model, sequence, heard, open, lost, core.snapshot());
+    }
+
+    /** The version of its models. */
+    public String model() {
+        return model;
+    }
+
+    /** What it is told, and what it is told to be due before that, happens in the order of time. */
+    public void observed(Occurrence occurrence) {
+        due(occurrence.observedNanos());
+        core.observed(occurrence);
+        settle();
+    }
+
+    /** Whether an occurrence that a gateway has numbered is told for the first time; it counts as told from now on. */
+    public boolean isNews(long number) {
+        boolean news = number == 0 || number > heard;
+        heard = Math.max(heard, number);
+        return news;
+    }
+
+    /** What has become of an order. One that has been answered or was never given counts for nothing. */
+    public void answered(Answer answer) {
+        Order.Open order = open;
+        boolean awaited = order != null && order.sequence() == answer.sequence();
+        due(answer.atNanos(), false, awaited);
+        if (order != null && awaited) {
+            open = null;
+            conclude(order, answer);
+        } else if (lost != null && lost.sequence() == answer.sequence()) {
+            if (answer.outcome() == Answer.Outcome.SENT) {
+                core.sent(lost.occurrence(), false, answer.atNanos());
+            }
+            lost = null;
+        }
+        settle();
+    }
+
+    private void conclude(Order.Open order, Answer answer) {
+        long number = order.occurrence();
+        boolean done = answer.outcome() == Answer.Outcome.SENT;
+        boolean doubtful = answer.outcome() == Answer.Outcome.IN_DOUBT;
+        if (order.kind() == Order.Kind.LOCATE) {
+            core.located(number, done ? answer.state() : null, answer.atNanos());
+        } else if (order.kind() == Order.Kind.RUN) {
+            String why = doubtful ? "nobody knows whether it was run: " + answer.reason() : answer.reason();
+            core.effectRun(number, done ? "" : why, answer.atNanos());
+        } else if (done) {
+            core.sent(number, false, answer.atNanos());
+        } else if (doubtful) {
+            lost = order;
+            core.givenUp(number, answer.reason(), answer.atNanos());
+        } else {
+            core.failed(number, answer.reason(), answer.atNanos());
+        }
+    }
+
+    /** Tells of all that is due by {@code atNanos}, each as of when it was due, the earliest first. */
+    public void due(long atNanos) {
+        due(atNanos, false);
+    }
+
+    /**
+     * The same.
+     *
+     * @param late whether each is told as of {@code atNanos}, since it is that late
+     */
+    public void due(long atNanos, boolean late) {
+        due(atNanos, late, false);
+    }
+
+    /** @param answering whether the open order is being answered, and so not given up */
+    private void due(long atNanos, boolean late, boolean answering) {
+        long last = NEVER;
+        while (true) {
+            Snapshot snapshot = kept.snapshot();
+            Map.Entry<Event, Long> timer = Deadlines.next(snapshot);
+            long timerNanos = timer == null ? NEVER : timer.getValue();
+            long orderNanos = answering ? NEVER : orderDue(open, patienceNanos);
+            long next = Math.min(timerNanos, orderNanos);
+            // A timer for which there is no room is tried again the next time.
+            if (next > atNanos || (timerNanos <= orderNanos && next == last)) {
+                return;
+            }
+            long told = late ? atNanos : next;
+            if (timer != null && timerNanos <= orderNanos) {
+                core.timerDue(snapshot.visit().number(), timer.getKey(), told);
+                last = next;
+            } else {
+                giveUp(told);
+            }
+            settle();
+        }
+    }
+
+    private void giveUp(long atNanos) {
+        Order.Open order = open;
+        if (order != null) {
+            String why = "no answer within " + patienceNanos / NANOS_PER_MILLI + " ms after its deadline";
+            open = null;
+            conclude(order, new Answer(order.sequence(), Answer.Outcome.IN_DOUBT, why, null, atNanos));
+        }
+    }
+
+    private static long orderDue(Order.@Nullable Open order, long patienceNanos) {
+        return order == null ? NEVER : order.deadlineNanos() + patienceNanos;
+    }
+
+    /** When something is due, be it a timer or the answer to an order; {@link #NEVER} if nothing is. */
+    public static long dueNanos(Kept kept, long patienceNanos) {
+        Map.Entry<Event, Long> timer = Deadlines.next(kept.snapshot());
+        return Math.min(orderDue(kept.open(), patienceNanos), timer == null ? NEVER : timer.getValue());
+    }
+
+    /** Other models take over if nothing keeps them from that; returns what does, empty if they have. */
+    public String evolve(Model.Takeover takeover, long atNanos) {
+        due(atNanos);
+        String hindrance = open == null ? core.hindrance(takeover.swap()) : "an order is not answered yet";
+        if (hindrance.isEmpty()) {
+            core.evolved(takeover.swap(), Math.max(atNanos, core.nowNanos()));
+            model = takeover.next().version();
+            settle();
+        }
+        return hindrance;
+    }
+
+    private void settle() {
+        decide();
+        kept = now();
+        hearer.settled(kept, core.rules().table().isNew(core.at().evolved()));
+    }
+
+    /** Decides until nothing waits for its turn, or an order for its answer. */
+    private void decide() {
+        while (open == null) {
+            Pending pending = begun;
+            if (pending != null && core.isBusy()) {
+                goOn(pending);
+            } else if (core.hasNext()) {
+                toDo.clear();
+                begun = null;
+                core.ready();
+                if (begun == null) {
+                    return;
+                }
+            } else {
+                toDo.clear();
+                return;
+            }
+        }
+    }
+
+    private void goOn(Pending pending) {
+        Predicate<String> holds = holding(pending.occurrence())::contains;
+        if (!decided) {
+            decided = true;
+            Decision decision = core.rules().decide(core.at(), core.steps(), pending, holds);
+            core.planned(pending.number(), decision, core.nowNanos());
+            return;
+        }
+        Output.Directive next = toDo.poll();
+        if (next == null) {
+            throw new IllegalStateException(
+                    "the core waits for something while " + pending.occurrence() + " is in progress");
+        } else if (next instanceof Output.Send send) {
+            send(pending, send.step(), holds);
+        } else if (next instanceof Output.Run run) {
+            core.running(pending.number());
+            order(pending, Order.Kind.RUN, run.effect());
+        } else if (next instanceof Output.Locate) {
+            order(pending, Order.Kind.LOCATE, "");
+        }
+    }
+
+    private void send(Pending pending, Step step, Predicate<String> holds) {
+        if (!core.rules().table().isOpen(step, holds)) {
+            core.failed(
+                    pending.number(),
+                    "the guards of the original model do not let " + step + " be taken now",
+                    core.nowNanos());
+            return;
+        }
+        core.sending(pending.number());
+        if (core.maySend(pending.number())) {
+            order(pending, Order.Kind.SEND, step.trigger().name());
+        }
+    }
+
+    private void order(Pending pending, Order.Kind kind, String what) {
+        sequence++;
+        Values values = pending.occurrence().values();
+        Order order = new Order(sequence, pending.number(), kind, what, values, core.nowNanos() + patienceNanos);
+        open = Order.Open.of(order);
+        hearer.ordered(order);
+    }
+
+    private static Set<String> holding(Occurrence occurrence) {
+        return occurrence instanceof Occurrence.Heard heard ? new HashSet<>(heard.holding()) : Set.of();
+    }
+
+    /** What the core says. */
+    private final class Ear implements Outputs {
+        @Override
+        public void say(Output output) {
+            if (output instanceof Output.Begin begin) {
+                begun = begin.pending();
+                decided = false;
+            } else if (output instanceof Output.Directive directive) {
+                toDo.add(directive);
+            } else if (output instanceof Output.Notice notice) {
+                hearer.noted(notice);
+            }
+        }
+    }
+}

@@ -1,0 +1,23 @@
+package org.evoloop.fleet.device;
+
+import org.evoloop.core.Output;
+
+/**
+ * Who hears what comes of what a {@link Device} was told, in order.
+ *
+ * @since 0.1
+ */
+public interface Hearer {
+    /** Somebody has to do this. */
+    void ordered(Order order);
+
+    /** Something has become of an occurrence, of the record or of the models. */
+    void noted(Output.Notice notice);
+
+    /**
+     * All that followed from one thing has been told, and this is how the device is left.
+     *
+     * @param isNew whether the evolved system is in a state that only the new model has
+     */
+    void settled(Kept kept, boolean isNew);
+}

@@ -1,0 +1,97 @@
+package org.evoloop.fleet.device;
+
+import java.nio.charset.StandardCharsets;
+import java.util.Locale;
+import org.evoloop.core.Rules;
+import org.evoloop.core.text.SnapshotException;
+import org.evoloop.core.text.SnapshotText;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What is {@link Kept} of a device as UTF-8: a line of its own, then the snapshot's text.
+ *
+ * <p>Threading: thread-safe.
+ *
+ * @since 0.1
+ */
+public final class KeptText {
+    private static final String TITLE = "evoloop-device 1 ";
+    private static final int WORDS = 11;
+
+    private KeptText() {}
+
+    /** The bytes of {@code kept}. */
+    public static byte[] write(Kept kept) {
+        String head = TITLE
+                + kept.model()
+                + ' '
+                + kept.sequence()
+                + ' '
+                + kept.heard()
+                + words(kept.open())
+                + words(kept.lost())
+                + '\n';
+        return (head + SnapshotText.write(kept.snapshot())).getBytes(StandardCharsets.UTF_8);
+    }
+
+    private static String words(Order.@Nullable Open order) {
+        return order == null
+                ? " 0 0 none 0"
+                : " " + order.sequence() + ' ' + order.occurrence() + ' '
+                        + order.kind().name().toLowerCase(Locale.ROOT) + ' ' + order.deadlineNanos();
+    }
+
+    /**
+     * The version of the models of which {@code bytes} tell.
+     *
+     * @throws IllegalArgumentException if they are no such text, or one of another version
+     */
+    public static String model(byte[] bytes) {
+        return head(new String(bytes, StandardCharsets.UTF_8))[0];
+    }
+
+    /**
+     * What {@code bytes} tell of.
+     *
+     * @param rules of the version that {@link #model} names
+     * @throws IllegalArgumentException if they are no such text
+     * @throws SnapshotException if the models do not have what they name
+     */
+    public static Kept read(Rules rules, byte[] bytes) {
+        String text = new String(bytes, StandardCharsets.UTF_8);
+        String[] words = head(text);
+        try {
+            return new Kept(
+                    words[0],
+                    Long.parseLong(words[1]),
+                    Long.parseLong(words[2]),
+                    order(words, 3),
+                    order(words, 7),
+                    SnapshotText.read(rules, text.substring(text.indexOf('\n') + 1)));
+        } catch (IllegalArgumentException e) {
+            throw new IllegalArgumentException("line 1: " + e.getMessage(), e);
+        }
+    }
+
+    private static String[] head(String text) {
+        int end = text.indexOf('\n');
+        String[] words = text.startsWith(TITLE) && end > 0
+                ? text.substring(TITLE.length(), end).split(" ", -1)
+                : new String[0];
+        if (words.length != WORDS) {
+            throw new IllegalArgumentException("'" + TITLE + "' and " + WORDS + " words were expected");
+        }
+        return words;
+    }
+
+    private static Order.@Nullable Open order(String[] words, int at) {
+        long sequence = Long.parseLong(words[at]);
+        return sequence == 0
+                ? null
+                : new Order.Open(
+                        sequence,
+                        Long.parseLong(words[at + 1]),
+                        Order.Kind.valueOf(words[at + 2].toUpperCase(Locale.ROOT)),
+                        Long.parseLong(words[at + 3]));
+    }
+}

@@ -1,0 +1,90 @@
+package org.evoloop.fleet.gateway;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.ByteBuffer;
+import java.nio.channels.FileChannel;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.nio.file.StandardOpenOption;
+import java.util.HashMap;
+import java.util.Map;
+
+/**
+ * Which command each device was given last, in a file, which says so before the device gets it: after a crash nobody gets a
+ * command again.
+ *
+ * <p>Threading: for one thread.
+ */
+final class Carried implements AutoCloseable {
+    private static final int MOST_LINES = 100_000;
+
+    private final Path file;
+    private final Map<String, Long> last = new HashMap<>();
+    private FileChannel lines;
+    private int written;
+
+    Carried(Path directory) {
+        file = directory.resolve("carried");
+        try {
+            if (Files.exists(file)) {
+                for (String line : Files.readAllLines(file)) {
+                    int between = line.indexOf(' ');
+                    // The last line may lack its end; that command had not reached its device.
+                    if (between > 0 && line.endsWith(";")) {
+                        last.put(
+                                line.substring(between + 1, line.length() - 1),
+                                Long.parseLong(line.substring(0, between)));
+                    }
+                }
+            }
+            lines = rewritten();
+        } catch (IOException e) {
+            throw new UncheckedIOException(file + " cannot be used: " + e.getMessage(), e);
+        }
+    }
+
+    private FileChannel rewritten() throws IOException {
+        StringBuilder all = new StringBuilder();
+        last.forEach((device, sequence) -> all.append(line(device, sequence)));
+        Path next = file.resolveSibling("carried.new");
+        Files.writeString(next, all);
+        Files.move(next, file, StandardCopyOption.ATOMIC_MOVE);
+        return FileChannel.open(file, StandardOpenOption.WRITE, StandardOpenOption.APPEND);
+    }
+
+    private static String line(String device, long sequence) {
+        return sequence + " " + device + ";\n";
+    }
+
+    /** Whether this command is to be carried out; from now on it counts as carried out. */
+    boolean take(String device, long sequence) {
+        if (last.getOrDefault(device, 0L) >= sequence) {
+            return false;
+        }
+        last.put(device, sequence);
+        try {
+            lines.write(ByteBuffer.wrap(line(device, sequence).getBytes(StandardCharsets.UTF_8)));
+            lines.force(false);
+            if (++written > MOST_LINES) {
+                lines.close();
+                lines = rewritten();
+                written = 0;
+            }
+        } catch (IOException e) {
+            throw new UncheckedIOException(file + " cannot be written: " + e.getMessage(), e);
+        }
+        return true;
+    }
+
+    @Override
+    public void close() {
+        try {
+            lines.close();
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+}

@@ -1,0 +1,292 @@
+package org.evoloop.fleet.gateway;
+
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
+import org.apache.kafka.clients.consumer.ConsumerConfig;
+import org.apache.kafka.clients.consumer.ConsumerRecord;
+import org.apache.kafka.clients.consumer.KafkaConsumer;
+import org.apache.kafka.clients.producer.KafkaProducer;
+import org.apache.kafka.clients.producer.ProducerConfig;
+import org.apache.kafka.clients.producer.ProducerRecord;
+import org.apache.kafka.common.KafkaException;
+import org.apache.kafka.common.PartitionInfo;
+import org.apache.kafka.common.TopicPartition;
+import org.apache.kafka.common.serialization.ByteArrayDeserializer;
+import org.apache.kafka.common.serialization.ByteArraySerializer;
+import org.apache.kafka.common.serialization.StringDeserializer;
+import org.apache.kafka.common.serialization.StringSerializer;
+import org.evoloop.fleet.device.Answer;
+import org.evoloop.fleet.device.Order;
+import org.evoloop.fleet.wire.Reading;
+import org.evoloop.fleet.wire.Refusal;
+import org.evoloop.fleet.wire.Topic;
+import org.evoloop.fleet.wire.Wire;
+import org.evoloop.mqtt.BrokerAddress;
+import org.evoloop.mqtt.BrokerConnection;
+import org.evoloop.mqtt.Message;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * The devices of an MQTT broker in a fleet. Under {@code evoloop/DEVICE/} a device publishes on {@code occurrence} and
+ * {@code effect}, and listens to {@code command}; the payloads are the fleet's records.
+ *
+ * <p>Lifecycle: {@link #start}, then {@link #close}.
+ *
+ * <p>Threading: thread-safe.
+ *
+ * @since 0.1
+ */
+public final class Gateway implements AutoCloseable {
+    private static final Logger LOG = LoggerFactory.getLogger(Gateway.class);
+    private static final int BATCH = 500;
+    private static final long PAUSE_MILLIS = 1_000;
+    private static final Duration POLL = Duration.ofMillis(200);
+    private static final int KAFKA_LIMIT_MILLIS = 10_000;
+
+    private final String bootstrap;
+    private final String fleet;
+    private final String name;
+    private final Set<String> devices;
+    private final Consumer<String> teller;
+    private final BrokerConnection mqtt;
+    private final Outbox outbox;
+    private final Carried carried;
+    private final CountDownLatch closing = new CountDownLatch(1);
+    private final List<Thread> threads = new ArrayList<>();
+    private String told = "";
+
+    /**
+     * One that is not started yet.
+     *
+     * @param name of this gateway, which no other of the fleet has
+     * @param directory for what the fleet does not have yet
+     * @param teller hears how the links are, when that changes
+     */
+    public Gateway(
+            String bootstrap,
+            String fleet,
+            String name,
+            BrokerAddress mqtt,
+            Set<String> devices,
+            Path directory,
+            Consumer<String> teller) {
+        this.bootstrap = bootstrap;
+        this.fleet = fleet;
+        this.name = name;
+        this.devices = Set.copyOf(devices);
+        this.teller = teller;
+        this.outbox = new Outbox(directory);
+        this.carried = new Carried(directory);
+        this.mqtt = new BrokerConnection(mqtt, name);
+        for (String device : devices) {
+            this.mqtt.subscribe(topic(device, "occurrence"), message -> keep(Topic.OCCURRENCES, device, message));
+            this.mqtt.subscribe(topic(device, "effect"), message -> keep(Topic.EFFECTS, device, message));
+        }
+    }
+
+    private static String topic(String device, String what) {
+        return "evoloop/" + device + '/' + what;
+    }
+
+    /** Begins; waits for neither broker. */
+    public void start() {
+        mqtt.open();
+        threads.add(new Thread(this::sendAll, "gateway-" + name + "-sender"));
+        threads.add(new Thread(this::carryAll, "gateway-" + name + "-commands"));
+        threads.forEach(Thread::start);
+    }
+
+    // From the devices
+
+    /** What lacks its time has happened just now. */
+    private void keep(Topic topic, String device, Message message) {
+        String payload = message.payload().strip();
+        String record = payload.startsWith("{") && !payload.contains("\"atMillis\"")
+                ? "{\"atMillis\":" + System.currentTimeMillis() + ',' + payload.substring(1)
+                : payload;
+        outbox.add(topic, device, record);
+    }
+
+    private void sendAll() {
+        while (isOpen()) {
+            try (KafkaProducer<String, byte[]> producer = producer()) {
+                producer.initTransactions();
+                tell("Kafka is reached; " + outbox.size() + " records wait");
+                while (isOpen()) {
+                    send(producer, outbox.first(BATCH, POLL.toMillis()));
+                }
+            } catch (KafkaException unreachable) {
+                tell("Kafka is not reached; what devices tell is kept");
+                LOG.debug("the records go on waiting", unreachable);
+                pause();
+            } catch (InterruptedException closed) {
+                return;
+            }
+        }
+    }
+
+    /** All of them or none: were one lost and the next taken, the lost one would come too late. */
+    private void send(KafkaProducer<String, byte[]> producer, List<Outbox.Entry> batch) {
+        if (batch.isEmpty()) {
+            return;
+        }
+        producer.beginTransaction();
+        for (Outbox.Entry entry : batch) {
+            byte[] record = numbered(entry).getBytes(StandardCharsets.UTF_8);
+            var sent = producer.send(new ProducerRecord<>(entry.topic().of(fleet), entry.device(), record));
+            LOG.trace("sent {}", sent);
+        }
+        producer.commitTransaction();
+        outbox.sent(batch.get(batch.size() - 1));
+    }
+
+    private static String numbered(Outbox.Entry entry) {
+        boolean counts = entry.topic() == Topic.OCCURRENCES && entry.record().startsWith("{");
+        return counts ? "{\"number\":" + entry.number() + ',' + entry.record().substring(1) : entry.record();
+    }
+
+    private KafkaProducer<String, byte[]> producer() {
+        return new KafkaProducer<>(
+                Map.of(
+                        ProducerConfig.BOOTSTRAP_SERVERS_CONFIG, bootstrap,
+                        ProducerConfig.TRANSACTIONAL_ID_CONFIG, fleet + "-gateway-" + name,
+                        ProducerConfig.MAX_BLOCK_MS_CONFIG, KAFKA_LIMIT_MILLIS,
+                        ProducerConfig.DELIVERY_TIMEOUT_MS_CONFIG, KAFKA_LIMIT_MILLIS,
+                        ProducerConfig.REQUEST_TIMEOUT_MS_CONFIG, KAFKA_LIMIT_MILLIS / 2),
+                new StringSerializer(),
+                new ByteArraySerializer());
+    }
+
+    // To the devices
+
+    private void carryAll() {
+        while (isOpen()) {
+            try (KafkaConsumer<String, byte[]> consumer = consumer()) {
+                consumer.assign(partitions(consumer));
+                while (isOpen()) {
+                    for (ConsumerRecord<String, byte[]> record : consumer.poll(POLL)) {
+                        carry(record);
+                    }
+                    consumer.commitAsync();
+                }
+            } catch (KafkaException unreachable) {
+                LOG.debug("no commands can be fetched", unreachable);
+                pause();
+            }
+        }
+    }
+
+    private void carry(ConsumerRecord<String, byte[]> record) {
+        if (!devices.contains(record.key())) {
+            return;
+        }
+        try {
+            Order order = Reading.of(record.value()).order();
+            if (carried.take(record.key(), order.sequence())) {
+                carry(record.key(), order, Wire.text(record.value()));
+            }
+        } catch (Refusal unreadable) {
+            LOG.error("a command for {} is left out: {}", record.key(), unreadable.detail());
+        }
+    }
+
+    private void carry(String device, Order order, String text) {
+        long now = System.currentTimeMillis();
+        if (Wire.millis(order.deadlineNanos()) < now) {
+            failed(device, order, "the command came too late", now);
+        } else if (mqtt.isUp()) {
+            mqtt.publish(Message.command(topic(device, "command"), text));
+        } else {
+            failed(device, order, "the device is not reached: " + mqtt.describe(), now);
+        }
+    }
+
+    private void failed(String device, Order order, String why, long nowMillis) {
+        Answer answer = new Answer(order.sequence(), Answer.Outcome.FAILED, why, null, Wire.nanos(nowMillis));
+        outbox.add(Topic.EFFECTS, device, Wire.text(Wire.effect(answer)));
+    }
+
+    private KafkaConsumer<String, byte[]> consumer() {
+        return new KafkaConsumer<>(
+                Map.of(
+                        ConsumerConfig.BOOTSTRAP_SERVERS_CONFIG,
+                        bootstrap,
+                        ConsumerConfig.GROUP_ID_CONFIG,
+                        fleet + "-gateway-" + name,
+                        ConsumerConfig.ISOLATION_LEVEL_CONFIG,
+                        "read_committed",
+                        ConsumerConfig.ENABLE_AUTO_COMMIT_CONFIG,
+                        false,
+                        ConsumerConfig.DEFAULT_API_TIMEOUT_MS_CONFIG,
+                        KAFKA_LIMIT_MILLIS,
+                        ConsumerConfig.AUTO_OFFSET_RESET_CONFIG,
+                        "earliest"),
+                new StringDeserializer(),
+                new ByteArrayDeserializer());
+    }
+
+    private List<TopicPartition> partitions(KafkaConsumer<String, byte[]> consumer) {
+        List<TopicPartition> all = new ArrayList<>();
+        for (PartitionInfo each : consumer.partitionsFor(Topic.COMMANDS.of(fleet))) {
+            all.add(new TopicPartition(each.topic(), each.partition()));
+        }
+        return all;
+    }
+
+    // How it is
+
+    /** How many records wait until the fleet is reached. */
+    public int waiting() {
+        return outbox.size();
+    }
+
+    /** Whether the devices' broker is reached. */
+    public boolean reachesDevices() {
+        return mqtt.isUp();
+    }
+
+    private synchronized void tell(String how) {
+        if (!how.equals(told)) {
+            told = how;
+            teller.accept(how + "; MQTT: " + mqtt.describe());
+        }
+    }
+
+    private boolean isOpen() {
+        return closing.getCount() > 0;
+    }
+
+    private void pause() {
+        try {
+            if (closing.await(PAUSE_MILLIS, TimeUnit.MILLISECONDS)) {
+                LOG.debug("closing");
+            }
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    @Override
+    public void close() {
+        closing.countDown();
+        mqtt.close();
+        for (Thread each : threads) {
+            try {
+                each.join(3L * KAFKA_LIMIT_MILLIS);
+            } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+            }
+        }
+        outbox.close();
+        carried.close();
+    }
+}

@@ -1,0 +1,38 @@
+package org.evoloop.fleet.program;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Comparator;
+import java.util.List;
+import java.util.stream.Stream;
+
+/**
+ * A directory for as long as a program runs.
+ *
+ * @since 0.1
+ */
+public final class Scratch implements AutoCloseable {
+    private final Path directory;
+
+    /** A fresh one, on a disk rather than in memory. */
+    public Scratch() throws IOException {
+        directory = Files.createTempDirectory(Path.of("/var/tmp"), "evoloop-fleet-");
+    }
+
+    /** Where it is. */
+    public Path directory() {
+        return directory;
+    }
+
+    @Override
+    public void close() throws IOException {
+        List<Path> all;
+        try (Stream<Path> walk = Files.walk(directory)) {
+            all = walk.sorted(Comparator.reverseOrder()).toList();
+        }
+        for (Path each : all) {
+            Files.deleteIfExists(each);
+        }
+    }
+}

@@ -1,0 +1,134 @@
+package org.evoloop.fleet.stream;
+
+import java.time.Duration;
+import java.util.Properties;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import org.apache.kafka.clients.consumer.ConsumerConfig;
+import org.apache.kafka.clients.producer.ProducerConfig;
+import org.apache.kafka.streams.CloseOptions;
+import org.apache.kafka.streams.KafkaStreams;
+import org.apache.kafka.streams.StreamsConfig;
+import org.apache.kafka.streams.Topology;
+import org.apache.kafka.streams.errors.MissingSourceTopicException;
+import org.apache.kafka.streams.errors.StreamsUncaughtExceptionHandler.StreamThreadExceptionResponse;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * One instance of a fleet: any number of them, on any machines, share the devices.
+ *
+ * <p>Threading: thread-safe.
+ *
+ * @since 0.1
+ */
+public final class Fleet implements AutoCloseable {
+    private static final Logger LOG = LoggerFactory.getLogger(Fleet.class);
+
+    private static final long REPLAY_IDLE_MILLIS = 1_000;
+    private static final Duration CLOSING = Duration.ofSeconds(30);
+
+    private final String name;
+    private final KafkaStreams streams;
+    private final CountDownLatch running = new CountDownLatch(1);
+    private final CountDownLatch ended = new CountDownLatch(1);
+    private volatile @Nullable Throwable failure;
+
+    /** One that is not started yet. */
+    public Fleet(String bootstrap, FleetSettings settings) {
+        this(bootstrap, settings, FleetTopology.of(settings));
+    }
+
+    /** The same with another topology, such as one to compare with. */
+    public Fleet(String bootstrap, FleetSettings settings, Topology topology) {
+        name = settings.fleet();
+        streams = new KafkaStreams(topology, properties(bootstrap, settings));
+        streams.setStateListener((now, before) -> {
+            if (now == KafkaStreams.State.RUNNING) {
+                running.countDown();
+            } else if (now == KafkaStreams.State.ERROR || now == KafkaStreams.State.NOT_RUNNING) {
+                running.countDown();
+                ended.countDown();
+            }
+        });
+        streams.setUncaughtExceptionHandler(cause -> {
+            LOG.error("a thread of the fleet has failed", cause);
+            boolean hopeless = cause instanceof MissingSourceTopicException
+                    || cause.getCause() instanceof MissingSourceTopicException;
+            if (hopeless) {
+                failure = cause;
+                return StreamThreadExceptionResponse.SHUTDOWN_CLIENT;
+            }
+            return StreamThreadExceptionResponse.REPLACE_THREAD;
+        });
+    }
+
+    private static Properties properties(String bootstrap, FleetSettings settings) {
+        Properties properties = new Properties();
+        properties.put(StreamsConfig.APPLICATION_ID_CONFIG, settings.fleet());
+        properties.put(StreamsConfig.BOOTSTRAP_SERVERS_CONFIG, bootstrap);
+        properties.put(StreamsConfig.STATE_DIR_CONFIG, settings.stateDirectory().toString());
+        properties.put(StreamsConfig.PROCESSING_GUARANTEE_CONFIG, StreamsConfig.EXACTLY_ONCE_V2);
+        properties.put(
+                StreamsConfig.COMMIT_INTERVAL_MS_CONFIG,
+                settings.commitInterval().toMillis());
+        properties.put(StreamsConfig.NUM_STREAM_THREADS_CONFIG, settings.threads());
+        properties.put(StreamsConfig.NUM_STANDBY_REPLICAS_CONFIG, settings.standbys());
+        properties.put(StreamsConfig.STATESTORE_CACHE_MAX_BYTES_CONFIG, 64L << 20);
+        // What is replayed is taken in the order of time. What happens just now is not waited for: an answer comes
+        // after its command, and the core knows that the order of facts and answers is not sure.
+        properties.put(StreamsConfig.MAX_TASK_IDLE_MS_CONFIG, settings.isWallClock() ? 0L : REPLAY_IDLE_MILLIS);
+        properties.put(StreamsConfig.consumerPrefix(ConsumerConfig.SESSION_TIMEOUT_MS_CONFIG), (int)
+                settings.session().toMillis());
+        properties.put(StreamsConfig.consumerPrefix(ConsumerConfig.HEARTBEAT_INTERVAL_MS_CONFIG), (int)
+                Math.min(3_000, settings.session().toMillis() / 3));
+        properties.put(StreamsConfig.producerPrefix(ProducerConfig.LINGER_MS_CONFIG), 5);
+        // When a transaction begins, the broker may refuse the first of several requests, and then all others.
+        properties.put(StreamsConfig.producerPrefix(ProducerConfig.MAX_IN_FLIGHT_REQUESTS_PER_CONNECTION), 1);
+        return properties;
+    }
+
+    /** Starts it; {@link #awaitRunning} waits until it works. */
+    public void start() {
+        streams.start();
+    }
+
+    /** Waits until it has its share of the devices; false if it has not within {@code limit}, or has failed. */
+    public boolean awaitRunning(Duration limit) throws InterruptedException {
+        return running.await(limit.toMillis(), TimeUnit.MILLISECONDS)
+                && streams.state() != KafkaStreams.State.ERROR
+                && streams.state() != KafkaStreams.State.NOT_RUNNING;
+    }
+
+    /**
+     * Waits until it has ended.
+     *
+     * @throws FleetException if it has failed
+     */
+    public void awaitEnd() throws InterruptedException {
+        ended.await();
+        Throwable cause = failure;
+        if (cause != null) {
+            throw new FleetException("the fleet has ended: " + cause.getMessage());
+        }
+    }
+
+    /** What its topics begin with. */
+    public String name() {
+        return name;
+    }
+
+    /** For whoever looks closer. */
+    public KafkaStreams streams() {
+        return streams;
+    }
+
+    @Override
+    public void close() {
+        // Whoever ends on purpose says so, and the others need not wait until nothing is heard of it.
+        streams.close(CloseOptions.timeout(CLOSING)
+                .withGroupMembershipOperation(CloseOptions.GroupMembershipOperation.LEAVE_GROUP));
+        ended.countDown();
+    }
+}

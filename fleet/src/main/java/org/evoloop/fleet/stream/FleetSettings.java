@@ -1,0 +1,190 @@
+package org.evoloop.fleet.stream;
+
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.Objects;
+
+/**
+ * How an instance of a fleet runs.
+ *
+ * <p>Threading: immutable.
+ *
+ * @since 0.1
+ */
+public final class FleetSettings {
+    private String fleet = "evoloop";
+    private Path stateDirectory = Path.of(System.getProperty("java.io.tmpdir"), "evoloop-fleet");
+    private Duration patience = Duration.ofSeconds(30);
+    private Duration commitInterval = Duration.ofMillis(100);
+    private Duration clockAhead = Duration.ofMinutes(1);
+    private Duration clockBehind = Duration.ofDays(7);
+    private Duration session = Duration.ofSeconds(10);
+    private int threads = 1;
+    private int standbys;
+    private boolean wallClock = true;
+    private boolean inMemory;
+
+    private FleetSettings() {}
+
+    /** Those that an instance has if nobody says otherwise. */
+    public static FleetSettings defaults() {
+        return new FleetSettings();
+    }
+
+    private FleetSettings(FleetSettings other) {
+        fleet = other.fleet;
+        stateDirectory = other.stateDirectory;
+        patience = other.patience;
+        commitInterval = other.commitInterval;
+        clockAhead = other.clockAhead;
+        clockBehind = other.clockBehind;
+        session = other.session;
+        threads = other.threads;
+        standbys = other.standbys;
+        wallClock = other.wallClock;
+        inMemory = other.inMemory;
+    }
+
+    /** The same for the fleet {@code name}: its topics begin with that, and its instances share the work. */
+    public FleetSettings withFleet(String name) {
+        if (!name.matches("[A-Za-z0-9._-]{1,100}")) {
+            throw new IllegalArgumentException(
+                    "the fleet's name is '" + name + "'; use letters, digits, '.', '_' and '-', 100 at most");
+        }
+        FleetSettings next = new FleetSettings(this);
+        next.fleet = name;
+        return next;
+    }
+
+    /** The same with another directory for what is kept on this machine: a copy, which may be lost. */
+    public FleetSettings withStateDirectory(Path directory) {
+        FleetSettings next = new FleetSettings(this);
+        next.stateDirectory = Objects.requireNonNull(directory);
+        return next;
+    }
+
+    /** The same where a command is carried out within {@code limit} or not at all, and given up after twice that. */
+    public FleetSettings withPatience(Duration limit) {
+        FleetSettings next = new FleetSettings(this);
+        next.patience = atLeastMillis(limit, "patience");
+        return next;
+    }
+
+    /** The same where results become visible that often: a shorter interval is sooner, a longer one does more. */
+    public FleetSettings withCommitInterval(Duration interval) {
+        FleetSettings next = new FleetSettings(this);
+        next.commitInterval = atLeastMillis(interval, "commit interval");
+        return next;
+    }
+
+    /** The same where records are refused that are so far ahead of, or behind, this machine's clock. */
+    public FleetSettings withClockLimits(Duration ahead, Duration behind) {
+        FleetSettings next = new FleetSettings(this);
+        next.clockAhead = atLeastMillis(ahead, "clock limit");
+        next.clockBehind = atLeastMillis(behind, "clock limit");
+        return next;
+    }
+
+    /** The same where an instance that is not heard of for so long has failed, and others take its devices. */
+    public FleetSettings withSession(Duration timeout) {
+        FleetSettings next = new FleetSettings(this);
+        next.session = atLeastMillis(timeout, "session timeout");
+        return next;
+    }
+
+    /** The same with so many threads. */
+    public FleetSettings withThreads(int number) {
+        if (number < 1 || number > 1_000) {
+            throw new IllegalArgumentException("threads is " + number + ", allowed is 1 to 1000");
+        }
+        FleetSettings next = new FleetSettings(this);
+        next.threads = number;
+        return next;
+    }
+
+    /** The same where so many other instances keep a copy of each device, and can take it at once. */
+    public FleetSettings withStandbys(int number) {
+        if (number < 0 || number > 10) {
+            throw new IllegalArgumentException("standbys is " + number + ", allowed is 0 to 10");
+        }
+        FleetSettings next = new FleetSettings(this);
+        next.standbys = number;
+        return next;
+    }
+
+    /** The same where time passes by the timestamps of records only, for tests and for what is replayed. */
+    public FleetSettings withStreamTime() {
+        FleetSettings next = new FleetSettings(this);
+        next.wallClock = false;
+        return next;
+    }
+
+    /** The same where devices are kept in memory, and not on disk as well. */
+    public FleetSettings withDevicesInMemory() {
+        FleetSettings next = new FleetSettings(this);
+        next.inMemory = true;
+        return next;
+    }
+
+    private static Duration atLeastMillis(Duration duration, String what) {
+        if (duration.toMillis() < 1) {
+            throw new IllegalArgumentException("the " + what + " is " + duration + ", allowed is 1 ms or more");
+        }
+        return duration;
+    }
+
+    /** What the topics' names begin with, and what the instances have in common. */
+    public String fleet() {
+        return fleet;
+    }
+
+    /** Where things are kept on this machine. */
+    public Path stateDirectory() {
+        return stateDirectory;
+    }
+
+    /** How long there is for a command. */
+    public Duration patience() {
+        return patience;
+    }
+
+    /** How often results become visible. */
+    public Duration commitInterval() {
+        return commitInterval;
+    }
+
+    /** How far ahead of this machine's clock a record may be. */
+    public Duration clockAhead() {
+        return clockAhead;
+    }
+
+    /** How far behind this machine's clock a record may be. */
+    public Duration clockBehind() {
+        return clockBehind;
+    }
+
+    /** For how long an instance may be silent. */
+    public Duration session() {
+        return session;
+    }
+
+    /** How many threads work. */
+    public int threads() {
+        return threads;
+    }
+
+    /** How many copies of a device other instances keep. */
+    public int standbys() {
+        return standbys;
+    }
+
+    /** Whether time passes by this machine's clock. */
+    public boolean isWallClock() {
+        return wallClock;
+    }
+
+    /** Whether devices are kept in memory only. */
+    public boolean isInMemory() {
+        return inMemory;
+    }
+}

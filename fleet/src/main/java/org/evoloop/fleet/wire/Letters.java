@@ -1,0 +1,113 @@
+package org.evoloop.fleet.wire;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.evoloop.core.Outcome;
+import org.evoloop.core.Output;
+import org.evoloop.core.Snapshot;
+import org.evoloop.evolution.Occurrence;
+import org.evoloop.fleet.device.Hearer;
+import org.evoloop.fleet.device.Kept;
+import org.evoloop.fleet.device.Order;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What one record, or one moment, has a device say, as it goes to the topics.
+ *
+ * <p>Threading: not thread-safe.
+ *
+ * @since 0.1
+ */
+public final class Letters implements Hearer {
+    private final List<Letter> letters = new ArrayList<>();
+    private String model = "";
+    private @Nullable Kept before;
+    private long good;
+    private long bad;
+
+    /** What goes to a topic. */
+    @SuppressWarnings("ArrayRecordComponent") // nobody compares letters
+    public record Letter(Topic topic, byte[] text) {}
+
+    /** Begins anew with a device that has the models {@code version}, and was left as {@code kept}, if it is not new. */
+    public void begin(String version, @Nullable Kept kept) {
+        letters.clear();
+        before = kept;
+        model = version;
+        good = 0;
+        bad = 0;
+    }
+
+    /** What is said from now on is of the models {@code version}. */
+    public void becomes(String version) {
+        model = version;
+    }
+
+    @Override
+    public void ordered(Order order) {
+        add(Topic.COMMANDS, Wire.command(order));
+    }
+
+    @Override
+    public void noted(Output.Notice notice) {
+        byte[] decision = Wire.decision(model, notice);
+        if (decision != null) {
+            add(Topic.DECISIONS, decision);
+        }
+        if (notice instanceof Output.Ended ended) {
+            judge(ended);
+        } else if (notice instanceof Output.Doubted doubted && !doubted.why().isEmpty()) {
+            bad++;
+        }
+    }
+
+    /** A device that is found elsewhere has done what its models do not know. */
+    private void judge(Output.Ended ended) {
+        boolean diverged = ended.occurrence() instanceof Occurrence.Found
+                && !ended.before().equals(ended.after());
+        if (ended.outcome() == Outcome.FAILED || diverged) {
+            bad++;
+        } else {
+            good++;
+        }
+    }
+
+    @Override
+    public void settled(Kept kept, boolean isNew) {
+        if (before == null || !isSame(before, kept, isNew)) {
+            add(Topic.STATES, Wire.state(kept, isNew));
+        }
+        before = kept;
+    }
+
+    private static boolean isSame(Kept one, Kept other, boolean isNew) {
+        Snapshot.OpenVisit visit = one.snapshot().visit();
+        Snapshot.OpenVisit next = other.snapshot().visit();
+        return one.model().equals(other.model())
+                && one.snapshot().at().equals(other.snapshot().at())
+                && visit.number() == next.number()
+                && visit.deadlines().equals(next.deadlines())
+                && (visit.over() == next.over() || !isNew)
+                && (one.snapshot().doubt() == null) == (other.snapshot().doubt() == null);
+    }
+
+    /** One more. */
+    public void add(Topic topic, byte[] text) {
+        letters.add(new Letter(topic, text));
+    }
+
+    /** How much of what has ended was as it should be. */
+    public long good() {
+        return good;
+    }
+
+    /** How much has failed, or was not where the models had it. */
+    public long bad() {
+        return bad;
+    }
+
+    /** All, in order. */
+    public List<Letter> all() {
+        return letters;
+    }
+}

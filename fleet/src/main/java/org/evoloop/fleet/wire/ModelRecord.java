@@ -1,0 +1,124 @@
+package org.evoloop.fleet.wire;
+
+import java.io.ByteArrayInputStream;
+import java.nio.charset.StandardCharsets;
+import java.time.Duration;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.regex.Pattern;
+import org.evoloop.core.Rules;
+import org.evoloop.evolution.DecisionTable;
+import org.evoloop.evolution.DeviceEvents;
+import org.evoloop.evolution.ModelPair;
+import org.evoloop.fleet.device.Model;
+import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.ModelException;
+import org.evoloop.statemachine.State;
+import org.evoloop.statemachine.StateMachine;
+import org.evoloop.xmi.XmiFile;
+
+/**
+ * A pair of models as it stands in {@link Topic#MODELS}.
+ *
+ * @param file what messages call the model file
+ * @param text the model file
+ * @param original the machine in it that is the device's
+ * @param evolved the machine in it that is wanted
+ * @param timers after how long a state raises an event, besides what is drawn
+ * @param queueCapacity how many events may wait
+ * @since 0.1
+ */
+public record ModelRecord(
+        String file, String text, String original, String evolved, List<Timer> timers, int queueCapacity) {
+    /** How many events may wait if nobody says otherwise. */
+    public static final int QUEUE = 8;
+
+    private static final Pattern VERSION = Pattern.compile("[A-Za-z0-9._-]{1,100}");
+    private static final int MOST_WAITING = 1_000;
+
+    /** An event that {@code state} raises. */
+    public record Timer(String state, String event, long millis) {}
+
+    /** Reads what {@link #bytes} has written. */
+    static ModelRecord of(Reading record) {
+        List<Timer> timers = record.each("timers").stream()
+                .map(timer -> new Timer(timer.text("state"), timer.text("event"), timer.number("millis")))
+                .toList();
+        return new ModelRecord(
+                record.text("file"), record.text("text"), record.text("original"), record.text("new"), timers, (int)
+                        Math.max(0, Math.min(MOST_WAITING, record.number("queue", QUEUE))));
+    }
+
+    /** The record. */
+    public byte[] bytes() {
+        Json json = new Json()
+                .with("file", file)
+                .with("original", original)
+                .with("new", evolved)
+                .with("queue", queueCapacity);
+        json.withObjects(
+                "timers",
+                timers.stream()
+                        .map(timer -> Json.inner()
+                                .with("state", timer.state)
+                                .with("event", timer.event)
+                                .with("millis", timer.millis))
+                        .toList());
+        return json.with("text", text).bytes();
+    }
+
+    /**
+     * The models of a record, compiled.
+     *
+     * @throws Refusal naming what is wrong with them
+     */
+    public static Model read(String version, byte[] bytes) {
+        if (!VERSION.matcher(version).matches()) {
+            throw new Refusal(
+                    Refusal.Reason.UNUSABLE_MODEL,
+                    "'" + version + "' is no version of models; use letters, digits, '.', '_' and '-', 100 at most");
+        }
+        ModelRecord record = of(Reading.of(bytes));
+        try {
+            return new Model(version, record.rules());
+        } catch (ModelException e) {
+            throw new Refusal(Refusal.Reason.UNUSABLE_MODEL, "models " + version + ": " + e.getMessage());
+        }
+    }
+
+    private Rules rules() {
+        XmiFile models = XmiFile.read(file, new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)));
+        ModelPair pair = new ModelPair(models.pick(original), models.pick(evolved));
+        pair.requireValid();
+        DecisionTable table = DecisionTable.compile(pair, device(pair.original()));
+        if (!table.problems().isEmpty()) {
+            throw new ModelException(table.problems().get(0).toString());
+        }
+        Map<State, Map<Event, Duration>> byState = new HashMap<>();
+        pair.evolved().states().forEach(state -> byState.put(state, timers(pair.evolved(), state)));
+        return new Rules(table, state -> byState.getOrDefault(state, Map.of()), queueCapacity);
+    }
+
+    /** What is not declared to be the device's own can be sent to it. */
+    private static DeviceEvents device(StateMachine device) {
+        Set<Event> sendable = new HashSet<>(device.triggers());
+        sendable.removeAll(device.spontaneous());
+        sendable.removeIf(event -> event.timeTrigger().isPresent());
+        return new DeviceEvents(sendable, Set.of()).declaredBy(device).withBoundGuards(device.guards());
+    }
+
+    private Map<Event, Duration> timers(StateMachine machine, State state) {
+        Map<Event, Duration> all = new LinkedHashMap<>();
+        for (Timer timer : timers) {
+            if (machine.withoutMemory(state).name().equals(timer.state)) {
+                all.put(new Event(timer.event), Duration.ofMillis(timer.millis));
+            }
+        }
+        all.putAll(machine.timers(state));
+        return all;
+    }
+}

@@ -1,0 +1,55 @@
+package org.evoloop.fleet.wire;
+
+import java.util.Locale;
+
+/**
+ * What a fleet's topics are for. Each is keyed by the device's id, but for {@link #MODELS} (version) and {@link #ROLLOUTS}
+ * and {@link #VERDICTS} (the rollout's name).
+ *
+ * @since 0.1
+ */
+public enum Topic {
+    /** In: which device has which models. The last counts. */
+    DEVICES(true, true),
+    /** In: what was observed at devices. */
+    OCCURRENCES(true, false),
+    /** In: what has become of commands. */
+    EFFECTS(true, false),
+    /** Out: what somebody at the device has to do. */
+    COMMANDS(true, false),
+    /** Out: what has become of occurrences. */
+    DECISIONS(true, false),
+    /** Out: where devices are. The last counts. */
+    STATES(true, true),
+    /** Out: what could not be taken, and why. */
+    DEAD_LETTERS(false, false),
+    /** In: models, by version. The last counts. */
+    MODELS(false, true),
+    /** In and out: which models take over from which, where, and how far that has got. The last counts. */
+    ROLLOUTS(false, true),
+    /** In between: how those fare that have the models of a rollout. */
+    VERDICTS(false, false);
+
+    private final boolean byDevice;
+    private final boolean compacted;
+
+    Topic(boolean byDevice, boolean compacted) {
+        this.byDevice = byDevice;
+        this.compacted = compacted;
+    }
+
+    /** Whether it has as many partitions as the others of which that is true: what belongs to a device lies together. */
+    public boolean isByDevice() {
+        return byDevice;
+    }
+
+    /** Whether only the last record of a key counts. */
+    public boolean isCompacted() {
+        return compacted;
+    }
+
+    /** What it is called in the fleet {@code fleet}, such as {@code evoloop.dead-letters}. */
+    public String of(String fleet) {
+        return fleet + '.' + name().toLowerCase(Locale.ROOT).replace('_', '-');
+    }
+}

@@ -1,0 +1,187 @@
+package org.evoloop.fleet.wire;
+
+import java.nio.charset.StandardCharsets;
+import java.util.Base64;
+import java.util.Locale;
+import java.util.Map;
+import java.util.TreeMap;
+import org.evoloop.core.Output;
+import org.evoloop.core.Snapshot;
+import org.evoloop.evolution.Configuration;
+import org.evoloop.evolution.Occurrence;
+import org.evoloop.fleet.device.Answer;
+import org.evoloop.fleet.device.Kept;
+import org.evoloop.fleet.device.Order;
+import org.evoloop.statemachine.Event;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What is written to a fleet's topics.
+ *
+ * <p>Threading: thread-safe.
+ *
+ * @since 0.1
+ */
+public final class Wire {
+    /** The version of the schemas that is written, and the newest that is read. */
+    public static final int SCHEMA = 1;
+
+    private static final long NANOS_PER_MILLI = 1_000_000;
+
+    private Wire() {}
+
+    /** What stands for a time in records: milliseconds since 1970. */
+    public static long millis(long nanos) {
+        return Math.floorDiv(nanos, NANOS_PER_MILLI);
+    }
+
+    /** The time that {@code millis} stands for, in nanoseconds since 1970. */
+    public static long nanos(long millis) {
+        return millis * NANOS_PER_MILLI;
+    }
+
+    /** For {@link Topic#DEVICES}. */
+    public static byte[] device(String model) {
+        return new Json().with("model", model).bytes();
+    }
+
+    /** For {@link Topic#OCCURRENCES}; {@code number} counts what this gateway tells of this device, 0 if it does not count. */
+    public static byte[] occurrence(Occurrence occurrence, long number) {
+        Json json = new Json();
+        if (number > 0) {
+            json.with("number", number);
+        }
+        json.with("atMillis", millis(occurrence.observedNanos()));
+        if (occurrence instanceof Occurrence.Found found) {
+            return json.with("kind", "found")
+                    .with("state", found.state().name())
+                    .bytes();
+        }
+        json.with("kind", occurrence instanceof Occurrence.Asked ? "asked" : "heard")
+                .with("event", occurrence.label());
+        if (occurrence instanceof Occurrence.Heard heard) {
+            json.with("source", heard.source().name().toLowerCase(Locale.ROOT))
+                    .with("deviceActed", heard.deviceActed());
+            if (!heard.holding().isEmpty()) {
+                json.with("holding", heard.holding().stream().sorted().toList());
+            }
+        }
+        if (occurrence.visit() != Occurrence.ANY_VISIT) {
+            json.with("visit", occurrence.visit());
+        }
+        return json.withValues("values", occurrence.values().byName()).bytes();
+    }
+
+    /** For {@link Topic#EFFECTS}. */
+    public static byte[] effect(Answer answer) {
+        return new Json()
+                .with("sequence", answer.sequence())
+                .with("outcome", word(answer.outcome()))
+                .with("atMillis", millis(answer.atNanos()))
+                .withText("reason", answer.reason())
+                .withText(
+                        "state", answer.state() == null ? null : answer.state().name())
+                .bytes();
+    }
+
+    /** For {@link Topic#COMMANDS}. */
+    public static byte[] command(Order order) {
+        Json json = new Json()
+                .with("sequence", order.sequence())
+                .with("kind", word(order.kind()))
+                .with("deadlineMillis", millis(order.deadlineNanos()));
+        if (order.kind() != Order.Kind.LOCATE) {
+            json.with(order.kind() == Order.Kind.SEND ? "event" : "effect", order.what());
+        }
+        return json.withValues("values", order.values().byName()).bytes();
+    }
+
+    /** For {@link Topic#DECISIONS}; null if nobody is told of it. */
+    public static byte @Nullable [] decision(String model, Output.Notice notice) {
+        if (notice instanceof Output.Ended ended) {
+            return occurrence(model, word(ended.outcome()), ended.occurrence())
+                    .with("before", at(ended.before()))
+                    .with("after", at(ended.after()))
+                    .withText("detail", ended.detail())
+                    .bytes();
+        } else if (notice instanceof Output.Dropped dropped) {
+            return occurrence(model, "dropped", dropped.occurrence()).bytes();
+        } else if (notice instanceof Output.Refused refused) {
+            return occurrence(model, "refused", refused.occurrence()).bytes();
+        } else if (notice instanceof Output.Doubted doubted) {
+            return new Json()
+                    .with("model", model)
+                    .with("outcome", doubted.why().isEmpty() ? "sure" : "in-doubt")
+                    .withText("detail", doubted.why())
+                    .bytes();
+        } else if (notice instanceof Output.Evolved evolved) {
+            return new Json()
+                    .with("model", model)
+                    .with("outcome", "evolved")
+                    .with("before", at(evolved.before()))
+                    .with("after", at(evolved.fate().at()))
+                    .bytes();
+        }
+        return null;
+    }
+
+    private static Json occurrence(String model, String outcome, Occurrence occurrence) {
+        return new Json()
+                .with("model", model)
+                .with("outcome", outcome)
+                .with("occurrence", occurrence.label())
+                .with("source", word(occurrence.source()))
+                .with("atMillis", millis(occurrence.observedNanos()));
+    }
+
+    private static Json at(Configuration at) {
+        return Json.inner()
+                .with("device", at.original().name())
+                .with("system", at.evolved().name());
+    }
+
+    /** For {@link Topic#STATES}. */
+    public static byte[] state(Kept kept, boolean isNew) {
+        Snapshot snapshot = kept.snapshot();
+        Json json = new Json()
+                .with("model", kept.model())
+                .with("device", snapshot.at().original().name())
+                .with("system", snapshot.at().evolved().name())
+                .with("visit", snapshot.visit().number())
+                .with("function", isNew && !snapshot.visit().over());
+        Map<Event, Long> deadlines = snapshot.visit().deadlines();
+        if (!deadlines.isEmpty()) {
+            Json timers = Json.inner();
+            Map<String, Long> sorted = new TreeMap<>();
+            deadlines.forEach((timer, due) -> sorted.put(timer.name(), millis(due)));
+            sorted.forEach(timers::with);
+            json.with("timersMillis", timers);
+        }
+        return snapshot.doubt() == null || snapshot.doubt().settled()
+                ? json.bytes()
+                : json.with("inDoubt", snapshot.doubt().why()).bytes();
+    }
+
+    /** For {@link Topic#DEAD_LETTERS}. */
+    public static byte[] deadLetter(
+            Refusal refusal, String topic, int partition, long offset, byte @Nullable [] record) {
+        return new Json()
+                .with("reason", word(refusal.reason()))
+                .with("detail", refusal.detail())
+                .with("topic", topic)
+                .with("partition", partition)
+                .with("offset", offset)
+                .with("record", Base64.getEncoder().encodeToString(record == null ? new byte[0] : record))
+                .bytes();
+    }
+
+    /** How a constant is called in records. */
+    static String word(Enum<?> constant) {
+        return constant.name().toLowerCase(Locale.ROOT).replace('_', '-');
+    }
+
+    /** For logs and tables: what {@code record} says. */
+    public static String text(byte[] record) {
+        return new String(record, StandardCharsets.UTF_8);
+    }
+}

@@ -1,0 +1,31 @@
+package org.evoloop.fleet;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.evoloop.fleet.broker.LocalBroker;
+
+/** One broker for all test classes of a run: it takes seconds to start. Each test has a fleet of its own there. */
+public final class Brokers {
+    private static String bootstrap = "";
+    private static int fleets;
+
+    private Brokers() {}
+
+    /** Where it is; it ends with the process. */
+    public static synchronized String shared() throws IOException {
+        if (bootstrap.isEmpty()) {
+            Path directory = Files.createTempDirectory(Path.of("target"), "broker-");
+            LocalBroker broker = LocalBroker.start(directory.toAbsolutePath());
+            Runtime.getRuntime().addShutdownHook(new Thread(broker::close));
+            bootstrap = broker.bootstrap();
+        }
+        return bootstrap;
+    }
+
+    /** A fleet that nobody else has. */
+    public static synchronized String freshFleet() {
+        fleets++;
+        return "test" + fleets;
+    }
+}

@@ -1,0 +1,86 @@
+package org.evoloop.fleet;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Path;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import picocli.CommandLine;
+
+/** What is wrong with the command line is one message, and exit status 2. */
+class FleetCommandTest {
+    private final StringWriter out = new StringWriter();
+    private final StringWriter err = new StringWriter();
+
+    private int run(String... arguments) {
+        CommandLine line = Main.commandLine();
+        line.setOut(new PrintWriter(out, true));
+        line.setErr(new PrintWriter(err, true));
+        return line.execute(arguments);
+    }
+
+    @Test
+    void mistakesAreToldInOneMessage() throws Exception {
+        mistake("say --bootstrap HOST:PORT, or --demo", "fleet");
+        mistake("--devices is 0, allowed is 1 to 1000000", "fleet", "--demo", "--devices", "0");
+        mistake("--devices is for --demo", "fleet", "--bootstrap", "localhost:1", "--devices", "3");
+        mistake("'nowhere' is no address of a Kafka broker", "fleet", "--bootstrap", "nowhere");
+        mistake("the fleet's name is 'a b'", "fleet", "--bootstrap", Brokers.shared(), "--name", "a b");
+        mistake("threads is 0, allowed is 1 to 1000", "fleet", "--bootstrap", Brokers.shared(), "--threads", "0");
+        mistake("standbys is -1", "fleet", "--bootstrap", Brokers.shared(), "--standbys", "-1");
+        mistake("the commit interval is PT0S", "fleet", "--bootstrap", Brokers.shared(), "--commit-ms", "0");
+        mistake("--partitions is 0", "fleet", "--bootstrap", Brokers.shared(), "--create-topics", "--partitions", "0");
+        mistake("none.occurrences is missing", "fleet", "--bootstrap", Brokers.shared(), "--name", "none");
+    }
+
+    private void mistake(String message, String... arguments) {
+        err.getBuffer().setLength(0);
+        assertThat(run(arguments)).as(message).isEqualTo(2);
+        assertThat(err.toString()).startsWith("error: ").contains(message).doesNotContain("\tat ");
+        assertThat(out.toString()).isEmpty();
+    }
+
+    @Test
+    void topicsAreCreated() throws Exception {
+        String name = Brokers.freshFleet();
+        assertThat(run(
+                        "fleet",
+                        "--bootstrap",
+                        Brokers.shared(),
+                        "--name",
+                        name,
+                        "--create-topics",
+                        "--partitions",
+                        "3"))
+                .isZero();
+        assertThat(out.toString()).contains("the topics of the fleet '" + name + "' are there", "3 parts");
+    }
+
+    @Test
+    void modelsDevicesAndRolloutsAreWritten() throws Exception {
+        String name = Brokers.freshFleet();
+        String[] cluster = {"--bootstrap", Brokers.shared(), "--name", name};
+        String lamp = Path.of(System.getProperty("evoloop.root", ".."), "models", "light-bulb.xml")
+                .toString();
+        assertThat(run(with(cluster, "fleet", "--create-topics"))).isZero();
+        assertThat(run(with(cluster, "fleet", "publish", "lamp-1", lamp, "--timer", "wait:timeout:2000")))
+                .isZero();
+        assertThat(run(with(cluster, "fleet", "register", "--model", "lamp-1", "a", "b")))
+                .isZero();
+        assertThat(run(with(cluster, "fleet", "rollout", "r", "--from", "lamp-1", "--to", "lamp-2", "--percent", "10")))
+                .isZero();
+        assertThat(out.toString()).contains("lamp-1 are published", "2 written", "rollout r is written");
+        out.getBuffer().setLength(0);
+        mistake("there is no file none.xml", with(cluster, "fleet", "publish", "x", "none.xml"));
+        mistake("'no version'", with(cluster, "fleet", "publish", "no version", lamp));
+        mistake("write STATE:EVENT:MS", with(cluster, "fleet", "publish", "x", lamp, "--timer", "wait"));
+        mistake("nothing", with(cluster, "fleet", "publish", "x", lamp, "--new", "nothing"));
+        mistake("101.0 %", with(cluster, "fleet", "rollout", "r", "--from", "a", "--to", "b", "--percent", "101"));
+    }
+
+    private static String[] with(String[] cluster, String... arguments) {
+        return Stream.concat(Stream.of(arguments), Stream.of(cluster)).toArray(String[]::new);
+    }
+}

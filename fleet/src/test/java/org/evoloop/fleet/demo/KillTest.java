@@ -1,0 +1,124 @@
+package org.evoloop.fleet.demo;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.File;
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Random;
+import java.util.concurrent.TimeUnit;
+import org.apache.kafka.clients.admin.Admin;
+import org.evoloop.fleet.BrokerProcess;
+import org.evoloop.fleet.Main;
+import org.evoloop.fleet.Models;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Processes that are killed (SIGKILL) while lamps are pressed. */
+@Tag("slow")
+class KillTest {
+    private static final int INSTANCES = 3;
+    private static final String FLEET = "killed";
+
+    @TempDir
+    private Path directory;
+
+    private final Random random = new Random(3);
+    private final List<Process> instances = new ArrayList<>();
+
+    @Test
+    void nothingIsLostAndNothingIsDoneTwiceWhenInstancesAndTheBrokerAreKilled() throws Exception {
+        int kills = Integer.getInteger("kills", 100);
+        int port = freePort();
+        int controller = freePort();
+        String bootstrap = "localhost:" + port;
+        Process broker = broker(port, controller, bootstrap);
+        try (PressedLamps lamps = new PressedLamps(bootstrap, FLEET, 60, Models.LAMP)) {
+            while (instances.size() < INSTANCES) {
+                instances.add(instance(bootstrap, instances.size()));
+            }
+            lamps.register();
+            for (int kill = 1; kill <= kills; kill++) {
+                int victim = random.nextInt(INSTANCES);
+                lamps.press(100);
+                end(instances.get(victim));
+                lamps.press(100);
+                instances.set(victim, instance(bootstrap, victim));
+                lamps.press(100);
+                if (kill % 10 == 0) {
+                    end(broker);
+                    broker = broker(port, controller, bootstrap);
+                }
+                lamps.awaitDecided(200L * kill);
+                System.out.println("kill " + kill + ", pressed " + lamps.pressed());
+            }
+            lamps.settle();
+            assertThat(lamps.pressed()).isEqualTo(300L * kills);
+        } finally {
+            for (Process each : instances) {
+                end(each);
+            }
+            end(broker);
+        }
+    }
+
+    private Process instance(String bootstrap, int number) throws IOException {
+        return java(
+                Main.class,
+                "fleet",
+                "--bootstrap",
+                bootstrap,
+                "--name",
+                FLEET,
+                "--session-ms",
+                "3000",
+                "--state-dir",
+                directory.resolve("instance-" + number).toString());
+    }
+
+    private Process broker(int port, int controller, String bootstrap) throws Exception {
+        Process broker = java(
+                BrokerProcess.class,
+                directory.resolve("broker").toString(),
+                String.valueOf(port),
+                String.valueOf(controller));
+        // It answers once it is there.
+        try (Admin admin = Admin.create(Map.of(
+                "bootstrap.servers", bootstrap, "default.api.timeout.ms", "120000", "request.timeout.ms", "5000"))) {
+            admin.describeCluster().nodes().get(120, TimeUnit.SECONDS);
+        }
+        return broker;
+    }
+
+    private Process java(Class<?> program, String... arguments) throws IOException {
+        List<String> command = new ArrayList<>(List.of(
+                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-XX:TieredStopAtLevel=1",
+                "-XX:+UseSerialGC",
+                "-cp",
+                System.getProperty("java.class.path"),
+                program.getName()));
+        command.addAll(List.of(arguments));
+        File log = directory.resolve(program.getSimpleName() + ".log").toFile();
+        return new ProcessBuilder(command)
+                .redirectErrorStream(true)
+                .redirectOutput(ProcessBuilder.Redirect.appendTo(log))
+                .start();
+    }
+
+    private static void end(Process process) throws InterruptedException {
+        process.destroyForcibly().waitFor();
+    }
+
+    private static int freePort() throws IOException {
+        try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+            return socket.getLocalPort();
+        }
+    }
+}

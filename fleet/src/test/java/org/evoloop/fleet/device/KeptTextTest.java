@@ -1,0 +1,75 @@
+package org.evoloop.fleet.device;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.nio.charset.StandardCharsets;
+import java.util.Set;
+import org.evoloop.core.Output;
+import org.evoloop.evolution.Occurrence;
+import org.evoloop.evolution.Source;
+import org.evoloop.evolution.Values;
+import org.evoloop.fleet.Models;
+import org.evoloop.fleet.wire.ModelRecord;
+import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.State;
+import org.junit.jupiter.api.Test;
+
+/** What is kept of a device goes through text unchanged, whatever it is in the middle of. */
+class KeptTextTest {
+    private static final long PATIENCE = 1_000_000_000L;
+
+    private final Model lamp = ModelRecord.read("lamp-1", Models.LAMP.bytes());
+    private final Device device = new Device(lamp, PATIENCE, new Deaf(), 1);
+
+    private static final class Deaf implements Hearer {
+        @Override
+        public void ordered(Order order) {}
+
+        @Override
+        public void noted(Output.Notice notice) {}
+
+        @Override
+        public void settled(Kept kept, boolean isNew) {}
+    }
+
+    @Test
+    void whatIsWrittenIsReadAgain() {
+        assertUnchanged();
+        press(10);
+        assertThat(device.kept().open()).isNotNull();
+        assertUnchanged();
+        device.answered(new Answer(1, Answer.Outcome.IN_DOUBT, "the line broke", null, 20));
+        assertThat(device.kept().lost()).isNotNull();
+        assertThat(device.kept().open().kind()).isEqualTo(Order.Kind.LOCATE);
+        assertUnchanged();
+        press(30);
+        assertThat(device.isNews(5)).isTrue();
+        assertThat(device.isNews(5)).isFalse();
+        device.answered(new Answer(2, Answer.Outcome.SENT, "", new State("on"), 40));
+        assertThat(device.kept().heard()).isEqualTo(5);
+        assertUnchanged();
+    }
+
+    private void press(long atNanos) {
+        device.observed(new Occurrence.Heard(
+                new Event("switch"), Values.of("a", "b c"), Source.PANEL, false, Set.of("x"), 0, atNanos));
+    }
+
+    private void assertUnchanged() {
+        byte[] text = KeptText.write(device.kept());
+        assertThat(KeptText.model(text)).isEqualTo("lamp-1");
+        assertThat(KeptText.read(lamp.rules(), text)).isEqualTo(device.kept());
+    }
+
+    @Test
+    void anotherTextIsRefused() {
+        assertThatThrownBy(() -> KeptText.model("nothing\n".getBytes(StandardCharsets.UTF_8)))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("evoloop-device 1");
+        byte[] text = KeptText.write(device.kept());
+        String damaged = new String(text, StandardCharsets.UTF_8).replace("none", "nine");
+        assertThatThrownBy(() -> KeptText.read(lamp.rules(), damaged.getBytes(StandardCharsets.UTF_8)))
+                .isInstanceOf(RuntimeException.class);
+    }
+}

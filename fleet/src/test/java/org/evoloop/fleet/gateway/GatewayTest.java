@@ -1,0 +1,153 @@
+package org.evoloop.fleet.gateway;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import java.util.concurrent.CopyOnWriteArrayList;
+import org.awaitility.Awaitility;
+import org.evoloop.fleet.Cluster;
+import org.evoloop.fleet.Models;
+import org.evoloop.fleet.broker.LocalBroker;
+import org.evoloop.fleet.stream.Fleet;
+import org.evoloop.fleet.stream.FleetSettings;
+import org.evoloop.fleet.wire.Topic;
+import org.evoloop.fleet.wire.Wire;
+import org.evoloop.mqtt.BrokerAddress;
+import org.evoloop.mqtt.BrokerConnection;
+import org.evoloop.mqtt.Message;
+import org.evoloop.mqtt.Mosquitto;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** A lamp at a real MQTT broker, in a fleet at a real Kafka broker, which is away for a while. */
+class GatewayTest {
+    private static final String FLEET = "bridged";
+    private static final Duration LIMIT = Duration.ofSeconds(90);
+
+    @TempDir
+    private Path directory;
+
+    private final List<String> commands = new CopyOnWriteArrayList<>();
+    private final List<String> told = new CopyOnWriteArrayList<>();
+
+    @Test
+    void whatTheLampTellsWhileKafkaIsAwayIsKeptAndComesInOrder() throws Exception {
+        int port = freePort();
+        int controller = freePort();
+        Path kafka = directory.resolve("kafka");
+        LocalBroker broker = LocalBroker.start(kafka, port, controller);
+        String bootstrap = broker.bootstrap();
+        try (Mosquitto mosquitto = new Mosquitto(directory).start();
+                BrokerConnection lamp = lamp(mosquitto);
+                Cluster cluster = new Cluster(bootstrap, FLEET, 2)) {
+            cluster.write(Topic.MODELS, "lamp-1", Models.LAMP.bytes());
+            cluster.flush();
+            FleetSettings settings =
+                    FleetSettings.defaults().withFleet(FLEET).withStateDirectory(directory.resolve("s"));
+            try (Fleet fleet = new Fleet(bootstrap, settings);
+                    Gateway gateway = gateway(bootstrap, mosquitto)) {
+                fleet.start();
+                assertThat(fleet.awaitRunning(LIMIT)).isTrue();
+                cluster.write(Topic.DEVICES, "lamp", Wire.device("lamp-1"));
+                cluster.readUntil(all -> !all.of(Topic.STATES, "lamp").isEmpty());
+                gateway.start();
+                Awaitility.await().atMost(LIMIT).until(gateway::reachesDevices);
+                press(lamp);
+                cluster.readUntil(all -> all.of(Topic.DECISIONS, "lamp").size() == 1);
+                assertThat(commands).hasSize(1);
+                assertThat(cluster.told().of(Topic.DECISIONS, "lamp").get(0))
+                        .contains("handled", "\"system\":\"on\"}}");
+                // Kafka goes away; two presses within two seconds are the second light, whenever that gets known.
+                broker.close();
+                press(lamp);
+                press(lamp);
+                Awaitility.await().atMost(LIMIT).until(() -> gateway.waiting() == 2);
+                broker = LocalBroker.start(kafka, port, controller);
+                cluster.readUntil(all -> all.of(Topic.DECISIONS, "lamp").size() == 3);
+                assertThat(cluster.told().of(Topic.DECISIONS, "lamp").get(2)).contains("incandescentOn");
+                Awaitility.await().atMost(LIMIT).until(() -> gateway.waiting() == 0);
+                assertThat(commands).hasSize(1);
+                assertThat(told.get(0)).contains("Kafka is reached");
+            }
+        } finally {
+            broker.close();
+        }
+    }
+
+    private Gateway gateway(String bootstrap, Mosquitto mosquitto) {
+        BrokerAddress address = BrokerAddress.parse("mqtt://127.0.0.1:" + mosquitto.port());
+        return new Gateway(bootstrap, FLEET, "house", address, Set.of("lamp"), directory.resolve("journal"), told::add);
+    }
+
+    /** It does what it is told, and says so. */
+    private BrokerConnection lamp(Mosquitto mosquitto) {
+        BrokerConnection lamp =
+                new BrokerConnection(BrokerAddress.parse("mqtt://127.0.0.1:" + mosquitto.port()), "the-lamp");
+        lamp.subscribe("evoloop/lamp/command", command -> {
+            commands.add(command.payload());
+            lamp.publish(Message.event(
+                    "evoloop/lamp/effect", "{\"schema\":1,\"sequence\":" + commands.size() + ",\"outcome\":\"sent\"}"));
+        });
+        lamp.open();
+        Awaitility.await().atMost(LIMIT).until(lamp::isUp);
+        return lamp;
+    }
+
+    private static void press(BrokerConnection lamp) {
+        lamp.publish(Message.event("evoloop/lamp/occurrence", "{\"schema\":1,\"event\":\"switch\"}"));
+    }
+
+    private static int freePort() throws IOException {
+        try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+            return socket.getLocalPort();
+        }
+    }
+
+    @Test
+    void whatIsKeptIsThereAgainAfterACrashAndNoNumberIsGivenTwice() throws Exception {
+        Path kept = directory.resolve("kept");
+        try (Outbox outbox = new Outbox(kept)) {
+            outbox.add(Topic.OCCURRENCES, "a", "{1}");
+            outbox.add(Topic.EFFECTS, "b", "{2}\n{x}");
+            outbox.sent(outbox.first(1, 1).get(0));
+        }
+        Files.writeString(kept.resolve("outbox"), "3\tOCC", StandardOpenOption.APPEND);
+        try (Outbox outbox = new Outbox(kept)) {
+            assertThat(outbox.first(9, 1)).containsExactly(new Outbox.Entry(2, Topic.EFFECTS, "b", "{2} {x}"));
+            outbox.add(Topic.OCCURRENCES, "a", "{3}");
+            List<Outbox.Entry> all = new ArrayList<>(outbox.first(9, 1));
+            assertThat(all).extracting(Outbox.Entry::number).containsExactly(2L, 3L);
+            outbox.sent(all.get(1));
+        }
+        try (Outbox outbox = new Outbox(kept)) {
+            assertThat(outbox.size()).isZero();
+            outbox.add(Topic.OCCURRENCES, "a", "{4}");
+            assertThat(outbox.first(9, 1)).extracting(Outbox.Entry::number).containsExactly(4L);
+        }
+    }
+
+    @Test
+    void noCommandIsCarriedOutTwiceAfterACrash() {
+        Path kept = directory.resolve("kept");
+        assertThat(kept.toFile().mkdirs()).isTrue();
+        try (Carried carried = new Carried(kept)) {
+            assertThat(carried.take("a", 1)).isTrue();
+            assertThat(carried.take("b", 7)).isTrue();
+            assertThat(carried.take("a", 1)).isFalse();
+        }
+        try (Carried carried = new Carried(kept)) {
+            assertThat(carried.take("b", 6)).isFalse();
+            assertThat(carried.take("b", 7)).isFalse();
+            assertThat(carried.take("a", 2)).isTrue();
+        }
+    }
+}

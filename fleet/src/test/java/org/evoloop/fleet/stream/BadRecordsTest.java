@@ -1,0 +1,75 @@
+package org.evoloop.fleet.stream;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.List;
+import org.evoloop.fleet.Models;
+import org.evoloop.fleet.device.Answer;
+import org.evoloop.fleet.wire.Topic;
+import org.evoloop.fleet.wire.Wire;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** What cannot be taken becomes a dead letter with its reason, and is in nobody's way. */
+class BadRecordsTest {
+    @TempDir
+    private Path directory;
+
+    @Test
+    void eachBadRecordBecomesADeadLetterAndStopsNobody() throws Exception {
+        try (RunningFleet fleet = new RunningFleet(directory)) {
+            fleet.publish("lamp-1", Models.LAMP.bytes());
+            fleet.register("good", "lamp-1");
+            long now = RunningFleet.nowNanos();
+            long hour = 3_600_000_000_000L;
+            bad(fleet, "a", Topic.OCCURRENCES, "{\"schema\":1,", "malformed", "no JSON");
+            bad(fleet, "b", Topic.OCCURRENCES, "[1]", "malformed", "a JSON object was expected");
+            bad(fleet, "c", Topic.OCCURRENCES, "{\"schema\":2}", "newer-schema", "update it first");
+            bad(fleet, "d", Topic.OCCURRENCES, Wire.text(RunningFleet.press(now)), "unknown-device", "no device d");
+            bad(fleet, "e", Topic.DEVICES, "{\"schema\":1,\"model\":\"none\"}", "unknown-model", "publish them first");
+            bad(fleet, "good", Topic.OCCURRENCES, Wire.text(RunningFleet.press(now + hour)), "clock", "ahead of");
+            bad(fleet, "good", Topic.OCCURRENCES, Wire.text(RunningFleet.press(0)), "clock", "behind");
+            bad(
+                    fleet,
+                    "good",
+                    Topic.OCCURRENCES,
+                    "{\"schema\":1,\"atMillis\":1}",
+                    "malformed",
+                    "'event' must be a text");
+            bad(fleet, "good", Topic.EFFECTS, "{\"schema\":1,\"sequence\":\"x\"}", "malformed", "'sequence' must be");
+            bad(fleet, "good", Topic.DEVICES, "{\"schema\":1,\"model\":\"other\"}", "registered-already", "a rollout");
+            fleet.press("good");
+            fleet.answer("good", 1, Answer.Outcome.SENT);
+            fleet.cluster.readUntil(told -> told.of(Topic.DECISIONS, "good").size() == 1);
+            assertThat(fleet.cluster.told().of(Topic.DECISIONS, "good").get(0)).contains("\"outcome\":\"handled\"");
+        }
+    }
+
+    private static void bad(
+            RunningFleet fleet, String device, Topic topic, String record, String reason, String detail) {
+        int before = fleet.cluster.told().of(Topic.DEAD_LETTERS, device).size();
+        fleet.cluster.write(topic, device, record.getBytes(StandardCharsets.UTF_8));
+        List<String> letters = fleet.cluster
+                .readUntil(told -> told.of(Topic.DEAD_LETTERS, device).size() > before)
+                .of(Topic.DEAD_LETTERS, device);
+        assertThat(letters.get(before))
+                .contains("\"reason\":\"" + reason + "\"")
+                .contains(detail)
+                .contains("\"topic\":\"" + topic.of(fleet.cluster.fleet()) + "\"");
+    }
+
+    @Test
+    void modelsThatAreNoModelsAreRefusedWhereADeviceWantsThem() throws Exception {
+        try (RunningFleet fleet = new RunningFleet(directory)) {
+            byte[] broken = Wire.text(Models.LAMP.bytes())
+                    .replace("\"original\":\"original\"", "\"original\":\"nothing\"")
+                    .getBytes(StandardCharsets.UTF_8);
+            fleet.cluster.write(Topic.MODELS, "broken", broken);
+            fleet.publish("lamp-1", Models.LAMP.bytes());
+            bad(fleet, "a", Topic.DEVICES, "{\"schema\":1,\"model\":\"broken\"}", "unusable-model", "nothing");
+            fleet.register("a", "lamp-1");
+        }
+    }
+}

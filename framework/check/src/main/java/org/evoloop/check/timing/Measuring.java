@@ -1,0 +1,69 @@
+package org.evoloop.check.timing;
+
+/** Looks for the first violation of the first property that is watched, and measures what it comes to. */
+final class Measuring implements Exploration.Judge {
+    private final Exploration exploration;
+    private final boolean stops;
+    private long best = Long.MAX_VALUE;
+    private long worst = -1;
+    private boolean violated;
+    private boolean lapsed;
+    private int from;
+    private int label;
+
+    /** @param stops whether a violation is enough */
+    Measuring(Exploration exploration, boolean stops) {
+        this.exploration = exploration;
+        this.stops = stops;
+    }
+
+    @Override
+    public boolean goes(int before, int by, Rows rows) {
+        if (rows.measured != TimeMonitor.NONE) {
+            best = Math.min(best, rows.leastMeasured);
+            worst = Math.max(worst, rows.measured);
+        }
+        if ((rows.violated & 1) != 0) {
+            lapsed |= by == Exploration.TICK;
+            if (!violated) {
+                violated = true;
+                from = before;
+                label = by;
+            }
+        }
+        return violated && stops;
+    }
+
+    boolean isViolated() {
+        return violated;
+    }
+
+    /** Whether a time has run down without what should have come. */
+    boolean hasLapsed() {
+        return lapsed;
+    }
+
+    int from() {
+        return from;
+    }
+
+    int label() {
+        return label;
+    }
+
+    /** In nanoseconds, or how many; -1 if it never came to that. */
+    long best() {
+        return best == Long.MAX_VALUE ? -1 : best;
+    }
+
+    TimeVerdict verdict(TimeProperty property, Exploration explored) {
+        boolean isCount = property.form() instanceof TimeForm.Count;
+        long unit = isCount ? 1 : exploration.clocks.ticks.nanos();
+        return new TimeVerdict(
+                property,
+                !violated,
+                best() < 0 ? -1 : best() * unit,
+                worst < 0 ? -1 : worst * unit,
+                explored.visited.size());
+    }
+}

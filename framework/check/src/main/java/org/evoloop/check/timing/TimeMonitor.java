@@ -1,0 +1,234 @@
+package org.evoloop.check.timing;
+
+import java.util.Arrays;
+
+/**
+ * What has to be remembered of the past to judge one time property. The same monitors are fed while a converter runs, in
+ * nanoseconds, and before it runs with everything that can happen, in ticks. Nothing is allocated after the first.
+ *
+ * <p>It is told each moment in order, several of them at one time if that is how things happen: whether the property's subject
+ * and what else it names are to be seen. For an event it is told one moment with the event and one without.
+ *
+ * <p>Threading: not thread-safe.
+ *
+ * @since 0.1
+ */
+public abstract sealed class TimeMonitor {
+    /** No time. */
+    public static final long NONE = Long.MIN_VALUE;
+
+    /** Times that are remembered. */
+    final long[] marks;
+
+    /** What was seen last: bit 0 the subject, bit 1 the other. */
+    int seen;
+
+    /** How long it took what has just come to its end, or how many there were; {@link #NONE} if nothing did. */
+    long measured = NONE;
+
+    private TimeMonitor(int marks) {
+        this.marks = new long[marks];
+        clear();
+    }
+
+    /**
+     * One that is told times in units of {@code unitNanos}, of which all lengths of time in {@code form} are multiples.
+     */
+    public static TimeMonitor of(TimeForm form, long unitNanos) {
+        if (form instanceof TimeForm.Response response) {
+            return new Response(
+                    response.span().minNanos() / unitNanos, response.span().maxNanos() / unitNanos);
+        } else if (form instanceof TimeForm.Stay stay) {
+            long max = stay.span().maxNanos();
+            return new Stay(stay.span().minNanos() / unitNanos, max == Span.FOR_EVER ? max : max / unitNanos);
+        } else if (form instanceof TimeForm.Before before) {
+            return new Before(before.minNanos() / unitNanos);
+        }
+        TimeForm.Count count = (TimeForm.Count) form;
+        return new Count(count.most(), count.windowNanos() / unitNanos);
+    }
+
+    /** Forgets all. */
+    public final void clear() {
+        Arrays.fill(marks, NONE);
+        seen = 0;
+    }
+
+    /**
+     * A moment.
+     *
+     * @param now not before any earlier time; {@link #lapsed} must have been asked for it
+     * @return whether this violates the property
+     */
+    public final boolean sees(long now, boolean subject, boolean other) {
+        measured = NONE;
+        boolean begins = subject && (seen & 1) == 0;
+        boolean ends = !subject && (seen & 1) != 0;
+        seen = (subject ? 1 : 0) | (other ? 2 : 0);
+        return moment(now, begins, ends, other);
+    }
+
+    abstract boolean moment(long now, boolean begins, boolean ends, boolean other);
+
+    /** The last time at which it is not violated if nothing happens; {@link #NONE} if there is none. */
+    public long deadline() {
+        return NONE;
+    }
+
+    /** It is {@code now}, and since the last moment nothing has happened: whether that violates the property. */
+    public final boolean lapsed(long now) {
+        long deadline = deadline();
+        boolean late = deadline != NONE && now > deadline;
+        if (late) {
+            marks[0] = NONE;
+        }
+        return late;
+    }
+
+    /** Forgets what makes no difference any more, so that there are finitely many situations. */
+    abstract void forget(long now);
+
+    static long max(long one, long other) {
+        return one == NONE ? NONE : Math.max(one, other);
+    }
+
+    /** Since the oldest and the newest beginning that wait. */
+    private static final class Response extends TimeMonitor {
+        private final long min;
+        private final long max;
+
+        Response(long min, long max) {
+            super(2);
+            this.min = min;
+            this.max = max;
+        }
+
+        @Override
+        boolean moment(long now, boolean begins, boolean ends, boolean other) {
+            if (begins) {
+                marks[0] = marks[0] == NONE ? now : marks[0];
+                marks[1] = now;
+            }
+            if (marks[0] == NONE || !other) {
+                return false;
+            }
+            measured = now - marks[0];
+            boolean broken = measured > max || now - marks[1] < min;
+            marks[0] = NONE;
+            return broken;
+        }
+
+        @Override
+        public long deadline() {
+            return marks[0] == NONE ? NONE : marks[0] + max;
+        }
+
+        @Override
+        void forget(long now) {
+            marks[1] = marks[0] == NONE ? NONE : max(marks[1], now - min);
+        }
+    }
+
+    /** Since it lasts. */
+    private static final class Stay extends TimeMonitor {
+        private final long min;
+        private final long max;
+
+        Stay(long min, long max) {
+            super(1);
+            this.min = min;
+            this.max = max;
+        }
+
+        @Override
+        boolean moment(long now, boolean begins, boolean ends, boolean other) {
+            boolean broken = false;
+            if (begins) {
+                marks[0] = now;
+            } else if (ends && marks[0] != NONE) {
+                measured = now - marks[0];
+                broken = measured < min || measured > max;
+                marks[0] = NONE;
+            }
+            return broken;
+        }
+
+        @Override
+        public long deadline() {
+            return marks[0] == NONE || max == Span.FOR_EVER ? NONE : marks[0] + max;
+        }
+
+        @Override
+        void forget(long now) {
+            marks[0] = max == Span.FOR_EVER ? max(marks[0], now - min - 1) : marks[0];
+        }
+    }
+
+    /** Since the other lasts, and when it ended. */
+    private static final class Before extends TimeMonitor {
+        private final long min;
+
+        Before(long min) {
+            super(2);
+            this.min = min;
+        }
+
+        @Override
+        boolean moment(long now, boolean begins, boolean ends, boolean other) {
+            boolean broken = false;
+            if (begins) {
+                boolean lasted = marks[0] != NONE && (marks[1] == NONE || marks[1] == now);
+                measured = lasted ? now - marks[0] : 0;
+                broken = measured < min || !lasted;
+            }
+            if (other && (marks[0] == NONE || marks[1] != NONE)) {
+                marks[0] = now;
+                marks[1] = NONE;
+            } else if (!other && marks[0] != NONE && marks[1] == NONE) {
+                marks[1] = now;
+            }
+            return broken;
+        }
+
+        @Override
+        void forget(long now) {
+            if (marks[1] != NONE && marks[1] < now) {
+                marks[0] = NONE;
+                marks[1] = NONE;
+            }
+            marks[0] = max(marks[0], now - min - 1);
+        }
+    }
+
+    /** When it began, the last times, the oldest first. */
+    private static final class Count extends TimeMonitor {
+        private final long window;
+
+        Count(int most, long window) {
+            super(most);
+            this.window = window;
+        }
+
+        @Override
+        boolean moment(long now, boolean begins, boolean ends, boolean other) {
+            if (!begins) {
+                return false;
+            }
+            measured = 1;
+            for (long mark : marks) {
+                measured += mark != NONE && now - mark <= window ? 1 : 0;
+            }
+            boolean broken = measured > marks.length;
+            System.arraycopy(marks, 1, marks, 0, marks.length - 1);
+            marks[marks.length - 1] = now;
+            return broken;
+        }
+
+        @Override
+        void forget(long now) {
+            for (int index = 0; index < marks.length; index++) {
+                marks[index] = marks[index] != NONE && now - marks[index] > window ? NONE : marks[index];
+            }
+        }
+    }
+}

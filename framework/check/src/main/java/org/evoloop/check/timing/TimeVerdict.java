@@ -1,0 +1,33 @@
+package org.evoloop.check.timing;
+
+/**
+ * Whether a time property holds over everything that can happen, and how close it comes to not holding.
+ *
+ * <p>Threading: immutable.
+ *
+ * @param best the least that it ever takes, in nanoseconds; of a count, the lowest number; -1 if it never comes to that
+ * @param worst the most; -1 if it never comes to that; {@link Span#FOR_EVER} if no bound was found
+ * @param moments how many were looked at
+ * @since 0.1
+ */
+public record TimeVerdict(TimeProperty property, boolean holds, long best, long worst, long moments) {
+    /** For people: {@code 'It answers' holds: after 0 s at best and 2.8 s at worst}. */
+    @Override
+    public String toString() {
+        return "'" + property.name() + "' " + (holds ? "holds" : "does not hold") + ": " + figures();
+    }
+
+    private String figures() {
+        if (best < 0 && worst < 0) {
+            return "it never comes to that";
+        } else if (property.form() instanceof TimeForm.Count) {
+            return worst + " at worst";
+        } else if (property.form() instanceof TimeForm.Before) {
+            return "after " + Span.length(best) + " at worst";
+        } else if (property.form() instanceof TimeForm.Stay stay && stay.span().maxNanos() == Span.FOR_EVER) {
+            return Span.length(best) + " at worst";
+        }
+        String longest = worst == Span.FOR_EVER ? "without a bound" : Span.length(worst);
+        return (best < 0 ? "never" : Span.length(best)) + " at best, " + longest + " at worst";
+    }
+}

@@ -1,0 +1,44 @@
+package org.evoloop.evolution;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.evoloop.statemachine.Transition;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What follows when one step of a plan fails, as {@link DeviceEvents#onFailure(Transition)} asks for.
+ *
+ * <p>Threading: immutable.
+ *
+ * @param failed the step
+ * @param then what was asked for
+ * @param way what is sent then; null if nothing that can be sent leads there
+ * @since 0.1
+ */
+public record Fallback(
+        Step failed, OnFailure then, @Nullable List<Step> way) {
+
+    /** Those of a plan, in the order of its steps; none where the device simply stays. */
+    public static List<Fallback> of(DecisionTable table, Decision decision) {
+        Transition transition = decision.transition();
+        OnFailure then = transition == null ? OnFailure.STAY : table.device().onFailure(transition);
+        if (transition == null || then == OnFailure.STAY || decision instanceof Decision.Impossible) {
+            return List.of();
+        }
+        List<Fallback> fallbacks = new ArrayList<>();
+        for (Step step : decision.steps()) {
+            boolean isAway = !step.source().equals(decision.deviceStart());
+            if (!step.byDevice() && (isAway || then == OnFailure.OTHER_WAY)) {
+                Configuration at = decision.before().withOriginal(step.source());
+                Decision usual = table.decide(at, transition.event(), false);
+                BrokenPlan broken = new BrokenPlan(then, "", decision.deviceStart(), List.of(step));
+                Decision next = table.afterFailure(usual, at, broken);
+                boolean isThere = then == OnFailure.GO_BACK
+                        ? next.after().original().equals(decision.deviceStart())
+                        : !(next instanceof Decision.Impossible);
+                fallbacks.add(new Fallback(step, then, isThere ? next.steps() : null));
+            }
+        }
+        return List.copyOf(fallbacks);
+    }
+}

@@ -1,0 +1,88 @@
+package org.evoloop.rehearsal;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import java.util.function.Consumer;
+import org.evoloop.core.Output;
+import org.evoloop.core.Outputs;
+import org.evoloop.core.text.DecisionKind;
+import org.evoloop.evolution.Decision;
+import org.evoloop.evolution.Occurrence;
+import org.evoloop.statemachine.Transition;
+
+/**
+ * Listens to a core, and tells what became of each event and how.
+ *
+ * <p>Threading: not thread-safe.
+ *
+ * @since 0.1
+ */
+public class Chronicle implements Outputs {
+    private final Consumer<Ending> endings;
+    private List<String> sent = new ArrayList<>();
+    private int took;
+    private Set<String> guards = Set.of();
+    private long visit;
+
+    /**
+     * Tells of every event that comes to its end.
+     *
+     * @param visit in which the core begins
+     */
+    public Chronicle(long visit, Consumer<Ending> endings) {
+        this.visit = visit;
+        this.endings = endings;
+    }
+
+    @Override
+    public void say(Output output) {
+        if (output instanceof Output.Begin) {
+            sent = new ArrayList<>();
+            took = 0;
+            guards = Set.of();
+        } else if (output instanceof Output.Send send) {
+            sent.add(send.step().trigger().name());
+        } else if (output instanceof Output.Took) {
+            took++;
+        } else if (output instanceof Output.Decided decided) {
+            Transition transition = decided.decision().transition();
+            guards = transition == null
+                    ? Set.of()
+                    : Set.copyOf(transition.event().guards());
+        } else if (output instanceof Output.Enter enter) {
+            visit = enter.visit();
+        } else if (output instanceof Output.CarryOver carryOver) {
+            visit = carryOver.visit();
+        } else if (output instanceof Output.Ended ended && isOfModels(ended.occurrence())) {
+            end(ended);
+        }
+    }
+
+    /** Doubts and violations are no events of the models. */
+    private static boolean isOfModels(Occurrence occurrence) {
+        return !(occurrence instanceof Occurrence.InDoubt || occurrence instanceof Occurrence.Violated);
+    }
+
+    private void end(Output.Ended ended) {
+        Decision decision = ended.decision();
+        String why = decision == null ? ended.detail() : words(decision);
+        Verdict verdict = new Verdict(ended.before(), ended.after(), ended.outcome(), sent, why);
+        endings.accept(new Ending(ended, verdict, took, guards));
+        sent = new ArrayList<>();
+    }
+
+    private static String words(Decision decision) {
+        String reason = DecisionKind.reasonOf(decision);
+        return DecisionKind.of(decision).word() + (reason.isEmpty() ? "" : ", " + reason);
+    }
+
+    /** The number of the current visit. */
+    public long visit() {
+        return visit;
+    }
+
+    int took() {
+        return took;
+    }
+}

@@ -1,0 +1,258 @@
+package org.evoloop.rehearsal;
+
+import java.time.Duration;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import org.evoloop.core.Core;
+import org.evoloop.core.Input;
+import org.evoloop.core.Output;
+import org.evoloop.core.Pending;
+import org.evoloop.core.Reframed;
+import org.evoloop.core.Rules;
+import org.evoloop.core.Snapshot;
+import org.evoloop.evolution.Configuration;
+import org.evoloop.evolution.Decision;
+import org.evoloop.evolution.Occurrence;
+import org.evoloop.evolution.Source;
+import org.evoloop.evolution.Values;
+import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.State;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Tells another core what a converter is told, as {@link Comparison} says.
+ *
+ * <p>Threading: not thread-safe.
+ */
+final class Rehearsal extends Chronicle {
+    /** A timer of the converter is told a moment after it is due, and the other core enters its states a moment later. */
+    private static final long SAME_TIMER_NANOS = Duration.ofSeconds(1).toNanos();
+
+    private final Function<Occurrence, @Nullable Ending> then;
+    private final Core core;
+    private final Deque<Output.Directive> toDo = new ArrayDeque<>();
+    private final Map<Event, Long> timers = new HashMap<>();
+    /** What was told and has not come to its end here, first come first. */
+    private final List<Occurrence> outstanding = new ArrayList<>();
+
+    private @Nullable Pending begun;
+    private boolean planned;
+
+    /**
+     * Begins.
+     *
+     * @param then how an event ended in the converter; null if it did not come there, or has not ended
+     * @param endings hears how each event ends here
+     */
+    Rehearsal(Rules rules, Snapshot from, Function<Occurrence, @Nullable Ending> then, Consumer<Ending> endings) {
+        super(from.visit().number(), endings);
+        this.then = then;
+        this.timers.putAll(from.visit().deadlines());
+        this.core = new Core(rules, from, this);
+    }
+
+    @Override
+    public void say(Output output) {
+        super.say(output);
+        if (output instanceof Output.Begin begin) {
+            begun = begin.pending();
+            planned = false;
+        } else if (output instanceof Output.Enter enter) {
+            timers.clear();
+            timers.putAll(enter.deadlines());
+        } else if (output instanceof Output.Leave) {
+            timers.clear();
+        } else if (output instanceof Output.Ended ended) {
+            isOut(ended.occurrence());
+        } else if (output instanceof Output.Dropped dropped) {
+            isOut(dropped.occurrence());
+        } else if (output instanceof Output.Refused refused) {
+            isOut(refused.occurrence());
+        }
+        if (output instanceof Output.Directive directive) {
+            toDo.add(directive);
+        }
+    }
+
+    private void isOut(Occurrence occurrence) {
+        for (int index = 0; index < outstanding.size(); index++) {
+            if (isSame(outstanding.get(index), occurrence)) {
+                outstanding.remove(index);
+                return;
+            }
+        }
+    }
+
+    /** Whether both are the same event, whichever models it is told to. */
+    static boolean isSame(Occurrence one, Occurrence other) {
+        long apart = Math.abs(one.observedNanos() - other.observedNanos());
+        return one.source() == other.source()
+                && one.label().equals(other.label())
+                && apart <= (one.source() == Source.TIMER ? SAME_TIMER_NANOS : 0);
+    }
+
+    /** Where the other models stand. */
+    Configuration at() {
+        return core.at();
+    }
+
+    /**
+     * An event is observed; it has its {@link #turn} later. What belongs to a visit is heard only if the other models are in
+     * the state of that visit.
+     *
+     * @param raisedIn the current state of the converter, if the event belongs to its visit; null if it belongs to an older one
+     */
+    void hear(Occurrence occurrence, @Nullable State raisedIn, long atNanos) {
+        fire(atNanos);
+        Occurrence here = occurrence;
+        if (occurrence.visit() != Occurrence.ANY_VISIT) {
+            here = at().evolved().equals(raisedIn) ? Reframed.inVisit(occurrence, visit()) : null;
+        }
+        if (here != null) {
+            outstanding.add(here);
+            core.observed(here);
+        }
+    }
+
+    /** An event has come to its end in the converter: here it has its turn, after those that came before it. */
+    void turn(Occurrence occurrence, long atNanos) {
+        fire(atNanos);
+        if (occurrence.source() == Source.TIMER && like(occurrence) == 0) {
+            timers.entrySet().stream()
+                    .filter(timer -> timer.getKey().toString().equals(occurrence.label())
+                            && timer.getValue() - atNanos <= SAME_TIMER_NANOS)
+                    .map(Map.Entry::getKey)
+                    .findFirst()
+                    .ifPresent(timer -> due(timer, atNanos));
+        }
+        long before = like(occurrence);
+        boolean goesOn = before > 0;
+        while (goesOn && like(occurrence) == before) {
+            goesOn = convert(atNanos);
+        }
+        settle(atNanos);
+    }
+
+    /** How many of the same event have not come to their end here; there are two where a test's clock stands still. */
+    private long like(Occurrence occurrence) {
+        return outstanding.stream().filter(each -> isSame(each, occurrence)).count();
+    }
+
+    /** The converter was opened or closed. */
+    void follow(Input input, long atNanos) {
+        fire(atNanos);
+        if (input instanceof Input.Opened || input instanceof Input.Closing || input instanceof Input.Closed) {
+            core.apply(input);
+        } else if (input instanceof Input.Recovered) {
+            core.closing();
+            core.closed();
+        }
+        settle(atNanos);
+    }
+
+    /** Timers that are due by then, the earliest first. One that the converter may have, too, waits for its turn there. */
+    void fire(long atNanos) {
+        expire(atNanos);
+        while (true) {
+            Map.Entry<Event, Long> next = null;
+            for (Map.Entry<Event, Long> timer : timers.entrySet()) {
+                boolean sooner = next == null || timer.getValue() < next.getValue();
+                next = timer.getValue() <= atNanos && sooner ? timer : next;
+            }
+            if (next == null) {
+                return;
+            }
+            due(next.getKey(), next.getValue());
+            expire(atNanos);
+        }
+    }
+
+    private void due(Event timer, long deadline) {
+        long due = Math.max(deadline, core.nowNanos());
+        timers.remove(timer);
+        outstanding.add(new Occurrence.Heard(timer, Values.NONE, Source.TIMER, visit(), due));
+        core.timerDue(visit(), timer, due);
+    }
+
+    /** Timers have their turns that the converter does not have. */
+    private void expire(long atNanos) {
+        boolean goesOn = true;
+        while (goesOn && !outstanding.isEmpty()) {
+            Occurrence first = outstanding.get(0);
+            boolean expired = atNanos - first.observedNanos() > SAME_TIMER_NANOS;
+            goesOn = expired
+                    && outstanding.stream().allMatch(each -> each.source() == Source.TIMER)
+                    && convert(first.observedNanos());
+        }
+    }
+
+    /** What follows from what has happened; what the converter has not dealt with yet waits. */
+    private void settle(long atNanos) {
+        boolean goesOn = true;
+        while (goesOn && outstanding.isEmpty()) {
+            goesOn = convert(atNanos);
+        }
+    }
+
+    /** What waits has its turn, as nothing more comes. */
+    void rest(long atNanos) {
+        boolean goesOn = true;
+        while (goesOn) {
+            goesOn = convert(atNanos);
+        }
+    }
+
+    /** One event has its turn; false if there is none. */
+    private boolean convert(long atNanos) {
+        begun = null;
+        if (core.hasNext()) {
+            toDo.clear();
+            core.ready();
+        }
+        Pending pending = begun;
+        while (pending != null && core.isBusy()) {
+            if (!planned) {
+                planned = true;
+                plan(pending, then.apply(pending.occurrence()), atNanos);
+            } else {
+                carryOut(pending, toDo.poll(), atNanos);
+            }
+        }
+        return pending != null;
+    }
+
+    private void carryOut(Pending pending, Output.@Nullable Directive next, long atNanos) {
+        long number = pending.number();
+        Ending recorded = then.apply(pending.occurrence());
+        if (next instanceof Output.Send) {
+            if (recorded != null && recorded.isBroken() && recorded.took() <= took()) {
+                core.failed(number, recorded.verdict().why(), atNanos);
+            } else {
+                core.sending(number);
+                core.sent(number, true, atNanos);
+            }
+        } else if (next instanceof Output.Run) {
+            core.running(number);
+            core.effectRun(number, "", atNanos);
+        } else if (next instanceof Output.Locate) {
+            core.located(number, core.at().original(), atNanos);
+        }
+    }
+
+    private void plan(Pending pending, @Nullable Ending recorded, long atNanos) {
+        Set<String> holding = new HashSet<>(recorded == null ? Set.of() : recorded.guards());
+        if (pending.occurrence() instanceof Occurrence.Heard heard) {
+            holding.addAll(heard.holding());
+        }
+        Decision decision = core.rules().decide(core.at(), core.steps(), pending, holding::contains);
+        core.planned(pending.number(), decision, atNanos);
+    }
+}

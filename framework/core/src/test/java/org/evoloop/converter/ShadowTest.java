@@ -1,0 +1,207 @@
+package org.evoloop.converter;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+import org.evoloop.function.NewFunction;
+import org.evoloop.function.Visit;
+import org.evoloop.rehearsal.Difference;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** A music player with other models beside those that run. */
+class ShadowTest {
+    private final List<Visit> fadings = new ArrayList<>();
+    private final Player player = new Player(fadings::add);
+
+    @AfterEach
+    void close() {
+        player.close();
+    }
+
+    private Shadow begin(StateKnowledge next) {
+        return player.converter.shadow(Evolution.to(next).withoutWayBack());
+    }
+
+    private void press(String... events) {
+        for (String event : events) {
+            player.press(event);
+            player.settle();
+        }
+    }
+
+    private static List<String> events(Shadow shadow) {
+        return shadow.report().differences().stream()
+                .map(each -> each.occurrence().label())
+                .toList();
+    }
+
+    private static StateKnowledge dozing() {
+        return Player.dozing(NewFunction.none());
+    }
+
+    @Test
+    void whatIsDecidedOtherwiseIsKeptAndNothingOfItIsSent() {
+        press("play");
+        Shadow shadow = begin(Player.knowledge(
+                List.of("Fading"), NewFunction.none(), "Paused fade -> Fading", "Fading play -> Playing"));
+        press("pause", "fade", "play");
+
+        ShadowReport report = shadow.report();
+        assertThat(report).hasToString("'next': 3 events, 1 of them decided otherwise");
+        assertThat(events(shadow)).containsExactly("fade");
+        Difference only = report.differences().get(0);
+        assertThat(only.then()).isEqualTo("stays in (Paused, Paused): not-acceptable");
+        assertThat(only.now()).isEqualTo("(Paused, Paused) -> (Paused, Fading): new-function");
+        assertThat(report.at()).hasToString("(Playing, Playing)");
+        assertThat(player.sent).containsExactly("play", "pause", "play");
+        assertThat(player.converter.status().shadow()).isEqualTo(report.toString());
+    }
+
+    @Test
+    void timersOfOneOfTheTwoAreTold() {
+        press("play", "fade");
+        Shadow shadow = begin(dozing());
+        player.clock.advance(Duration.ofMillis(11_001));
+        assertThat(shadow.report().at()).hasToString("(Stopped, Stopped)");
+
+        press("stop", "play", "fade");
+        player.clock.advance(Duration.ofMillis(11_001));
+        assertThat(events(shadow)).containsExactly("tm(10s)", "stop", "tm(10s)");
+        assertThat(shadow.report().differences().get(0).then()).isEqualTo("had no such timer");
+        assertThat(shadow.report().at()).hasToString("(Stopped, Stopped)");
+    }
+
+    @Test
+    void timersOfBothAreOneEvent() {
+        player.converter.evolve(Evolution.to(dozing()));
+        press("play");
+        Shadow shadow = begin(dozing());
+        press("fade");
+        player.clock.advance(Duration.ofSeconds(10));
+        player.settle();
+        player.clock.advance(Duration.ofSeconds(2));
+        assertThat(player.states()).hasToString("(Stopped, Stopped)");
+        assertThat(shadow.report()).hasToString("'next': 2 events, 0 of them decided otherwise");
+    }
+
+    @Test
+    void eventsOfAFunctionAreHeardWhereBothAreInItsState() throws Exception {
+        Shadow shadow = begin(Player.knowledge(
+                List.of("Fading"),
+                NewFunction.none(),
+                "Playing fade -> Fading",
+                "Fading faded -> Paused",
+                "Fading stop -> Stopped"));
+        press("play", "fade");
+        fadings.get(0).raise("faded");
+        player.settle();
+        assertThat(events(shadow)).containsExactly("faded");
+        assertThat(shadow.report().differences().get(0).now()).contains("-> (Paused, Paused), sends pause");
+    }
+
+    @Test
+    void whatFailsFailsInBoth() {
+        Shadow shadow = begin(dozing());
+        player.before = () -> {
+            throw new IllegalStateException("the cable is loose");
+        };
+        press("play");
+        player.before = () -> {};
+        press("play", "pause");
+        assertThat(shadow.report()).hasToString("'next': 3 events, 0 of them decided otherwise");
+    }
+
+    @Test
+    void aStopEndsTheVisitInBoth() {
+        player.converter.evolve(Evolution.to(dozing()));
+        press("play", "fade");
+        Shadow shadow = begin(dozing());
+        player.clock.advance(Duration.ofSeconds(9));
+        player.converter.stop();
+        player.converter.start();
+        player.clock.advance(Duration.ofSeconds(9));
+        player.settle();
+        assertThat(shadow.report().at()).isEqualTo(player.states()).hasToString("(Playing, Fading)");
+        player.clock.advance(Duration.ofSeconds(3));
+        player.settle();
+        assertThat(shadow.report()).hasToString("'next': 1 event, 0 of them decided otherwise");
+    }
+
+    @Test
+    void promotingGoesOnFromWhereTheDeviceIs() {
+        press("play", "pause");
+        Shadow shadow = begin(Player.knowledge(
+                List.of("Fading"), NewFunction.none(), "Paused fade -> Fading", "Fading play -> Playing"));
+        press("fade");
+        assertThat(shadow.report().at()).hasToString("(Paused, Fading)");
+        assertThat(shadow.promote().after()).hasToString("(Paused, Paused)");
+        assertThat(player.converter.shadow()).isEmpty();
+        assertThatThrownBy(shadow::report).isInstanceOf(IllegalStateException.class);
+        assertThatThrownBy(shadow::promote).isInstanceOf(IllegalStateException.class);
+        press("fade");
+        assertThat(player.states()).hasToString("(Paused, Fading)");
+    }
+
+    @Test
+    void itEndsWhenOthersTakeOverOrBegin() {
+        StateKnowledge first = dozing();
+        Shadow before = begin(first);
+        Shadow shadow = begin(dozing());
+        assertThatThrownBy(before::report).isInstanceOf(IllegalStateException.class);
+        before.close();
+        assertThat(player.converter.shadow()).contains(shadow);
+        player.converter.evolve(Evolution.to(first));
+        assertThat(player.converter.shadow()).isEmpty();
+        assertThat(player.converter.status().shadow()).isEmpty();
+    }
+
+    @Test
+    void modelsWithoutAPlaceForTheStateAreRefused() {
+        press("play", "fade");
+        StateKnowledge next = Player.knowledge(List.of(), NewFunction.none());
+        assertThatThrownBy(() -> begin(next))
+                .isInstanceOf(EvolutionException.class)
+                .hasMessageContaining("the next new model has no state Fading");
+        assertThat(player.converter.shadow()).isEmpty();
+        press("stop");
+        assertThat(begin(next).report().events()).isZero();
+    }
+
+    /** An equal model decides the same, whatever happens. */
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8})
+    void equalModelsNeverDiffer(long seed) {
+        player.converter.evolve(Evolution.to(dozing()).withoutWayBack());
+        Random random = new Random(seed);
+        List<String> events = List.of("play", "pause", "stop", "fade", "doze");
+        Shadow shadow = begin(dozing());
+        for (int step = 0; step < 500; step++) {
+            String event = events.get(random.nextInt(events.size()));
+            player.before = random.nextInt(10) == 0
+                    ? () -> {
+                        throw new IllegalStateException("the cable is loose");
+                    }
+                    : () -> {};
+            switch (random.nextInt(5)) {
+                case 0 -> player.clock.advance(Duration.ofSeconds(random.nextInt(12)));
+                case 1 -> player.acts(events.get(random.nextInt(3)));
+                case 2 -> player.found();
+                default -> player.press(event);
+            }
+            if (random.nextInt(3) > 0) {
+                player.settle();
+            }
+        }
+        player.settle();
+        assertThat(shadow.report().differences()).as("seed %d", seed).isEmpty();
+        assertThat(shadow.report().at()).isEqualTo(player.states());
+        assertThat(shadow.report().events()).isGreaterThan(200);
+    }
+}

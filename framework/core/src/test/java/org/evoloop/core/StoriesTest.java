@@ -1,0 +1,44 @@
+package org.evoloop.core;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.stream.Collectors;
+import java.util.stream.LongStream;
+import java.util.stream.Stream;
+import org.evoloop.core.Scene.Act;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/**
+ * Ways through exploration's world, which {@code ./evoloop study --check} has the specification in {@code prism/proof} go, too.
+ * Where the core was changed on purpose, take what the failure prints into the file, and see to the specification.
+ */
+class StoriesTest {
+    private static final Path GOLDEN = Path.of(System.getProperty("evoloop.root"), "prism", "proof", "golden");
+    private static final int MOST = 60;
+
+    static Stream<Arguments> pairs() {
+        return Stream.of(
+                Arguments.of("robot", everything(Scene.robot())), Arguments.of("bulb", everything(Scene.bulb())));
+    }
+
+    private static Scene everything(Scene scene) {
+        return scene.with(4, Act.PRESS)
+                .with(2, Act.OWN, Act.RAISE, Act.STOP, Act.GIVE_UP, Act.END, Act.FAIL)
+                .with(1, Act.JUMP, Act.ASK, Act.CHANGE);
+    }
+
+    @ParameterizedTest
+    @MethodSource("pairs")
+    void goAsTheyWent(String name, Scene scene) throws IOException {
+        String stories = LongStream.rangeClosed(1, 40)
+                .mapToObj(seed -> Story.of(seed % 2 == 0 ? scene : scene.mute().outOfOrder(), seed, MOST))
+                .collect(Collectors.joining());
+
+        assertThat(stories).isEqualTo(Files.readString(GOLDEN.resolve(name + ".stories.txt")));
+    }
+}

@@ -1,0 +1,41 @@
+package org.evoloop.models.checking;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.evoloop.check.Finding;
+import org.evoloop.check.TimedEvent;
+import org.evoloop.check.timing.Span;
+import org.evoloop.models.diagram.Timing;
+
+/** What happens in time until a finding shows, for people and as a picture. */
+final class TimedWay {
+    private TimedWay() {}
+
+    /** {@code at 0 s start (Off, Off); at 1.5 s Clean -> (On, On)}. */
+    static String text(List<TimedEvent> events) {
+        List<String> told = new ArrayList<>();
+        for (TimedEvent event : events.subList(0, events.size() - 1)) {
+            told.add("at " + Span.length(event.atNanos()) + " " + event.what() + " -> " + event.after()
+                    + (event.step().isEmpty() ? "" : ", sending " + event.step()));
+        }
+        TimedEvent last = events.get(events.size() - 1);
+        told.add("at " + Span.length(last.atNanos()) + " " + last.what());
+        return String.join("; ", told);
+    }
+
+    /** The timing diagram of {@code finding}, which has times. */
+    static Timing picture(Finding finding) {
+        return new Timing(
+                finding.rule().id() + ": " + finding.message(),
+                List.of("device", "new model", "sent to the device"),
+                finding.timed().stream()
+                        .map(event -> new Timing.Moment(
+                                Span.length(event.atNanos()),
+                                event.what(),
+                                List.of(
+                                        event.after().original().name(),
+                                        event.after().evolved().name(),
+                                        event.step())))
+                        .toList());
+    }
+}

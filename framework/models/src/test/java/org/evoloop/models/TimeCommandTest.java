@@ -1,0 +1,96 @@
+package org.evoloop.models;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
+
+/** What {@code check} tells of time. */
+class TimeCommandTest {
+    private static final String KNOWN = """
+            takes Spot 1 s .. 2 s
+            at least 3 s between presses
+            arriveSpot comes 1 s .. 60 s after function Move
+            """;
+
+    @TempDir
+    private Path directory;
+
+    private Tool check(String properties, String... options) throws IOException {
+        Path file = Files.writeString(directory.resolve("robot.properties.txt"), properties);
+        List<String> arguments = new ArrayList<>(List.of(
+                "check",
+                Tool.ROBOT + "#original",
+                Tool.ROBOT + "#new",
+                "--spontaneous",
+                "endSpot",
+                "--properties",
+                file.toString()));
+        arguments.addAll(List.of(options));
+        return Tool.run(arguments.toArray(String[]::new));
+    }
+
+    @Test
+    void aPropertyThatHoldsIsToldWithItsTimes() throws IOException {
+        Tool told = check(KNOWN + "In time: Move never longer than 62 s\n");
+
+        assertThat(told.err()).isEmpty();
+        assertThat(told.status()).isZero();
+        assertThat(told.out()).contains("time: 'In time' holds: 2 s at best, 62 s at worst\n");
+    }
+
+    @Test
+    void aViolationIsToldWithTheShortestWayThere() throws IOException {
+        Tool told = check(KNOWN + "In time: Move never longer than 61 s\n");
+
+        assertThat(told.status()).isEqualTo(1);
+        assertThat(told.out())
+                .contains("error: property: 'In time' (" + directory.resolve("robot.properties.txt")
+                        + ", line 4) does not hold")
+                .contains("  way:  at 0 s start -> (Off, Off); at 0 s Clean -> (On, On); at 3 s Spot -> (On, Move); "
+                        + "at 63 s arriveSpot -> (On, Move), sending Spot; at 64 s 'In time' is violated\n")
+                .contains("time: 'In time' does not hold: 2 s at best, 62 s at worst\n");
+    }
+
+    @Test
+    void programsAreToldTheSame() throws IOException {
+        JsonNode told = JsonMapper.shared()
+                .readTree(check(KNOWN + "In time: Move never longer than 61 s\n", "--format", "json")
+                        .out());
+
+        assertThat(told.get("times").get(0).get("worstNanos").asLong()).isEqualTo(62_000_000_000L);
+        JsonNode timed =
+                told.get("findings").get(told.get("findings").size() - 1).get("timed");
+        assertThat(timed.get(3).get("what").asString()).isEqualTo("arriveSpot");
+        assertThat(timed.get(3).get("atNanos").asLong()).isEqualTo(63_000_000_000L);
+        assertThat(timed.get(3).get("sending").asString()).isEqualTo("Spot");
+    }
+
+    @Test
+    void aViolationIsDrawnAsATimingDiagram() throws IOException {
+        String picture = check(KNOWN + "In time: Move never longer than 61 s\n", "--format", "svg")
+                .out();
+
+        assertThat(picture).contains("class=\"timing\"", "class=\"lifeline\"", ">new model</text>", ">63 s</text>");
+    }
+
+    @Test
+    void whatIsTooLargeIsRefusedWithTheFigure() throws IOException {
+        Tool told = check("takes Spot 1 ms .. 1 h\ntakes Clean 1 ms .. 1 h\nIn time: Move never longer than 1 h\n");
+
+        assertThat(told.status()).isEqualTo(2);
+        assertThat(told.out()).as("the other rules are judged").contains("swallowed-event");
+        assertThat(told.err())
+                .hasLineCount(1)
+                .contains(
+                        "line 3: 'In time' cannot be decided: there are more than ",
+                        " in ticks of 1 ms; write lengths");
+    }
+}

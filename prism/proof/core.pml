@@ -1,0 +1,416 @@
+/*
+ * The converter's core, as org.evoloop.core.Core has it: each of its inputs is an inline of the same name, and each is a
+ * deterministic function of the state. Only differences that count are kept: whether a visit is the present one, and whether a
+ * step has been sent since, instead of their numbers.
+ *
+ * Left out, since the paper's models have none of it: effects, guards, deferred events, composite states. A state has one timer
+ * at most. The 1,024 places for facts beyond the queue's capacity are so many that the world (world.pml) never fills them.
+ */
+
+#define NONE 0
+
+/* What an occurrence is. */
+#define HEARD 1
+#define FOUND 2
+#define ASKED 3
+#define EVOLVED 4
+#define IN_DOUBT 5
+
+/* Who raised it. */
+#define BUTTON 1
+#define DEVICE 2
+#define TIMER 3
+#define FUNCTION 4
+
+/* To which visit of a state it belongs. */
+#define ANY 0
+#define PRESENT 1
+#define FORMER 2
+
+/* How far the occurrence in progress is. */
+#define READY 0
+#define SENDING 1
+#define INTERRUPTED 2
+#define RESUMED 3
+
+/* What a doubt is: nobody knows, or the device has told since, but the step may still be told to have had its effect. */
+#define UNSETTLED 1
+#define SETTLED 2
+
+/* How many steps have been sent since a doubt arose. */
+#define SAME 0
+#define LATER 1
+#define NEVER_KNOWN 2
+
+/* What must hold. Each has a number, which a trail shows. */
+
+#define RECORD 1
+#define ONCE 2
+#define VISIT 3
+#define AGAIN 4
+#define SENT 5
+#define STUCK 6
+
+typedef Pending {
+  byte id;
+  byte kind;
+  byte what; /* an event, or a state in which the device was found */
+  byte source;
+  byte visit;
+  byte from; /* where the device was before this fact, which the record has followed */
+  byte own; /* where the device's own step led */
+  byte attempts;
+  bit acted; /* the device has acted on it by itself */
+  bit later /* a step has been sent since it was observed */
+};
+
+/* A fact: an event that the device took, or FOUND_IN + the state in which it was found. */
+#define FOUND_IN 100
+
+bit pair; /* which models count: 0 those of the beginning, 1 the others */
+bit open;
+byte device_at = INITIAL_DEVICE; /* the record of where the device is */
+byte system_at = INITIAL_SYSTEM;
+
+byte doubt;
+byte doubt_id;
+byte doubt_event;
+byte doubt_source;
+byte doubt_steps;
+byte doubt_facts;
+byte doubt_fact[FACTS];
+
+bit stepped; /* whether any step has been sent */
+bit over = 1; /* whether the visit has ended */
+bit armed; /* whether the visit's timer runs */
+
+byte waiting;
+Pending line[PLACES];
+
+bit busy;
+Pending work;
+bit decided;
+int plan;
+byte stage;
+byte taken;
+byte step_source; /* where the next step begins */
+byte facts;
+byte fact[FACTS];
+
+/* What the core asks its components for. */
+#define NOTHING 0
+#define SEND 1
+#define LOCATE 2
+byte directive;
+
+/* How many occurrences have been observed and ended with the input at hand. */
+hidden byte observed_count, ended_count;
+
+/* Scratch. */
+hidden Pending next_one;
+hidden byte i, j, k, at_state, before_state, target, number;
+hidden byte entries; /* visits that began with the input at hand */
+hidden byte kept_fact[FACTS];
+hidden byte noted_id, noted_event, noted_source, ended_kind, timer;
+hidden byte flag, sure, as_planned, goes_on;
+hidden int code;
+
+#define COPY(to, from_) to.id = from_.id; to.kind = from_.kind; to.what = from_.what; to.source = from_.source; \
+  to.visit = from_.visit; to.from = from_.from; to.own = from_.own; to.attempts = from_.attempts; \
+  to.acted = from_.acted; to.later = from_.later
+
+#define CLEAR(one) one.id = 0; one.kind = 0; one.what = 0; one.source = 0; one.visit = 0; one.from = 0; one.own = 0; \
+  one.attempts = 0; one.acted = 0; one.later = 0
+
+/* ---- decisions ---- */
+
+#define KIND(d) ((d) & 7)
+#define LEAVES(d) (((d) >> 3) & 1)
+#define AFTER(d) (((d) >> 4) & 15)
+#define STEP(d, n) (((d) >> (8 + 4 * (n))) & 15)
+#define HAS_TRANSITION(d) (((d) >> 24) & 1)
+#define NOT_ACCEPTABLE 0
+#define EXISTING 1
+#define NEW 2
+#define IMPOSSIBLE 3
+#define SEND_ONLY 4
+#define INQUIRY 5
+#define RESYNCHRONIZATION 6
+
+#define DECISION(table, device, system, event) table[IX(pair, device, system, event)]
+#define HAS_HAPPENED(one) (one.from != NONE || one.acted || one.kind == FOUND || one.kind == EVOLVED || one.kind == IN_DOUBT)
+#define NEXT_STEP STEP(plan, taken)
+
+/* Rules.decide: what the occurrence in progress means where things are; into `code`, and where planning begins into `at_state`. */
+inline decide() {
+  at_state = device_at;
+  if
+  :: work.kind == HEARD && work.from == NONE -> code = DECISION(asked_table, device_at, system_at, work.what)
+  :: work.kind == HEARD && work.from != NONE ->
+    at_state = (OWN(work.from, work.what) != NONE -> OWN(work.from, work.what) : work.from);
+    code = DECISION(acted_table, work.from, system_at, work.what);
+    if
+    :: at_state == device_at -> skip
+    :: at_state != device_at ->
+      at_state = device_at;
+      code = DECISION(react_table, device_at, system_at, work.what);
+      if
+      :: !work.later && work.own != NONE && KIND(DECISION(react_table, work.own, system_at, work.what)) == EXISTING &&
+         STEP(DECISION(react_table, work.own, system_at, work.what), 0) == NONE ->
+        code = DECISION(react_table, work.own, system_at, work.what)
+      :: else -> skip
+      fi
+    fi
+  :: work.kind == FOUND -> find(device_at)
+  :: work.kind == ASKED -> code = DECISION(ask_table, device_at, system_at, work.what)
+  :: work.kind == EVOLVED -> code = settle_table[IX(pair, device_at, system_at, 0)]
+  :: work.kind == IN_DOUBT -> code = INQUIRY + 16 * system_at
+  fi
+}
+
+/* DecisionTable.find: where the new model goes when the device is found in `state`; into `code`. */
+inline find(state) {
+  target = find_table[IX(pair, state, system_at, 0)];
+  code = RESYNCHRONIZATION + 16 * target + (target != system_at -> 8 : 0)
+}
+
+/* ---- numbers: the least that nothing refers to, so that they do not grow without end ---- */
+
+inline give_number() {
+  observed_count++;
+#ifdef COUNTED
+  counted++;
+  number = counted;
+#else
+  number = 0;
+  flag = 1;
+  do
+  :: flag ->
+    number++;
+    flag = (busy && work.id == number) || (doubt && doubt_id == number) || OUTSIDE(number);
+    i = 0;
+    do
+    :: i < waiting -> flag = flag || line[i].id == number; i++
+    :: else -> break
+    od
+  :: else -> break
+  od;
+#endif
+  printf("new %d\n", number)
+}
+
+/* ---- the line ---- */
+
+/* Adds `next_one`. */
+inline append() {
+  assert(waiting < PLACES);
+  COPY(line[waiting], next_one);
+  waiting++
+}
+
+inline prepend() {
+  assert(waiting < PLACES);
+  i = waiting;
+  do
+  :: i > 0 -> COPY(line[i], line[i - 1]); i--
+  :: else -> break
+  od;
+  COPY(line[0], next_one);
+  waiting++
+}
+
+inline take_out(place) {
+  i = place;
+  do
+  :: i + 1 < waiting -> COPY(line[i], line[i + 1]); i++
+  :: else -> break
+  od;
+  waiting--;
+  CLEAR(line[waiting])
+}
+
+inline make(kind_, what_, source_, visit_, acted_) {
+  CLEAR(next_one);
+  next_one.kind = kind_;
+  next_one.what = what_;
+  next_one.source = source_;
+  next_one.visit = visit_;
+  next_one.acted = acted_
+}
+
+inline ended() { ended_count++ }
+
+/* Arrivals.enqueue */
+inline enqueue(from_, own_) {
+  give_number();
+  next_one.id = number;
+  next_one.from = from_;
+  next_one.own = own_;
+  if
+  :: !HAS_HAPPENED(next_one) && next_one.source == BUTTON && !(waiting < CAPACITY || (!busy && waiting < 1)) -> ended()
+  :: else -> append()
+  fi
+}
+
+/* ---- doubt ---- */
+
+inline ask_where() {
+  if
+  :: doubt == UNSETTLED && !(waiting > 0 && line[0].kind == IN_DOUBT) ->
+    make(IN_DOUBT, NONE, DEVICE, ANY, 0);
+    give_number();
+    next_one.id = number;
+    prepend()
+  :: else -> skip
+  fi
+}
+
+/* Ledger.doubt: `k` says how many facts there were; they are in `kept_fact`. */
+inline doubt_step(number_, event, source) {
+  doubt_steps = (doubt == NONE -> SAME : NEVER_KNOWN);
+  doubt = UNSETTLED;
+  doubt_id = number_;
+  doubt_event = event;
+  doubt_source = source;
+  doubt_facts = k;
+  i = 0;
+  do
+  :: i < FACTS -> doubt_fact[i] = (i < k -> kept_fact[i] : 0); i++
+  :: else -> break
+  od;
+  ask_where()
+}
+
+inline no_doubt() {
+  doubt = NONE;
+  doubt_id = 0;
+  doubt_event = 0;
+  doubt_source = 0;
+  doubt_steps = 0;
+  doubt_facts = 0;
+  i = 0;
+  do
+  :: i < FACTS -> doubt_fact[i] = 0; i++
+  :: else -> break
+  od
+}
+
+inline settle_doubt() { doubt = (doubt == UNSETTLED -> SETTLED : doubt) }
+
+inline happens_meanwhile(what_) {
+  if
+#ifdef WHAT_HAPPENS_DURING_A_STEP_IS_FORGOTTEN
+  :: false -> skip
+#else
+  :: busy && (stage == SENDING || (decided && KIND(plan) == INQUIRY)) -> add_fact(what_)
+#endif
+  :: else -> skip
+  fi;
+  if
+  :: doubt -> assert(doubt_facts < FACTS); doubt_fact[doubt_facts] = what_; doubt_facts++
+  :: else -> skip
+  fi
+}
+
+inline add_fact(what_) {
+  assert(facts < FACTS);
+  fact[facts] = what_;
+  facts++
+}
+
+/* Overlap.takes: where the step `event` takes a device that is in `state`; into `target`. */
+inline takes(state, event) {
+  target = (OWN(state, event) != NONE -> OWN(state, event) : state)
+}
+
+inline follows(state, what_) {
+  state = (what_ > FOUND_IN -> what_ - FOUND_IN : (OWN(state, what_) != NONE -> OWN(state, what_) : state))
+}
+
+/* Overlap.alwaysEndsIn for the `k` facts in `kept_fact`, into `sure`. */
+inline always_ends_in(end, event, source) {
+  sure = 1;
+  before_state = source;
+  i = 0;
+  do
+  :: i <= k ->
+    at_state = (OWN(before_state, event) != NONE -> OWN(before_state, event) : before_state);
+    j = i;
+    do
+    :: j < k -> follows(at_state, kept_fact[j]); j++
+    :: else -> break
+    od;
+    sure = sure && at_state == end;
+    if
+    :: i < k -> follows(before_state, kept_fact[i])
+    :: else -> skip
+    fi;
+    i++
+  :: else -> break
+  od
+}
+
+/* ---- visits ---- */
+
+inline leave() { over = 1 }
+
+inline enter() {
+  entries++;
+  over = 0;
+  armed = timer_table[IX(pair, 0, system_at, 0)] != NONE;
+  another_visit()
+}
+
+/* What belonged to the present visit belongs to a former one. */
+inline another_visit() {
+  i = 0;
+  do
+  :: i < waiting -> line[i].visit = (line[i].visit == PRESENT -> FORMER : line[i].visit); i++
+  :: else -> break
+  od;
+  work.visit = (work.visit == PRESENT -> FORMER : work.visit)
+}
+
+/* Ledger.enterAsLeft: what waits of the visit goes over to the next. */
+inline enter_as_left() {
+  entries++;
+  i = 0;
+  do
+  :: i < waiting ->
+    armed = armed && !(line[i].kind == HEARD && line[i].source == TIMER &&
+                       line[i].what == timer_table[IX(pair, 0, system_at, 0)]);
+    i++
+  :: else -> break
+  od;
+  armed = armed && timer_table[IX(pair, 0, system_at, 0)] != NONE;
+  over = 0
+}
+
+inline enter_again(kind_) {
+  if
+  :: over && open && !(waiting > 0 && line[0].attempts > 0) ->
+    if
+    :: kind_ == EVOLVED -> enter_as_left()
+    :: else -> enter()
+    fi
+  :: else -> skip
+  fi
+}
+
+/* ---- for trails and for the comparison with the real core ---- */
+
+#define TELL_PENDING(one) printf(" [%d %d %d %d %d %d %d %d %d %d]", one.id, one.kind, one.what, one.source, one.visit, \
+  one.from, one.own, one.attempts, one.acted, one.later)
+
+inline tell_state() {
+  printf("= %d %d %d %d %d %d %d", open, device_at, system_at, pair, over, armed, stepped);
+  printf(" doubt %d %d %d %d", doubt, doubt_id, doubt_steps, doubt_facts);
+  printf(" work %d %d %d %d %d %d", busy, decided, plan, stage, taken, facts);
+  TELL_PENDING(work);
+  k = 0;
+  do
+  :: k < waiting -> TELL_PENDING(line[k]); k++
+  :: else -> break
+  od;
+  printf("\n")
+}

@@ -1,0 +1,168 @@
+/*
+ * The inputs of the core, see org.evoloop.core.Inputs. Each is told as one indivisible step (TELL). A mechanism is taken out by
+ * defining its name, which is that of a Mutation in the core's own tests, or of one in docs/proof.md.
+ */
+
+inline opened() {
+  open = 1;
+  ask_where();
+  if
+  :: busy && stage == INTERRUPTED && decided && LEAVES(plan) -> skip
+  :: else ->
+    if
+    :: !over -> enter_as_left()
+    :: else -> enter()
+    fi
+  fi
+}
+
+inline closing() {
+  if
+  :: open ->
+    open = 0;
+    k = 0;
+    do
+    :: k < waiting ->
+#ifdef CLOSING_DISCARDS_FACTS
+      take_out(k)
+#else
+      if
+      :: HAS_HAPPENED(line[k]) -> k++
+      :: else -> take_out(k); ended()
+      fi
+#endif
+    :: else -> break
+    od
+  :: else -> skip
+  fi
+}
+
+inline closed() { leave() }
+
+/* The process has ended, and another one has recovered what the journal holds. */
+inline recovered() {
+  open = 0;
+#ifdef A_STEP_IS_WRITTEN_DOWN_AFTER_IT_WAS_SENT
+  stage = (stage == SENDING -> READY : stage);
+#endif
+  if
+  :: busy && stage == SENDING ->
+    keep_facts();
+    note_step();
+    conclude();
+    doubt_step(noted_id, noted_event, noted_source)
+#ifdef AN_END_LEAVES_NO_DOUBT
+    ; no_doubt()
+#endif
+  :: busy && stage != SENDING && !decided ->
+    COPY(next_one, work);
+    end_work();
+    prepend()
+  :: busy && stage != SENDING && decided ->
+#ifdef AN_END_FORGETS_WHAT_IS_IN_PROGRESS
+    end_work()
+#else
+#ifdef AN_INTERRUPTED_PLAN_IS_MADE_ANEW
+    decided = 0;
+    plan = 0;
+    taken = 0;
+    stage = READY;
+    directive = NOTHING;
+    forget_facts()
+#else
+    stage = INTERRUPTED;
+    directive = NOTHING;
+    forget_facts()
+#endif
+#endif
+  :: else -> skip
+  fi
+#ifdef AN_END_FORGETS_WHAT_WAITS
+  ;
+  do
+  :: waiting > 0 -> take_out(0)
+  :: else -> break
+  od
+#endif
+}
+
+/* ---- what occurs ---- */
+
+inline observed_heard(event, source_, visit_, acted_) {
+  make(HEARD, event, source_, visit_, acted_);
+  if
+  :: !knows_table[IX(pair, 0, 0, next_one.what)] && (open || next_one.acted) -> not_taken()
+  :: (knows_table[IX(pair, 0, 0, next_one.what)] || !(open || next_one.acted)) &&
+     (next_one.acted || is_own_table[next_one.what]) -> follow_device()
+  :: else -> asked_for()
+  fi
+}
+
+inline observed_asked(event, visit_) {
+  make(ASKED, event, FUNCTION, visit_, 0);
+  asked_for()
+}
+
+inline asked_for() {
+  if
+  :: open -> enqueue(NONE, NONE)
+  :: else -> not_taken()
+  fi
+}
+
+/* It was observed, and that is its end. */
+inline not_taken() {
+  observed_count++;
+#ifdef COUNTED
+  counted++;
+#endif
+  printf("new 0\n");
+  ended()
+}
+
+/* Arrivals.follow */
+inline follow_device() {
+#ifdef A_CLOSED_CONVERTER_HEARS_NO_FACTS
+  if
+  :: !open -> skip
+  :: else ->
+#endif
+  at_state = device_at;
+  target = OWN(device_at, next_one.what);
+  happens_meanwhile(next_one.what);
+#ifndef FACTS_WAIT_FOR_THEIR_TURN
+  device_at = (target != NONE -> target : device_at);
+#endif
+  enqueue(at_state, target)
+#ifdef A_CLOSED_CONVERTER_HEARS_NO_FACTS
+  fi
+#endif
+}
+
+/* `late`: it was found before the last step was sent. */
+inline observed_found(state, late) {
+  if
+  :: late && stepped -> not_taken()
+  :: else ->
+    happens_meanwhile(FOUND_IN + (state));
+    settle_doubt();
+    if
+    :: (state) != device_at ->
+      at_state = device_at;
+      make(FOUND, state, DEVICE, ANY, 0);
+#ifndef FACTS_WAIT_FOR_THEIR_TURN
+      device_at = next_one.what;
+#endif
+      enqueue(at_state, NONE)
+    :: else -> skip
+    fi
+  fi
+}
+
+inline timer_due(visit_) {
+  if
+  :: open && (visit_) == PRESENT && !over && armed ->
+    observed_heard(timer_table[IX(pair, 0, system_at, 0)], TIMER, PRESENT, 0)
+  :: else -> skip
+  fi
+}

@@ -1,0 +1,82 @@
+/* How what must hold is watched. */
+
+byte violated;
+hidden byte held_before;
+hidden byte was_entered;
+
+/* Steps of a plan that was interrupted: what was begun by then must not be begun once more. */
+byte lost;
+hidden byte remembered;
+bit lost_flying;
+int lost_plan;
+byte lost_taken;
+byte lost_attempts;
+
+/* How many visits there have been, as far as it counts: none, one, more. */
+byte visited;
+
+/* With ONLY, nothing else counts. */
+#ifndef ONLY
+#define ONLY 0
+#endif
+
+inline must(property, holds) {
+  if
+  :: (holds) || violated || (ONLY && ONLY != property) -> skip
+  :: else -> violated = property
+  fi
+}
+
+#define WHEN(guard, ...) d_step { (guard) -> before(); __VA_ARGS__; after() }
+
+inline before() {
+  held_before = waiting + busy;
+  observed_count = 0;
+  ended_count = 0;
+  entries = 0
+}
+
+inline after() {
+  visited = (entries + visited > 2 -> 2 : entries + visited);
+  entries = 0;
+  must(ONCE, held_before + observed_count == waiting + busy + ended_count);
+#ifdef PAPER
+  must(RECORD, busy || flight || untold > 0 || device_at == device);
+#else
+  must(RECORD, untold > 0 || doubt == UNSETTLED || device_at == device);
+#endif
+  must(STUCK, !(open && waiting == 0 && !busy && over));
+  tell_state();
+  tell_violation();
+  assert(violated == 0)
+}
+
+inline remember_plan() {
+  remembered = busy && decided;
+  if
+  :: remembered ->
+    lost = work.id;
+    lost_flying = stage == SENDING;
+    lost_plan = plan;
+    lost_taken = taken;
+    lost_attempts = work.attempts
+  :: else -> skip
+  fi
+}
+
+/* What was taken and done in a plan stays so, whatever ends a process. */
+inline nothing_lost() {
+  must(AGAIN, !remembered || lost_flying || (busy && work.id == lost && plan == lost_plan && taken == lost_taken))
+}
+
+inline nothing_again() {
+  must(AGAIN, work.id != lost || work.attempts > lost_attempts || (!lost_flying && plan == lost_plan && taken >= lost_taken))
+}
+
+inline tell_violation() {
+  printf("device %d\n", device);
+  if
+  :: violated -> printf("violated %d\n", violated)
+  :: else -> skip
+  fi
+}

@@ -1,0 +1,383 @@
+/* The inputs of the core about the occurrence that has the turn, and about changes; see inputs.pml. */
+
+/* ---- a turn ---- */
+
+inline ready() {
+  if
+  :: open && busy && stage == INTERRUPTED -> stage = RESUMED; forget_facts()
+  :: else -> skip
+  fi;
+  do
+  :: !busy && open && waiting > 0 ->
+    if
+#ifndef VISITS_ARE_NOT_TOLD_APART
+    :: line[0].visit == FORMER -> ended(); take_out(0)
+#endif
+    :: line[0].kind == IN_DOUBT && doubt != UNSETTLED -> ended(); take_out(0)
+    :: else ->
+      if
+      :: line[0].kind == HEARD && line[0].source == TIMER && line[0].what == timer_table[IX(pair, 0, system_at, 0)] -> armed = 0
+      :: else -> skip
+      fi;
+      COPY(work, line[0]);
+      take_out(0);
+      busy = 1;
+      must(VISIT, work.visit != FORMER)
+    fi
+  :: else -> break
+  od
+}
+
+inline end_work() {
+  busy = 0;
+  decided = 0;
+  plan = 0;
+  taken = 0;
+  step_source = 0;
+  stage = READY;
+  directive = NOTHING;
+  CLEAR(work);
+  forget_facts()
+}
+
+inline forget_facts() {
+  facts = 0;
+  i = 0;
+  do
+  :: i < FACTS -> fact[i] = 0; i++
+  :: else -> break
+  od
+}
+
+inline keep_facts() {
+  k = facts;
+  i = 0;
+  do
+  :: i < FACTS -> kept_fact[i] = fact[i]; i++
+  :: else -> break
+  od
+}
+
+inline keep_doubts_facts() {
+  k = doubt_facts;
+  i = 0;
+  do
+  :: i < FACTS -> kept_fact[i] = doubt_fact[i]; i++
+  :: else -> break
+  od
+}
+
+/* The step on its way, for whoever needs it after the work has ended. */
+inline note_step() {
+  noted_id = work.id;
+  noted_event = NEXT_STEP;
+  noted_source = step_source
+}
+
+/* A plan that was made where the device was in `start` and the system in `system`. */
+inline planned(id_, plan_, start, system) {
+  if
+  :: busy && work.id == (id_) && stage == RESUMED -> stage = READY; forget_facts(); go_on()
+  :: busy && work.id == (id_) && stage != RESUMED && !decided ->
+    if
+    :: device_at != (start) || system_at != (system) -> again()
+    :: else ->
+      plan = plan_;
+      decided = 1;
+      taken = 0;
+      stage = READY;
+      step_source = device_at;
+      forget_facts();
+      if
+      :: LEAVES(plan) -> leave()
+      :: else -> skip
+      fi;
+      go_on()
+    fi
+  :: else -> skip
+  fi
+}
+
+inline dismissed(id_) {
+  if
+  :: busy && work.id == (id_) -> conclude()
+  :: else -> skip
+  fi
+}
+
+inline go_on() {
+  if
+  :: KIND(plan) == INQUIRY -> directive = LOCATE
+#ifdef NOBODY_IS_ASKED_TO_GO_ON
+  :: KIND(plan) != INQUIRY && NEXT_STEP != NONE -> directive = NOTHING
+#else
+  :: KIND(plan) != INQUIRY && NEXT_STEP != NONE -> directive = SEND
+#endif
+  :: else -> arrive()
+  fi
+}
+
+inline sending(id_) {
+  if
+  :: busy && work.id == (id_) && stage != SENDING && decided && NEXT_STEP != NONE ->
+    if
+#ifdef AN_OVERTAKEN_STEP_IS_SENT_ALL_THE_SAME
+    :: true ->
+#else
+    :: step_source == device_at ->
+#endif
+      stage = SENDING;
+      forget_facts()
+#ifndef AN_OVERTAKEN_STEP_IS_SENT_ALL_THE_SAME
+    :: else -> again()
+#endif
+    fi
+  :: else -> skip
+  fi
+}
+
+/* The step that was being sent has had its effect. */
+inline sent(id_, in_order) {
+  if
+  :: busy && work.id == (id_) && stage == SENDING -> took(in_order)
+  :: else -> took_late(id_, in_order)
+  fi
+}
+
+inline took(in_order) {
+  keep_facts();
+  note_step();
+  target = OWN(step_source, NEXT_STEP);
+  sure = 1;
+  if
+  :: k > 0 ->
+    takes(device_at, NEXT_STEP);
+    if
+    :: in_order -> skip
+    :: else -> always_ends_in(target, NEXT_STEP, step_source)
+    fi
+  :: else -> skip
+  fi;
+  as_planned = sure && target == OWN(step_source, NEXT_STEP);
+  step_source = OWN(step_source, NEXT_STEP);
+  step_counts();
+  device_at = target;
+  taken++;
+  stage = READY;
+  forget_facts();
+  if
+  :: as_planned -> go_on()
+  :: else -> again()
+  fi;
+  if
+  :: sure -> skip
+  :: else ->
+    doubt_step(noted_id, noted_event, noted_source)
+#ifdef THE_ORDER_IS_NEVER_IN_DOUBT
+    ; no_doubt()
+#endif
+  fi
+}
+
+/* A step was sent: whatever was observed before is older. */
+inline step_counts() {
+  stepped = 1;
+  work.later = busy;
+  i = 0;
+  do
+  :: i < waiting -> line[i].later = 1; i++
+  :: else -> break
+  od;
+  doubt_steps = (doubt && doubt_steps == SAME -> LATER : doubt_steps)
+}
+
+inline took_late(id_, in_order) {
+  if
+  :: doubt ->
+    takes(device_at, doubt_event);
+    keep_doubts_facts();
+    always_ends_in(target, doubt_event, doubt_source);
+    if
+    :: doubt_id == (id_) && (in_order -> (doubt == SETTLED || doubt_steps == SAME)
+                                      : (doubt_steps == SAME && !(busy && stage == SENDING) && sure)) ->
+      settle_doubt();
+      if
+      :: doubt_steps != NEVER_KNOWN -> no_doubt()
+      :: else -> skip
+      fi;
+      step_counts();
+      device_at = target;
+      if
+      :: busy && stage == SENDING -> add_fact(FOUND_IN + target)
+      :: else -> skip
+      fi
+    :: else ->
+      if
+      :: doubt == SETTLED -> doubt = UNSETTLED; ask_where()
+      :: else -> skip
+      fi
+    fi
+  :: else -> skip
+  fi
+}
+
+/* ---- ends ---- */
+
+inline arrive() {
+  system_at = AFTER(plan);
+  if
+  :: LEAVES(plan) -> enter()
+  :: else -> skip
+  fi;
+  ended_kind = work.kind;
+  flag = KIND(plan) == IMPOSSIBLE && HAS_TRANSITION(plan);
+  end_work();
+  ended();
+  if
+  :: flag -> leave()
+  :: else -> skip
+  fi;
+  enter_again(ended_kind)
+}
+
+inline conclude() {
+  ended_kind = work.kind;
+  end_work();
+  ended();
+  enter_again(ended_kind)
+}
+
+/* The plan has been overtaken: the occurrence is decided anew, before all others. */
+inline again() {
+  if
+  :: work.attempts + 1 > MOST_ATTEMPTS || (!open && !HAS_HAPPENED(work)) -> conclude()
+  :: else ->
+    COPY(next_one, work);
+    next_one.attempts++;
+    end_work();
+    prepend()
+  fi
+}
+
+inline failed(id_) {
+  if
+#ifdef A_STATE_IS_NOT_ENTERED_AGAIN
+  :: busy && work.id == (id_) -> end_work(); ended()
+#else
+  :: busy && work.id == (id_) -> conclude()
+#endif
+  :: else -> skip
+  fi
+}
+
+inline given_up(id_) {
+  if
+  :: busy && work.id == (id_) && stage == SENDING ->
+    keep_facts();
+    note_step();
+    conclude();
+    doubt_step(noted_id, noted_event, noted_source)
+#ifdef GIVING_UP_LEAVES_NO_DOUBT
+    ; no_doubt()
+#endif
+  :: busy && work.id == (id_) && stage != SENDING -> conclude()
+  :: else -> skip
+  fi
+}
+
+/* The device was asked; `state` is NONE if it could not tell. */
+inline located(id_, state) {
+#ifdef AN_ANSWER_COUNTS_HOWEVER_OLD_IT_IS
+  forget_facts();
+#endif
+  if
+  :: !(busy && work.id == (id_)) -> skip
+  :: busy && work.id == (id_) ->
+    if
+    :: doubt == UNSETTLED && facts > 0 && work.attempts < MOST_ATTEMPTS ->
+      work.attempts++;
+      forget_facts();
+      directive = LOCATE
+    :: doubt != UNSETTLED || (facts > 0 && work.attempts >= MOST_ATTEMPTS) || (facts == 0 && (state) == NONE) -> conclude()
+    :: else ->
+      happens_meanwhile(FOUND_IN + (state));
+      settle_doubt();
+      if
+      :: (state) == device_at -> conclude()
+      :: else ->
+        find(state);
+        if
+        :: LEAVES(code) -> leave()
+        :: else -> skip
+        fi;
+        device_at = state;
+        plan = code;
+        decided = 1;
+        arrive()
+      fi
+    fi
+  fi
+}
+
+/* ---- changes ---- */
+
+inline changed() { ask_where() }
+
+#define FATE fate_table[IX(pair, device_at, system_at, 0)]
+#define POSSIBLE(f) ((f) & 1)
+#define FATE_SYSTEM(f) (((f) >> 1) & 15)
+#define FATE_SENDS(f) (((f) >> 5) & 1)
+#define KEEPS_TIMER(f) (((f) >> 6) & 1)
+#define KEEPS_FUNCTION(f) (((f) >> 7) & 1)
+
+/* Whether nothing keeps other models from taking over; see Core.hindrance. */
+#define UNHINDERED (!busy && !(waiting > 0 && line[0].attempts > 0) && doubt != UNSETTLED && POSSIBLE(FATE))
+
+inline evolved() {
+  if
+  :: UNHINDERED ->
+    code = FATE;
+    timer = timer_table[IX(pair, 0, system_at, 0)];
+    goes_on = over || !open || (!FATE_SENDS(code) && KEEPS_FUNCTION(code));
+    pair = 1 - pair;
+#ifdef OTHER_MODELS_BEGIN_WHERE_THEY_WOULD_INITIALLY
+    system_at = INITIAL_SYSTEM;
+    device_at = INITIAL_DEVICE;
+#else
+    system_at = FATE_SYSTEM(code);
+#endif
+    k = 0;
+    do
+    :: k < waiting ->
+#ifdef OTHER_MODELS_FORGET_WHAT_WAITS
+      take_out(k)
+#else
+      if
+      :: line[k].visit == PRESENT &&
+         (line[k].kind == HEARD && line[k].source == TIMER
+            -> !(line[k].what == timer && KEEPS_TIMER(code)) : !goes_on) -> ended(); take_out(k)
+      :: else -> k++
+      fi
+#endif
+    :: else -> break
+    od;
+    if
+    :: goes_on -> skip
+    :: else -> leave()
+    fi;
+    armed = (KEEPS_TIMER(code) -> armed : timer_table[IX(pair, 0, system_at, 0)] != NONE);
+    if
+    :: !goes_on && !FATE_SENDS(code) -> enter_as_left()
+    :: else -> skip
+    fi;
+    if
+    :: FATE_SENDS(code) ->
+      make(EVOLVED, NONE, DEVICE, ANY, 0);
+      give_number();
+      next_one.id = number;
+      prepend()
+    :: else -> skip
+    fi
+  :: else -> skip
+  fi
+}

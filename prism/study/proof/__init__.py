@@ -1,0 +1,1 @@
+"""The design, proved: the specification in prism/proof, checked by Spin."""

@@ -1,0 +1,166 @@
+"""What is proved, and in which scenes."""
+
+from dataclasses import dataclass
+
+CLOCKWORK = ("drains", "swaps")
+"""Properties of liveness, which Spin checks under weak fairness."""
+
+PROPERTIES = {
+    "record": "the record says where the device is, whenever nothing is on its way and no doubt is declared",
+    "once": "every occurrence that is observed ends in exactly one way",
+    "visit": "no occurrence of a former visit is begun",
+    "again": "after a crash no step that was begun is sent a second time, and no plan is made anew",
+    "sent": "a step is only sent where the record says that it begins",
+    "stuck": "when nothing waits, a visit is under way",
+    "drains": "when no more happens, the queue drains",
+    "swaps": "a swap ends: it is done, or given up",
+}
+NUMBERS = ("", "record", "once", "visit", "again", "sent", "stuck")
+"""As prism/proof/core.pml numbers them."""
+
+
+@dataclass(frozen=True)
+class Pair:
+    """Two models, the new one that may take over, and what the program that converts adds to them."""
+
+    name: str
+    key: str
+    arguments: tuple[str, ...]
+
+
+ROBOT = Pair(
+    "cleaning robot",
+    "robot",
+    (
+        "--original", "models/cleaning-robot.xml#original",
+        "--new", "models/cleaning-robot.xml#new",
+        "--next", "models/cleaning-robot-twice.scxml",
+        "--sendable", "Clean,Spot",
+        "--spontaneous", "endSpot,Clean,Spot",
+        "--timer", "SpotWait=timeout",
+    ),
+)  # fmt: skip
+BULB = Pair(
+    "light bulb",
+    "bulb",
+    (
+        "--original", "models/light-bulb.xml#original",
+        "--new", "models/light-bulb.xml#new",
+        "--next", "models/light-bulb.xml#original",
+        "--mapping", "prism/proof/light-bulb.mapping.txt",
+        "--sendable", "switch",
+        "--spontaneous", "switch",
+        "--timer", "wait=timeout",
+    ),
+)  # fmt: skip
+PAIRS = (ROBOT, BULB)
+
+ACTS = {
+    "PRESSES": "events of a controller",
+    "OWNS": "acts of the device by itself",
+    "JUMPS": "findings elsewhere",
+    "RAISES": "events of functions",
+    "ASKS": "steps that a function asks for",
+    "STOPS": "stops",
+    "FAILS": "failures",
+    "GIVE_UPS": "components given up",
+    "ENDS": "crashes",
+    "SWAPS": "swaps",
+    "CHANGES": "exchanges",
+}
+
+Acts = dict[str, int]
+
+SCENES: tuple[Acts, ...] = (
+    {"PRESSES": 3, "OWNS": 3},
+    {"PRESSES": 2, "OWNS": 2, "GIVE_UPS": 2},
+    {"PRESSES": 2, "OWNS": 2, "STOPS": 2},
+    {"PRESSES": 2, "OWNS": 1, "JUMPS": 1, "GIVE_UPS": 1},
+    {"PRESSES": 3, "OWNS": 1, "RAISES": 2},
+    {"PRESSES": 2, "OWNS": 1, "RAISES": 1, "ENDS": 2},
+    {"PRESSES": 2, "OWNS": 1, "RAISES": 1, "SWAPS": 2},
+    {"PRESSES": 1, "OWNS": 1, "ASKS": 1, "FAILS": 1, "GIVE_UPS": 1, "CHANGES": 1},
+    {"PRESSES": 1, "OWNS": 1, "GIVE_UPS": 1, "ENDS": 1, "SWAPS": 1},
+)
+
+LIVE_SCENES: tuple[tuple[str, Acts], ...] = (
+    ("drains", {"PRESSES": 2, "OWNS": 1, "GIVE_UPS": 1, "STOPS": 1}),
+    ("drains", {"PRESSES": 1, "OWNS": 1, "RAISES": 1, "FAILS": 1, "ENDS": 1}),
+    ("swaps", {"PRESSES": 2, "OWNS": 1, "GIVE_UPS": 1, "SWAPS": 2}),
+)
+
+
+@dataclass(frozen=True)
+class Adapter:
+    """How well a device can be known."""
+
+    name: str
+    meaning: str
+    definitions: tuple[str, ...]
+
+
+BEST = Adapter(
+    "best",
+    "effects are told in their place among what the device does by itself, and the device can say where it is",
+    ("-DIN_ORDER", "-DCAN_LOCATE=1"),
+)
+WORST = Adapter("worst", "neither", ("-DCAN_LOCATE=0",))
+UNORDERED = Adapter("unordered", "only the latter", ("-DCAN_LOCATE=1",))
+ADAPTERS = (BEST, WORST)
+
+
+@dataclass(frozen=True)
+class Mutant:
+    """A mechanism that is taken out, where, and what fails then."""
+
+    name: str
+    mechanism: str
+    broken: str
+    pair: Pair
+    acts: Acts
+    adapter: Adapter = BEST
+    in_core: bool = True
+    """Whether org.evoloop.core's own tests have the same mutation."""
+
+
+MUTANTS = (
+    Mutant("FACTS_WAIT_FOR_THEIR_TURN", "a fact moves the record when it is observed", "record", ROBOT, {"OWNS": 1}),
+    Mutant("A_CLOSED_CONVERTER_HEARS_NO_FACTS", "facts count while the converter is stopped", "record", ROBOT, {"OWNS": 1}),
+    Mutant("GIVING_UP_LEAVES_NO_DOUBT", "a step that was given up leaves a doubt", "record", BULB, {"PRESSES": 1, "GIVE_UPS": 1}),
+    Mutant("THE_ORDER_IS_NEVER_IN_DOUBT", "an order that nobody knows leaves a doubt", "record", ROBOT, {"PRESSES": 1, "JUMPS": 1}, UNORDERED),
+    Mutant("WHAT_HAPPENS_DURING_A_STEP_IS_FORGOTTEN", "what the device does while a step is on its way is kept", "record", BULB, {"PRESSES": 1, "OWNS": 1}),
+    Mutant("AN_ANSWER_COUNTS_HOWEVER_OLD_IT_IS", "an answer that the device has overtaken is asked for again", "record", BULB, {"PRESSES": 1, "OWNS": 1, "GIVE_UPS": 1}),
+    Mutant("AN_END_LEAVES_NO_DOUBT", "a step on its way when the process ends leaves a doubt", "record", BULB, {"PRESSES": 1, "ENDS": 1}),
+    Mutant("OTHER_MODELS_BEGIN_WHERE_THEY_WOULD_INITIALLY", "a swap takes the record over", "record", ROBOT, {"OWNS": 1, "SWAPS": 1}),
+    Mutant("NO_BACK_PRESSURE", "a step waits until the device is ready", "record", BULB, {"PRESSES": 2}, in_core=False),
+    Mutant("CLOSING_DISCARDS_FACTS", "a stop discards no facts", "once", ROBOT, {"OWNS": 1, "STOPS": 1}),
+    Mutant("AN_END_FORGETS_WHAT_WAITS", "the journal keeps what waits", "once", BULB, {"PRESSES": 1, "ENDS": 1}),
+    Mutant("AN_END_FORGETS_WHAT_IS_IN_PROGRESS", "the journal keeps what is in progress", "once", ROBOT, {"PRESSES": 1, "ENDS": 1}),
+    Mutant("OTHER_MODELS_FORGET_WHAT_WAITS", "a swap takes over what waits", "once", ROBOT, {"PRESSES": 1, "SWAPS": 1}),
+    Mutant("VISITS_ARE_NOT_TOLD_APART", "what a former visit raised is stale", "visit", ROBOT, {"PRESSES": 1, "RAISES": 1}),
+    Mutant("A_STEP_IS_WRITTEN_DOWN_AFTER_IT_WAS_SENT", "a step is journaled before it is sent", "again", BULB, {"PRESSES": 1, "ENDS": 1}),
+    Mutant("AN_INTERRUPTED_PLAN_IS_MADE_ANEW", "an interrupted plan goes on where it was", "again", BULB, {"PRESSES": 1, "ENDS": 1}),
+    Mutant("AN_OVERTAKEN_STEP_IS_SENT_ALL_THE_SAME", "a plan that the device has overtaken is made anew", "sent", BULB, {"PRESSES": 1, "OWNS": 1}),
+    Mutant("A_STATE_IS_NOT_ENTERED_AGAIN", "a state that could not be left is entered again", "stuck", ROBOT, {"PRESSES": 1, "FAILS": 1}),
+    Mutant("NOBODY_IS_ASKED_TO_GO_ON", "each step that has had its effect asks for the next", "drains", ROBOT, {"PRESSES": 1}, in_core=False),
+    Mutant("A_SWAP_HAS_NO_DEADLINE", "a swap that has to wait is given up in the end", "swaps", BULB, {"PRESSES": 1, "OWNS": 1, "GIVE_UPS": 1, "SWAPS": 1}, WORST, in_core=False),
+)  # fmt: skip
+
+PAPER: tuple[tuple[str, Acts], ...] = (
+    ("record", {"PRESSES": 3}),
+    ("once", {"PRESSES": 2}),
+    ("visit", {"PRESSES": 2, "RAISES": 1}),
+    ("again", {"PRESSES": 1, "ENDS": 1}),
+    ("drains", {"PRESSES": 2}),
+    ("swaps", {"PRESSES": 2, "SWAPS": 1}),
+)
+"""What the paper's mechanism is asked; the other properties are about mechanisms that it does not have."""
+
+
+def words(acts: Acts) -> str:
+    return ", ".join(f"{count} {ACTS[act] if count > 1 else _one(ACTS[act])}" for act, count in acts.items())
+
+
+def _one(many: str) -> str:
+    noun, *rest = many.split(" ", 1)
+    return " ".join([noun.removesuffix("es") if noun == "crashes" else noun.removesuffix("s"), *rest])
