@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Random;
+import java.util.function.Predicate;
 import org.evoloop.roomba.OtherRobot.Truth;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -33,6 +34,9 @@ class GuardedRobotTest {
 
     /** Its wheels count on when the robot is carried back, so no Move must arrive. */
     private static final String FAR_AWAY = "100000,0";
+
+    /** What is typed to have it drive. */
+    private static final String MOVE = "press clean\npress spot\n";
 
     /** What the unit runs when the service has ended. */
     private static final Path MAKE_SAFE =
@@ -73,10 +77,47 @@ class GuardedRobotTest {
                 .isZero();
     }
 
+    /**
+     * Starts a converter, types {@code lines}, and waits for what comes of them.
+     *
+     * <p>A converter that gets no processor for half a second makes its robot safe and fails the press, as it should: then
+     * another one is started.
+     */
+    private Process startUntil(Predicate<Truth> wanted, String lines, String... options) throws Exception {
+        for (int life = 1; ; life++) {
+            Process converter = start(options);
+            OtherRobot.type(converter, lines);
+            if (comesAbout(wanted, life < 4)) {
+                return converter;
+            }
+            converter.destroyForcibly().waitFor();
+        }
+    }
+
+    /** @param mayFail whether it may also not come about for half a minute */
+    private boolean comesAbout(Predicate<Truth> wanted, boolean mayFail) {
+        Truth before = robot.truth();
+        Truth after = robot.await(
+                "what was pressed comes about",
+                now -> wanted.test(now) || (mayFail && now.millis() - before.millis() > 30_000));
+        return wanted.test(after);
+    }
+
+    private void moveAgain(Process converter) throws IOException {
+        int presses = 0;
+        do {
+            OtherRobot.type(converter, "press spot\n");
+            presses++;
+        } while (!comesAbout(GuardedRobotTest::isMove, presses < 4));
+    }
+
+    private static boolean isMove(Truth now) {
+        return now.mode().equals("safe") && now.left() > 40 && now.right() > 40;
+    }
+
     /** Lets Move drive for a moment that nobody knows before. */
-    private Truth untilItDrives() {
-        Truth begun = robot.await(
-                "the robot drives", now -> now.mode().equals("safe") && now.left() > 40 && now.right() > 40);
+    private Truth driveOn() {
+        Truth begun = robot.truth();
         long moment = random.nextInt(2_000);
         return robot.await("some time", now -> now.millis() - begun.millis() >= moment);
     }
@@ -101,9 +142,8 @@ class GuardedRobotTest {
 
     private void kill(int times) throws Exception {
         for (int life = 0; life < times; life++) {
-            Process converter = start();
-            OtherRobot.type(converter, "press clean\npress spot\n");
-            untilItDrives();
+            Process converter = startUntil(GuardedRobotTest::isMove, MOVE);
+            driveOn();
             Truth before = robot.truth();
             converter.destroyForcibly();
             assertMadeSafe(before);
@@ -118,11 +158,12 @@ class GuardedRobotTest {
     }
 
     private void freeze(int times) throws Exception {
-        Process converter = start();
-        OtherRobot.type(converter, "press clean\n");
+        Process converter = startUntil(GuardedRobotTest::isMove, MOVE);
         for (int freeze = 0; freeze < times; freeze++) {
-            OtherRobot.type(converter, "press spot\n");
-            untilItDrives();
+            if (freeze > 0) {
+                moveAgain(converter);
+            }
+            driveOn();
             Truth before = robot.truth();
             signal("STOP", converter);
             assertMadeSafe(before);
@@ -167,9 +208,9 @@ class GuardedRobotTest {
 
     @Test
     void aRobotThatCleansByItselfGoesOn() throws Exception {
-        Process converter = start();
-        OtherRobot.type(converter, "press clean\npress clean\n");
-        Truth before = robot.await("it cleans", now -> now.activity().equals("clean") && now.drives());
+        Process converter =
+                startUntil(now -> now.activity().equals("clean") && now.drives(), "press clean\npress clean\n");
+        Truth before = robot.truth();
         signal("STOP", converter);
         robot.await("some time", now -> now.millis() - before.millis() > 1_500);
         assertThat(robot.truth().activity()).isEqualTo("clean");
@@ -180,9 +221,8 @@ class GuardedRobotTest {
 
     @Test
     void withoutAGuardTheRobotDrivesOn() throws Exception {
-        Process converter = start("--no-guard");
-        OtherRobot.type(converter, "press clean\npress spot\nstatus\n");
-        untilItDrives();
+        Process converter = startUntil(GuardedRobotTest::isMove, MOVE + "status\n", "--no-guard");
+        driveOn();
         Truth before = robot.truth();
         converter.destroyForcibly();
         Truth later = robot.await("some time", now -> now.millis() - before.millis() > 2_000);
