@@ -148,13 +148,15 @@ final class Directory implements AutoCloseable {
         return Long.parseLong(segment.getFileName().toString().replace(SUFFIX, ""));
     }
 
-    /** Deletes the oldest segments until the others take {@code bytes} at most; two stay in any case. */
-    void prune(long bytes) {
+    /** Forgets the oldest segments until the others take {@code bytes} at most; two stay in any case. They are to be deleted. */
+    List<Path> outgrown(long bytes) {
+        List<Path> files = new ArrayList<>();
         while (total > bytes && pieces.size() > 2) {
             Piece oldest = pieces.remove();
             total -= oldest.bytes();
-            delete(oldest.file());
+            files.add(oldest.file());
         }
+        return files;
     }
 
     /** Puts the names of new files on the disk; where a directory cannot be opened, the system does that by itself. */
@@ -166,7 +168,7 @@ final class Directory implements AutoCloseable {
         }
     }
 
-    private static void delete(Path file) {
+    static void delete(Path file) {
         if (!file.toFile().delete()) {
             LOG.warn("{} cannot be deleted; delete it by hand", file);
         }

@@ -1,6 +1,5 @@
 package org.evoloop.journal;
 
-import java.io.IOException;
 import java.time.Duration;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
@@ -11,20 +10,18 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Puts on the disk what was written, every {@value #PERIOD_MILLIS} ms while something is, and closes the segments that have
- * ended, which no event has to wait for. It sleeps when nothing was written for {@value #AWAKE_PERIODS} periods, so that an
- * event seldom has to wake it.
+ * Puts on the disk what was written, every {@value #PERIOD_MILLIS} ms while something is, and does the chores that no event
+ * has to wait for, such as closing segments and deleting files. It sleeps when nothing was written for
+ * {@value #AWAKE_PERIODS} periods, so that an event seldom has to wake it.
  */
 final class Forcer implements AutoCloseable {
     static final int PERIOD_MILLIS = 100;
     private static final int AWAKE_PERIODS = 20;
-    private static final String NOT_FORCED =
-            "a journal cannot be put on the disk; a power cut would lose what was written";
     private static final Logger LOG = LoggerFactory.getLogger(Journal.class);
 
     private final Thread thread;
     private volatile @Nullable Segment segment;
-    private final Queue<Segment> ended = new ConcurrentLinkedQueue<>();
+    private final Queue<Runnable> chores = new ConcurrentLinkedQueue<>();
     private volatile boolean asleep;
     private volatile boolean closed;
 
@@ -37,13 +34,11 @@ final class Forcer implements AutoCloseable {
     /**
      * From now on {@code next} is written.
      *
-     * @param before the one that has ended, to be closed; null if none has
+     * @param chore what there is to do about those before it
      */
-    void use(Segment next, @Nullable Segment before) {
+    void use(Segment next, Runnable chore) {
         segment = next;
-        if (before != null) {
-            ended.add(before);
-        }
+        chores.add(chore);
         wake();
     }
 
@@ -74,7 +69,7 @@ final class Forcer implements AutoCloseable {
     private void sleep() {
         asleep = true;
         // Whoever wrote before it saw that has woken nobody.
-        while (asleep && !closed && !isDirty()) {
+        while (asleep && !closed && chores.isEmpty() && !isDirty()) {
             LockSupport.park(this);
         }
         asleep = false;
@@ -87,26 +82,21 @@ final class Forcer implements AutoCloseable {
 
     private boolean force() {
         try {
-            closeEnded();
+            doChores();
             Segment current = segment;
             if (current == null || !current.isDirty()) {
                 return false;
             }
             current.force();
         } catch (RuntimeException | InternalError e) {
-            LOG.warn(NOT_FORCED, e);
+            LOG.warn("a journal cannot be put on the disk; a power cut would lose what was written", e);
         }
         return true;
     }
 
-    private void closeEnded() {
-        for (Segment old = ended.poll(); old != null; old = ended.poll()) {
-            try {
-                old.force();
-                old.close();
-            } catch (IOException | RuntimeException | InternalError e) {
-                LOG.warn(NOT_FORCED, e);
-            }
+    private void doChores() {
+        for (Runnable chore = chores.poll(); chore != null; chore = chores.poll()) {
+            chore.run();
         }
     }
 
@@ -115,6 +105,6 @@ final class Forcer implements AutoCloseable {
         closed = true;
         LockSupport.unpark(thread);
         Threads.join(thread, Duration.ofSeconds(2));
-        closeEnded();
+        doChores();
     }
 }

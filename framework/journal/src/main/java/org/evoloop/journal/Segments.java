@@ -3,6 +3,7 @@ package org.evoloop.journal;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.evoloop.core.Core;
 import org.evoloop.core.Rules;
@@ -10,9 +11,13 @@ import org.evoloop.core.text.SnapshotText;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /** The segments of a journal that is being written: the last one, and when the next one begins. */
 final class Segments implements AutoCloseable {
+    private static final Logger LOG = LoggerFactory.getLogger(Journal.class);
+
     /** So much room a new segment has at least, beyond its head and snapshot. */
     private static final int LEAST_ROOM = 1 << 16;
 
@@ -113,12 +118,28 @@ final class Segments implements AutoCloseable {
         if (options.forcing() == Forcing.PER_INTENT) {
             next.force();
         }
+        List<Path> outgrown = directory.outgrown(options.keptBytes());
         if (forcer != null) {
-            forcer.use(next, ended);
-        } else if (ended != null) {
-            ended.close();
+            forcer.use(next, () -> tidy(ended, outgrown));
+        } else {
+            tidy(ended, outgrown);
         }
-        directory.prune(options.keptBytes());
+    }
+
+    /** @param ended null if there was none before */
+    private void tidy(@Nullable Segment ended, List<Path> outgrown) {
+        if (ended != null) {
+            try {
+                if (forcer != null) {
+                    ended.force();
+                }
+                ended.close();
+            } catch (IOException | RuntimeException | InternalError e) {
+                LOG.warn(
+                        "{} cannot be put on the disk; a power cut would lose what was written there", ended.file(), e);
+            }
+        }
+        outgrown.forEach(Directory::delete);
     }
 
     /** Writes beforehand with what a segment by {@code rules} begins, in a file that is none yet. */

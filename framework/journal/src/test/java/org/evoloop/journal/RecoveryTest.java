@@ -1,6 +1,7 @@
 package org.evoloop.journal;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.awaitility.Awaitility.await;
 
 import java.nio.file.Path;
 import java.time.Duration;
@@ -52,8 +53,8 @@ class RecoveryTest {
         try (Kept kept = new Kept(path, small)) {
             kept.tell(story);
 
+            await().ignoreExceptions().until(() -> Directory.segments(path).size() == 2);
             assertThat(kept.recovered(directory.resolve("copy"))).isEqualTo(uninterrupted.snapshot());
-            assertThat(Directory.segments(path)).hasSize(2);
             assertThat(kept.segment().getFileName().toString()).isGreaterThan("0000000005");
         }
     }
