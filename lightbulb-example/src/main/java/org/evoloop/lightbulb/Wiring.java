@@ -8,7 +8,7 @@ import org.evoloop.config.Options;
 import org.evoloop.config.Settings;
 import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.gpio.GpioMonitor;
-import org.evoloop.gpio.Output;
+import org.evoloop.gpio.OutputPin;
 import org.evoloop.gpio.Pins;
 import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
@@ -68,8 +68,8 @@ final class Wiring implements AutoCloseable {
             converter.addMonitor(new GpioMonitor("SwitchPin", opened, clock).controller(switchPin.get(0), "switch"));
         }
         if (!lampPins.isEmpty()) {
-            List<Output> lamps =
-                    lampPins.stream().map(pin -> new Output(opened, pin)).toList();
+            List<OutputPin> lamps =
+                    lampPins.stream().map(pin -> new OutputPin(opened, pin)).toList();
             lamp.shownBy((daylight, warm) -> {
                 lamps.get(0).set(daylight);
                 lamps.get(1).set(warm);

@@ -25,7 +25,7 @@ import org.evoloop.time.Clock;
  */
 public class GpioExecute extends EventExecute {
     private final Clock clock;
-    private final Map<String, Output> outputs;
+    private final Map<String, OutputPin> outputs;
     private final Duration press;
 
     /**
@@ -40,7 +40,7 @@ public class GpioExecute extends EventExecute {
         super(name);
         this.clock = clock;
         this.outputs = outputs.entrySet().stream()
-                .collect(toUnmodifiableMap(Map.Entry::getKey, entry -> new Output(pins, entry.getValue())));
+                .collect(toUnmodifiableMap(Map.Entry::getKey, entry -> new OutputPin(pins, entry.getValue())));
         this.press = Clock.requireDelay(press);
     }
 
@@ -51,7 +51,7 @@ public class GpioExecute extends EventExecute {
 
     @Override
     protected void send(Step step) throws InterruptedException {
-        Output output = outputs.get(step.event().name());
+        OutputPin output = outputs.get(step.event().name());
         if (output == null) {
             throw new IllegalArgumentException(name() + " has no pin for " + step.event());
         }

@@ -132,13 +132,13 @@ class GpioPartsTest {
 
     @Test
     void aPinIsOneOfTheHeadersAndUsedOnce() {
-        new Output(pins, 5).set(true);
+        new OutputPin(pins, 5).set(true);
         assertThat(mock.<DigitalOutput>getIO("output-5").isHigh()).isTrue();
         assertThatIllegalArgumentException()
-                .isThrownBy(() -> new Output(pins, 5))
+                .isThrownBy(() -> new OutputPin(pins, 5))
                 .withMessage("GPIO 5 is used twice; give each its own");
         assertThatIllegalArgumentException()
-                .isThrownBy(() -> new Output(pins, 40))
+                .isThrownBy(() -> new OutputPin(pins, 40))
                 .withMessage("there is no GPIO 40; the header has GPIO 2 to 27");
     }
 

@@ -9,11 +9,11 @@ import com.pi4j.io.gpio.digital.DigitalOutput;
  *
  * @since 0.1
  */
-public final class Output {
+public final class OutputPin {
     private final DigitalOutput pin;
 
     /** @throws IllegalArgumentException if the pin cannot be had */
-    public Output(Pins pins, int pin) {
+    public OutputPin(Pins pins, int pin) {
         this.pin = pins.outputAt(pin);
     }
 
