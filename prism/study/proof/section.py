@@ -11,13 +11,13 @@ Row = tuple[Cell, ...]
 
 def proof(tables: dict[str, Table]) -> str:
     if any(name not in tables for name in TABLES):
-        return """## 9. The design, proved
+        return """## 10. The design, proved
 
 Not proved yet; `./evoloop study --proof` does."""
     searches, mutants, paper, conformance = (tables[name].rows for name in TABLES)
     return "\n\n".join(
         (
-            "## 9. The design, proved",
+            "## 10. The design, proved",
             _what(searches),
             _searches(searches),
             _mutants(mutants),
