@@ -73,7 +73,9 @@ final class Surroundings {
 
     /** Other models have taken over, or the first ones have begun. */
     void swapped() {
-        swapNanos = means.swap() > 0 ? after(means.swap(), () -> {}) : NEVER;
+        swapNanos = means.swap() > 0
+                ? time.nanos() + times.untilDisturbance(means.swap()).toNanos()
+                : NEVER;
     }
 
     /** Whether other models are to take over. */
