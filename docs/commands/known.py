@@ -275,6 +275,16 @@ KNOWN = [
         slow=True,
     ),
     Known(
+        "java -cp prism/experiment/target/study-experiment.jar org.evoloop.study.proof.Main --journal DIR --queue 8"
+        " --original FILE#NAME ...",
+        run="java -cp prism/experiment/target/study-experiment.jar org.evoloop.study.proof.Main --queue 8"
+        " --journal prism/proof/golden/bulb.journal --original models/light-bulb.xml#original"
+        " --new models/light-bulb.xml#new --next models/light-bulb.xml#original --mapping prism/proof/light-bulb.mapping.txt"
+        " --sendable switch --spontaneous switch --timer wait=timeout",
+        slow=True,
+        shows="> RECOVERED",
+    ),
+    Known(
         "./evoloop study [--checker storm|prism|both] [--experiment [--seed N]] [--measured [FILE]] [--proof]",
         run="./evoloop study --checker storm --measured benchmarks/results/2026-11-22.json",
         slow=True,

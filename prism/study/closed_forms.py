@@ -10,6 +10,9 @@ _TOLERANCE = 1e-6
 _ACTIONS_PER_S = 1.0
 _ACTIONS = 19
 _CONVERSION_S = 0.25
+_SIGHT_S = 20.0
+_AWAY_S = 5.0
+_OPERATED_PER_S = 0.3
 
 
 @dataclass(frozen=True)
@@ -37,6 +40,10 @@ def checks(checker: Checker) -> list[Check]:
     pipelined = checker.check("fifo-pipelined", "paper", {**converter, **at_end, "K": 8}).value("lost")
     path = checker.check("path", "paper", {**converter, **at_end, "K": 8, "steps": 1, "action": 1}).value("lost")
     belief = checker.check("fifo-pipelined", "belief", {**converter, **at_end, "K": 8})
+    phases = {"phases": 1, "first": _CONVERSION_S, "more": 0.0, "last": 1.0}
+    alike = checker.check("phases", "paper", {**arrivals, **phases, **at_end, "K": 8}).value("lost")
+    away = {**converter, "K": 4, "sight": _SIGHT_S, "away": _AWAY_S, "operated": _OPERATED_PER_S}
+    crashing = {**converter, "K": 4, "journal": 0, "crash": _SIGHT_S, "recovery": _AWAY_S}
     return [
         Check(
             "baseline, lost until 100 s",
@@ -49,7 +56,21 @@ def checks(checker: Checker) -> list[Check]:
         Check("fifo-serial with K=1 at 0.25 s, mean completion in s", single.value("completion"), 49.75),
         Check("path of one event against fifo-pipelined, lost until 100 s", path, pipelined),
         Check("fifo-pipelined with K=8, probability that belief and device differ", belief.value("differed"), 0.0),
+        Check("phases of one phase against fifo-pipelined, lost until 100 s", alike, pipelined),
+        Check("sight, share of time that differs", checker.check("sight", "differs", away).value("differs"), operated_share()),
+        Check(
+            "crash without a journal, share of time that differs",
+            checker.check("crash", "differs", crashing).value("differs"),
+            2 / 3 * _SIGHT_S / (_SIGHT_S + _AWAY_S),
+        ),
     ]
+
+
+def operated_share() -> float:
+    """How long a device is not where it was seen last: on a ring of three, each operation moves it on by one."""
+    moved = _OPERATED_PER_S / (_OPERATED_PER_S + 1 / _AWAY_S)
+    unmoved = (1 - moved) / (1 - moved**3)
+    return (1 - unmoved) * _AWAY_S / (_SIGHT_S + _AWAY_S)
 
 
 def baseline_lost(time_s: float) -> float:

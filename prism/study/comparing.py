@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 from study.estimates import Estimate
 from study.experiment import Measurements
-from study.points import MODES, POINTS, Mode, Point
+from study.points import MEASURED, Mode, Point
 from study.predictions import QUANTITIES, TAIL, Predictions
 from study.tables import Table
 
@@ -54,8 +54,7 @@ def compare(measurements: Measurements, predictions: Predictions) -> list[Compar
             measurements.estimate(mode, point, quantity, time_s),
             model,
         )
-        for mode in MODES
-        for point in POINTS
+        for mode, point in MEASURED
         for quantity, time_s, model in predictions.quantities(mode, point)
     ]
 

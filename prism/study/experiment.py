@@ -1,7 +1,6 @@
 """The converter that runs, measured."""
 
 import csv
-import itertools
 import shutil
 import subprocess
 from collections.abc import Callable
@@ -9,7 +8,7 @@ from pathlib import Path
 
 from study.estimates import NEVER, Estimate, estimate
 from study.paper import ARRIVALS_PER_S
-from study.points import MODES, POINTS, Mode, Point
+from study.points import MEASURED, Mode, Point
 from study.problem import Problem
 from study.tables import Table
 
@@ -34,7 +33,7 @@ class Measurements:
 
     def least_events(self, mode: Mode) -> int:
         """The least number of events of any point, short runs and long one together."""
-        return min(self._events(mode, point) for point in POINTS)
+        return min(self._events(mode, point) for one, point in MEASURED if one == mode)
 
     def _events(self, mode: Mode, point: Point) -> int:
         short, long = (self._rows[mode.name, point.name, quantity, 0] for quantity in ("events", "events_long_run"))
@@ -49,7 +48,7 @@ def measure(first_seed: int, tell: Callable[[str], None]) -> Table:
     if java is None:
         raise Problem("there is no java on the PATH; ./evoloop setup installs it")
     table = Table(MEASUREMENTS, ("mode", "point", "seed", "quantity", "t", "n", "mean", "deviation"))
-    for seed, (mode, point) in enumerate(itertools.product(MODES, POINTS), start=first_seed):
+    for seed, (mode, point) in enumerate(MEASURED, start=first_seed):
         tell(f"measuring {point.name} in {mode.name} (seed {seed})")
         length = ("--runs", str(mode.short_runs), "--batch", str(mode.batch_s))
         command = [java, "-jar", str(_JAR), *length, *mode.options]
@@ -61,6 +60,10 @@ def measure(first_seed: int, tell: Callable[[str], None]) -> Table:
     return table
 
 
+_COLUMNS = ("K", "steps", "conversion", "action", "holdoff")
+"""Constants that have a column of their own."""
+
+
 def _line(point: Point, seed: int) -> str:
     """A point as the experiment reads it; names with commas would be two cells."""
     cells = (
@@ -69,10 +72,11 @@ def _line(point: Point, seed: int) -> str:
         point.parameter("K", 1),
         point.parameter("steps", 1),
         ARRIVALS_PER_S,
-        point.constants["conversion"],
+        point.parameter("conversion", 0),
         point.parameter("action", 1),
         point.parameter("holdoff", 0),
         seed,
+        " ".join(f"{name}={value}" for name, value in point.constants.items() if name not in _COLUMNS),
     )
     return ",".join(str(cell) for cell in cells) + "\n"
 
@@ -84,6 +88,6 @@ def load(folder: Path) -> Measurements | None:
         return None
     with path.open(encoding="utf-8", newline="") as file:
         rows = list(csv.DictReader(file))
-    if {row.get("mode") for row in rows} != {mode.name for mode in MODES}:
+    if {(row.get("mode"), row.get("point")) for row in rows} != {(mode.name, point.name) for mode, point in MEASURED}:
         raise Problem(f"{path} is not of this version; measure again with ./evoloop study --experiment, or remove it")
     return Measurements(rows)

@@ -7,6 +7,7 @@ from typing import Any
 
 from study.checking import Checker
 from study.paper import ARRIVALS_PER_S
+from study.phases import Phases, fit
 from study.problem import Problem
 from study.tables import Table
 from study.waiting import mean_wait_s
@@ -20,8 +21,16 @@ ROWS = {
 }
 """The rows of the benchmarks' table that are conversion times, and what they are measured under."""
 
+PERCENTILES = ("button to command, added by us, 99th percentile", "button to command, 99th percentile")
+"""What the row with the button's 99th percentile is called, and was until 2026-11-22; the other row has it among its peers."""
+
+SLOWER_S = (0.25, 1.0)
+"""Mean conversion times at which the measured spread matters: the paper's least and greatest."""
+
 CAPACITY = 9
 """What a converter holds by default: 8 events in the queue and one in the loop."""
+
+TABLES = ("measured", "measured-phases")
 
 _SECONDS = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1.0}
 _HELP = "give it a file that ./evoloop bench --json FILE wrote, all suites or --only running,device"
@@ -34,6 +43,8 @@ class Measured:
     conversion_s: float
     row: str
     run: str
+    percentile_s: float | None = None
+    """The 99th percentile, where the file has it."""
 
 
 def newest(folder: Path = KEPT) -> Path:
@@ -53,7 +64,18 @@ def read(path: Path) -> list[Measured]:
     if not found:
         names = " and no row ".join(f"'{name}'" for name in ROWS)
         raise Problem(f"--measured: {path} has no row {names}; {_HELP}", status=2)
-    return [Measured(_seconds(path, row), row["what"], run) for row in found]
+    return [Measured(_seconds(path, row), row["what"], run, _percentile(path, row, rows)) for row in found]
+
+
+def _percentile(path: Path, row: dict[str, Any], rows: list[Any]) -> float | None:
+    if row["what"].startswith("button"):
+        for one in rows:
+            if isinstance(one, dict) and one.get("what") in PERCENTILES:
+                return _seconds(path, one)
+        return None
+    peers = row.get("peers")
+    p99 = peers.get("p99") if isinstance(peers, dict) else None
+    return None if p99 is None else _seconds(path, {**row, "ours": p99})
 
 
 def _load(path: Path) -> dict[str, Any]:
@@ -80,7 +102,7 @@ def measured_table(checker: Checker, times: list[Measured]) -> Table:
     What happens until 100 s is not asked: with conversions of microseconds that takes millions of steps.
     """
     header = ("row", "run", "conversion", "model", "K", "completion_s", "lost_per_s", "mean_wait_s")
-    table = Table("measured", header)
+    table = Table(TABLES[0], header)
     for measured in times:
         for model, own in (("exact", {}), ("fifo-serial", {"K": CAPACITY}), ("fifo-pipelined", {"K": CAPACITY})):
             constants = {"event_arrive": ARRIVALS_PER_S, "conversion": measured.conversion_s, **own}
@@ -95,4 +117,32 @@ def measured_table(checker: Checker, times: list[Measured]) -> Table:
                 long_run.value("lost_rate"),
                 mean_wait_s(checker.check(model, "waiting", constants)),
             )
+    return table
+
+
+def phases_table(checker: Checker, times: list[Measured]) -> Table:
+    """What the measured spread changes in the long run, beside exponential times of the same mean; and in slower converters."""
+    header = ("row", "median", "percentile", "phases", "first", "more", "last", "variation", "mean", "distribution")
+    table = Table(TABLES[1], (*header, "completion_s", "lost_per_s", "mean_wait_s"))
+    for measured in times:
+        if measured.percentile_s is None:
+            continue
+        fitted = fit(measured.conversion_s, measured.percentile_s)
+        for mean in (fitted.mean, *SLOWER_S):
+            shape = fitted.with_mean(mean)
+            for distribution, one in (("exponential", Phases(1, mean, 0.0, mean)), ("phases", shape)):
+                constants = {"event_arrive": ARRIVALS_PER_S, "K": CAPACITY, **one.constants()}
+                long_run = checker.check("phases", "longrun", constants)
+                table.add(
+                    measured.row,
+                    measured.conversion_s,
+                    measured.percentile_s,
+                    *shape.constants().values(),
+                    shape.variation,
+                    mean,
+                    distribution,
+                    long_run.value("completion"),
+                    long_run.value("lost_rate"),
+                    mean_wait_s(checker.check("phases", "waiting", constants)),
+                )
     return table

@@ -214,7 +214,7 @@ def plain_points() -> list[Point]:
 
 
 def _is_plain(point: Point) -> bool:
-    return point.constants["conversion"] == _CONVERSION_S and point.mechanism in ("unbuffered", "pipelined")
+    return point.parameter("conversion", 0) == _CONVERSION_S and point.mechanism in ("unbuffered", "pipelined")
 
 
 def _measured(

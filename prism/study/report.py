@@ -3,7 +3,7 @@
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from study import experiment_section, sections
+from study import disturbance_section, experiment_section, sections
 from study.curves import Curves
 from study.comparing import Comparison
 from study.points import Mode
@@ -30,10 +30,11 @@ def write(folder: Path, findings: Findings) -> None:
         sections.counting(findings.curves, findings.tables, findings.flagged_baseline),
         sections.converter(findings.curves, findings.tables),
         sections.devices(findings.curves, findings.tables),
+        disturbance_section.disturbances(findings.curves, findings.tables),
         sections.sensitivity(findings.tables["sensitivity"]),
         sections.code(),
         experiment_section.experiment(findings.comparisons, findings.measured_events),
-        sections.measured(findings.curves, findings.tables.get("measured")),
+        sections.measured(findings.curves, findings.tables),
         proof.proof(findings.tables),
         sections.files(),
     ]

@@ -3,7 +3,20 @@
 from collections.abc import Callable
 from pathlib import Path
 
-from study import belief, comparing, counting, curves, devices, experiment, measured, plots, report, sensitivity, waiting
+from study import (
+    belief,
+    comparing,
+    counting,
+    curves,
+    devices,
+    disturbances,
+    experiment,
+    measured,
+    plots,
+    report,
+    sensitivity,
+    waiting,
+)
 from study.checking import Checker
 from study.points import MODES
 from study.predictions import Predictions
@@ -19,6 +32,7 @@ _TABLES: dict[str, tuple[Callable[[Checker], Table], ...]] = {
     "waiting times": (waiting.waiting_table, waiting.longer_table),
     "belief and device": (belief.belief_table,),
     "devices that make it harder": (devices.path_table, devices.holdoff_table),
+    "what disturbs it": (disturbances.crash_table, disturbances.sight_table, disturbances.swap_table),
     "other arrivals and conversion times": (sensitivity.sensitivity_table,),
 }
 
@@ -50,13 +64,10 @@ def study(checker: Checker, tell: Tell) -> list[comparing.Comparison]:
         plots.draw_experiment(RESULTS, measurements, predictions)
     for table in tables:
         table.write(RESULTS)
-    today = Table.read("measured", RESULTS)
-    if today is not None:
-        by_name["measured"] = today
-    for name in section.TABLES:
-        proved = Table.read(name, RESULTS)
-        if proved is not None:
-            by_name[name] = proved
+    for name in (*measured.TABLES, *section.TABLES):
+        kept = Table.read(name, RESULTS)
+        if kept is not None:
+            by_name[name] = kept
     report.write(RESULTS, found)
     return found.comparisons
 
@@ -79,3 +90,4 @@ def take_measured(checker: Checker, times: list[measured.Measured], tell: Tell) 
     for one in times:
         tell(f"the measured conversion time, {one.conversion_s * 1e6:.1f} µs ({one.row}; {one.run})")
     measured.measured_table(checker, times).write(RESULTS)
+    measured.phases_table(checker, times).write(RESULTS)

@@ -4,9 +4,9 @@ from study.closed_forms import unbuffered_lost_per_s
 from study.curves import Curves
 from study.devices import CAPACITY, PATHS
 from study.markdown import table
-from study.measured import ROWS
+from study.measured import CAPACITY as HELD, ROWS
 from study.paper import CAPACITIES, CONVERSIONS_S, HORIZON_S
-from study.tables import Table
+from study.tables import Cell, Table
 
 
 def head(checker: str) -> str:
@@ -22,7 +22,10 @@ properties are in `prism/models`; every figure here comes from them and can be h
 - A short queue with back-pressure, which Evoloop has, makes the paper's claim come true, and the task ends earlier too.
 - All this is so if the device tells when it is ready. A Roomba does not; its converter's 200 ms would be far too
   short for actions of 1 s, and nearly as many events would get lost as without a converter (section 4).
-- The converter that runs does what its model says, on one thread and on many: losses, completion and how long events wait."""
+- A journal saves what waits when a process crashes, and the record of the device; a link that breaks costs time; other models that
+  take over cost next to nothing (section 5).
+- The converter that runs does what its model says, on one thread and on many: losses, completion and how long events wait; on one
+  thread also with crashes, links that break and other models."""
 
 
 def paper(curves: Curves) -> str:
@@ -189,7 +192,7 @@ def sensitivity(found: Table) -> str:
     rows = []
     for model, label in (("exact", "paper's mechanism"), ("fifo-serial", "serial, K=8"), ("fifo-pipelined", "pipelined, K=8")):
         rows.append((label, *(_limit(found, model, arrivals) for arrivals in (0.5, 0.8, 1.0, 1.5, 2.0))))
-    return f"""## 5. Other arrivals and conversion times
+    return f"""## 6. Other arrivals and conversion times
 
 ![Losses against the baseline's](sensitivity.png)
 
@@ -221,17 +224,21 @@ def code() -> str:
         ("`hold` in `holdoff.sm`", "an `awaitReady` that waits for a time, as the Roomba's", "readiness is inferred"),
         ("`steps`, `sent` in `path.sm`", "`Conversion`, `PathPlanner`", "the steps of one decision, one after the other"),
         ("`believed`, `parted`", "`StateKnowledge.getOriginalState`", "moves on with each event that is sent; whether the device comes to be elsewhere"),
+        ("`[crash]`, `journal` in `crash.sm`", "`Journal`, `SystemEventConverter.journal`", "the next process goes on with what waited"),
+        ("`[gone]`, `[found]` in `sight.sm`", "an `awaitReady` that waits for the link, `EventMonitor.foundIn`", "the record goes where the device is found"),
+        ("`Models` in `swap.sm`", "`SystemEventConverter.evolve`", "between two events; what comes waits"),
         ("`EmbeddedSystem`, `actual`", "the device", "`emb_internal_process` is the device's"),
         ("`arrived` in `exact.sm`", "`queueCapacity` 0 and an `awaitReady` that returns at once", "the paper's mechanism, as the framework would run it"),
     ]
-    return f"""## 6. Which class is which module
+    return f"""## 7. Which class is which module
 
 {table(("model", "code", "meaning"), rows)}"""
 
 
-def measured(curves: Curves, found: Table | None) -> str:
-    if found is None:
-        return """## 8. Today's converter
+def measured(curves: Curves, tables: dict[str, Table]) -> str:
+    found, spread = tables.get("measured"), tables.get("measured-phases")
+    if found is None or spread is None:
+        return """## 9. Today's converter
 
 Not measured yet; `./evoloop study --measured` takes the conversion times from `benchmarks/results`."""
     run, times = found.rows[0][1], {row[0]: row[2] for row in found.rows}
@@ -242,7 +249,7 @@ Not measured yet; `./evoloop study --measured` takes the conversion times from `
     ]
     ours = found.rows[-1]
     measurements = "\n".join(f"- {1e6 * time:.1f} µs: {row}; {ROWS[row]}" for row, time in times.items())
-    return f"""## 8. Today's converter
+    return f"""## 9. Today's converter
 
 The conversion time as the benchmarks measured it ({run}), taken in place of the paper's 0.25 s:
 
@@ -254,7 +261,47 @@ The paper asks whether event conversion is sufficiently faster than the action t
 factor of {1 / max(times.values()):,.0f} at least. Converting costs nothing that could be noticed: with the paper's mechanism the task takes as
 long and as many events get lost as without a converter. What makes a difference is the queue: the converter as it is by
 default loses {100 * ours[6]:.2g} events in 100 s, in the long run, instead of {100 * curves.lost_per_s("baseline"):.2f}
-and finishes the task after {ours[5]:.1f} s instead of {curves.completion_s("baseline"):.0f}, if the device tells when it is ready."""
+and finishes the task after {ours[5]:.1f} s instead of {curves.completion_s("baseline"):.0f}, if the device tells when it is ready.
+
+{_spread(spread)}"""
+
+
+def _spread(found: Table) -> str:
+    shapes, rows = {}, []
+    by_key = {(row[0], row[8], row[9]): row for row in found.rows}
+    for (label, mean, distribution), row in by_key.items():
+        shapes.setdefault(label, (label, f"{1e6 * row[1]:.1f} µs", f"{1e6 * row[2]:.1f} µs", _shape(row), row[7]))
+        if distribution == "phases":
+            exponential = by_key[label, mean, "exponential"]
+            rows.append((
+                label,
+                f"{1e6 * mean:.1f} µs" if mean < 0.01 else f"{mean:g} s",
+                *(f"{row[column]:.5g} ({_change(row[column], exponential[column])})" for column in (10, 11, 12)),
+            ))
+    return f"""**As they vary.** Measured times are not exponential. `phases.sm` has conversions of several exponential phases (a Coxian
+distribution), fitted to the median and the 99th percentile, which the benchmarks keep: where times vary less than exponential ones,
+phases of one length; where they vary more, one conversion in ten has another, longer phase. Variation is variance by squared mean;
+exponential times have 1, constant ones 0.
+
+{table(("measured", "median", "99th percentile", "phases", "variation"), shapes.values())}
+
+In the long run, K={HELD}, and in brackets the difference to exponential times of the same mean; also for slower converters whose
+times vary in the same way:
+
+{table(("spread of", "mean", "completion in s", "lost per s", "mean wait in s"), rows)}
+
+At today's times it makes no difference how they vary. In a converter that is as slow as the device it does: rare long conversions fill
+the queue."""
+
+
+def _change(value: float, from_value: float) -> str:
+    percent = 100 * (value / from_value - 1)
+    return f"{percent:+.1f} %" if abs(percent) >= 0.1 else "under 0.1 %"
+
+
+def _shape(row: tuple[Cell, ...]) -> str:
+    _, _, _, phases, first, more, last, *_ = row
+    return f"{phases} of {1e6 * first:.1f} µs; one more for {100 * more:.0f} %, of {1e6 * last:.1f} µs"
 
 
 def files() -> str:
@@ -264,10 +311,11 @@ def files() -> str:
         ("`counting.csv`, `break-even.csv`", "section 2 and the break-even conversion times"),
         ("`waiting.csv`, `waiting-longer.csv`, `belief.csv`", "section 3"),
         ("`path.csv`, `holdoff.csv`", "section 4"),
-        ("`sensitivity.csv`", "section 5"),
-        ("`experiment-measured.csv`, `experiment.csv`", "section 7: what was measured, and beside the models' values"),
-        ("`measured.csv`", "section 8"),
-        ("`proof.csv`, `proof-mutants.csv`, `proof-paper.csv`, `proof-conformance.csv`, `proof/*.svg`", "section 9"),
+        ("`sensitivity.csv`", "section 6"),
+        ("`crash.csv`, `sight.csv`, `swap.csv`", "section 5"),
+        ("`experiment-measured.csv`, `experiment.csv`", "section 8: what was measured, and beside the models' values"),
+        ("`measured.csv`, `measured-phases.csv`", "section 9"),
+        ("`proof.csv`, `proof-mutants.csv`, `proof-paper.csv`, `proof-conformance.csv`, `proof/*.svg`", "section 10"),
     ]
     return f"""## Files
 

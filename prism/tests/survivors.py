@@ -24,29 +24,37 @@ class Survivor:
 
 
 _ANY = ".*"
+_DISTURBED = "crash|phases|sight|swap"
 
 SURVIVORS = (
     Survivor("baseline.*", r"^\[(control|process)]", r"(\w+) > \1_else", "no other module knows the action"),
     Survivor("(exact|fifo-serial|holdoff|listing).sm", r"^\[process]", r"process > process_else", "the same"),
-    Survivor("(fifo-pipelined|path).sm", r"^\[hold]", "hold > hold_else", "the same"),
+    Survivor(f"(fifo-pipelined|path|{_DISTURBED}).sm", r"^\[(hold|on)]", r"(\w+) > \1_else", "the same"),
     Survivor("holdoff.sm", r"^\[(convert|pass)]", r"(\w+) > \1_else", "the same"),
     Survivor("listing.sm", r"^\[arrived]", "arrived > arrived_else", "the same"),
     Survivor("wait-serial.sm", r"^\[process]", "process > process_else", "the same"),
     Survivor("baseline.*|listing.sm", "!(emb_controlled|arrived) ->", "!.* > true", "what is true already becomes true"),
     Survivor("listing.sm", "conv_st", _ANY, "the paper's listing counts what was sent, and nothing asks for it"),
     Survivor(
-        "(fifo-.*|path).sm",
+        f"(fifo-.*|path|{_DISTURBED}).sm",
         r"^\[control] +emb_controlled (-> 1 : true|: 1);",
         _ANY,
         "the converter never hands over to a device that acts; a mutant that does is noticed",
     ),
-    Survivor("(fifo-.*|path).sm", r"^\[control] !emb_controlled -> 1", "!emb_controlled > true", "the same"),
+    Survivor(f"(fifo-.*|path|{_DISTURBED}).sm", r"^\[control] !emb_controlled -> 1", "!emb_controlled > true", "the same"),
     Survivor(
-        "(fifo-pipelined|path|wait-pipelined).sm",
+        f"(fifo-pipelined|path|wait-pipelined|{_DISTURBED}).sm",
         r"^\[next] +emb_controlled",
         r"emb_controlled( & .*)? > (part.*|true)",
         "an event is held only while the device acts",
     ),
+    Survivor("sight.sm", r"^\[gone]|^\[(found|again)] !in_sight", r"(\w+) > \1_else|!?in_sight > true", "the same"),
+    Survivor("sight.sm", r"^\[moved]", r"\+ > -|1 > 2", "a ring that turns the other way parts as much"),
+    Survivor("crash.sm", r"^\[(crash|recovered)]", r"(\w+) > \1_else", "the same"),
+    Survivor("crash.sm", r"^\[crash]", "up & journal=[01] > journal=[01]", "what does not run does not end"),
+    Survivor("crash.sm", r"^\[recovered]", "!up > true", "what runs is not started"),
+    Survivor("swap.sm", r"^\[(ask|swapped)]", r"(\w+) > \1_else", "the same"),
+    Survivor("phases.sm", r"^phase :", "1 > 2", "a phase that is never reached"),
     Survivor("wait-.*.sm", r"^\[over]", _ANY, "once the event is handed over nothing else is asked for"),
     Survivor("wait-.*.sm", r"^\[(hold|control)] +left>0", r"left>0.* > .*|> > >=|0 > -1|& > \|", "the same"),
     Survivor("wait-.*.sm", r"^\[process]", "emb_controlled > true", "a device at rest comes to rest"),
@@ -56,5 +64,5 @@ SURVIVORS = (
         r"next > next_else|\[next] +emb_controlled.* > ",
         "the device's action takes 1 s, and so does the converter's command by itself; the device stays as it is",
     ),
-    Survivor("(belief|paper|wait).props", "<=", "<= > <", "nothing happens at a certain moment of continuous time"),
+    Survivor("(belief|handed|paper|wait).props", "<=", "<= > <", "nothing happens at a certain moment of continuous time"),
 )

@@ -25,9 +25,18 @@ class MeasuredTest(unittest.TestCase):
                     self.assertEqual(rows[row]["unit"], "us")
                     self.assertAlmostEqual(time_s, rows[row]["ours"] / 1e6)
 
+    def test_finds_the_99th_percentile_where_it_stands(self) -> None:
+        results = self._kept()
+        rows = {row["what"]: row for row in results["rows"]}
+        found = {one.row: one.percentile_s for one in self._read(results)}
+        self.assertAlmostEqual(found[_CONVERSION], rows[_CONVERSION]["peers"]["p99"] / 1e6)
+        self.assertAlmostEqual(found[_BUTTON], rows[measured.PERCENTILES[1]]["ours"] / 1e6)
+        results["rows"] = [{**rows[_CONVERSION], "peers": {}}, rows[_BUTTON]]
+        self.assertEqual([one.percentile_s for one in self._read(results)], [None, None])
+
     def test_benchmarks_still_write_these_rows(self) -> None:
         sources = "".join(path.read_text() for path in _SUITES.rglob("*.java"))
-        for row in measured.ROWS:
+        for row in (*measured.ROWS, measured.PERCENTILES[0]):
             self.assertIn(f'"{row}"', sources)
 
     def test_takes_the_newest_of_those_that_are_kept(self) -> None:

@@ -78,6 +78,17 @@ class SpinTest(unittest.TestCase):
                 self.assertGreater(inputs, 500)
 
     @unittest.skipUnless(_HAS_SPIN, "needs Spin")
+    def test_the_specification_goes_the_way_of_a_recorded_run(self) -> None:
+        told = (_GOLDEN / "bulb.recorded.txt").read_text(encoding="utf-8")
+        # The program's queue has as much room as LoopConfig gives it.
+        roomy = self._tables(plan.BULB).replace("#define CAPACITY 2", "#define CAPACITY 8")
+        with tempfile.TemporaryDirectory() as folder:
+            inputs, difference = script.accepted(Path(folder), roomy, told)
+        self.assertEqual(difference, "")
+        self.assertGreater(inputs, 50)
+        self.assertIn("> RECOVERED", told)
+
+    @unittest.skipUnless(_HAS_SPIN, "needs Spin")
     def test_another_core_is_noticed(self) -> None:
         trace = self._trace(plan.BULB)
         place = trace.index("\n= 1 2 ", len(trace) // 2)

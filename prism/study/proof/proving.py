@@ -13,7 +13,9 @@ from study.proof.spin import Result
 from study.tables import Table
 
 Tell = Callable[[str], None]
+_Compare = Callable[[Path, Pair, int, int], tuple[int, str]]
 _TRACES = 300
+_RUNS = 30
 
 
 @dataclass(frozen=True)
@@ -59,7 +61,7 @@ class _Proof:
             "": ("pair", "adapter", "properties", "scene", "states", "depth", "memory_mb", "holds"),
             "-mutants": ("mechanism", "mutant", "pair", "scene", "property", "steps", "states", "noticed", "picture"),
             "-paper": ("property", "pair", "scene", "states", "holds", "steps", "picture"),
-            "-conformance": ("pair", "traces", "inputs", "equal"),
+            "-conformance": ("pair", "told", "traces", "inputs", "equal"),
         }
         for suffix, header in headers.items():
             table = Table(f"proof{suffix}", header)
@@ -123,16 +125,18 @@ class _Proof:
         return _Task(f"the paper's mechanism: {only}", run)
 
     def conformance(self) -> list[_Task]:
-        return [self._conforms(number, pair) for number, pair in enumerate(plan.PAIRS)]
+        told = (("random inputs", "script", _TRACES, script.compare), ("recorded runs", "runs", _RUNS, script.compare_runs))
+        wanted = [(pair, *one) for pair in plan.PAIRS for one in told]
+        return [self._conforms(number, *one) for number, one in enumerate(wanted)]
 
-    def _conforms(self, number: int, pair: Pair) -> _Task:
+    def _conforms(self, number: int, pair: Pair, told: str, key: str, traces: int, compare: _Compare) -> _Task:
         def run() -> None:
-            inputs, difference = script.compare(self._folder(f"script-{pair.key}"), pair, _TRACES, seed=1)
-            self._rows["-conformance"][number] = (pair.name, _TRACES, inputs, _yes(not difference))
+            inputs, difference = compare(self._folder(f"{key}-{pair.key}"), pair, traces, 1)
+            self._rows["-conformance"][number] = (pair.name, told, traces, inputs, _yes(not difference))
             if difference:
-                self.problems.append(f"the core and the specification differ ({pair.name}):\n{difference}")
+                self.problems.append(f"the core and the specification differ ({pair.name}, {told}):\n{difference}")
 
-        return _Task(f"conformance, {pair.name}", run)
+        return _Task(f"conformance, {pair.name}, {told}", run)
 
     def _folder(self, name: str) -> Path:
         return tables.ROOT / "target" / "proof" / name

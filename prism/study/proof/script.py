@@ -1,5 +1,6 @@
-"""Conformance: what the real core does on random inputs, the specification does, too."""
+"""Conformance: what the real core does on random inputs and in recorded runs, the specification does, too."""
 
+import shutil
 from pathlib import Path
 
 from study.problem import Problem
@@ -7,13 +8,20 @@ from study.proof import spin, story, tables
 from study.proof.plan import Pair
 from study.proof.sequence import Names
 
-_SIZES = ("-DPLACES=14", "-DFACTS=14", "-DMOST_ATTEMPTS=8")
+_SIZES = ("-DPLACES=40", "-DFACTS=40", "-DMOST_ATTEMPTS=8")
 
 
 def compare(folder: Path, pair: Pair, traces: int, seed: int, length: int = 90) -> tuple[int, str]:
     """How many inputs were compared; and the first difference, empty if there is none."""
     told = tables.java(pair, "--traces", str(traces), "--seed", str(seed), "--length", str(length))
     return accepted(folder, tables.of(pair), told)
+
+
+def compare_runs(folder: Path, pair: Pair, runs: int, seed: int, acts: int = 120) -> tuple[int, str]:
+    """The same for runs of the whole converter, with its threads, as their journals tell them."""
+    shutil.rmtree(folder / "runs", ignore_errors=True)
+    options = ("--record", str(folder / "runs"), "--traces", str(runs), "--seed", str(seed), "--length", str(acts))
+    return accepted(folder, tables.of(pair), tables.java(pair, *options))
 
 
 def accepted(folder: Path, promela: str, told: str) -> tuple[int, str]:

@@ -11,13 +11,13 @@ Row = tuple[Cell, ...]
 
 def proof(tables: dict[str, Table]) -> str:
     if any(name not in tables for name in TABLES):
-        return """## 9. The design, proved
+        return """## 10. The design, proved
 
 Not proved yet; `./evoloop study --proof` does."""
     searches, mutants, paper, conformance = (tables[name].rows for name in TABLES)
     return "\n\n".join(
         (
-            "## 9. The design, proved",
+            "## 10. The design, proved",
             _what(searches),
             _searches(searches),
             _mutants(mutants),
@@ -84,10 +84,12 @@ meanwhile is lost, the original model moves by the incoming event, nothing is ke
 
 
 def _conformance(conformance: list[Row]) -> str:
-    rows = [(pair, traces, f"{inputs:,}", equal) for pair, traces, inputs, equal in conformance]
+    rows = [(pair, told, traces, f"{inputs:,}", equal) for pair, told, traces, inputs, equal in conformance]
     return f"""### The code and the specification
 
 Random inputs, in any order, told to the real core (`org.evoloop.core.Core`) and to the specification; after each, all that they
-know is compared: record, doubt, visit, plan, and every occurrence that waits.
+know is compared: record, doubt, visit, plan, and every occurrence that waits. And runs of the whole converter, with its threads
+and a journal: events of a controller, acts of the device, steps that fail or of which nobody knows the effect, timers, stops, crashes
+and swaps. What the core was told in them, its journal tells.
 
-{table(("pair", "traces", "inputs", "all equal"), rows)}"""
+{table(("pair", "told", "traces", "inputs", "all equal"), rows)}"""

@@ -47,6 +47,13 @@ final class Arrivals {
                 .count();
     }
 
+    /** How many were handed over, until then. */
+    long handedOver(long lastNanos) {
+        return handedOver.values().stream()
+                .filter(when -> when != NEVER && when <= lastNanos)
+                .count();
+    }
+
     /** Tells for how long each of those that arrived after {@code first} and not after {@code last} has waited. */
     void waits(long firstNanos, long lastNanos, WaitListener listener) {
         handedOver.subMap(firstNanos, false, lastNanos, true).forEach((arrived, when) -> {

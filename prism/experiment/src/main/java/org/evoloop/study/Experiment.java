@@ -8,7 +8,8 @@ import java.time.Duration;
  * and was carried out.
  *
  * <p>Quantities: {@code lost} and {@code done} at each time and {@code completion_s} of each short run;
- * {@code divergence_s} of every run in which belief and device come to differ; {@code lost_per_s}, {@code wait_s} and
+ * {@code divergence_s} of every run in which belief and device come to differ; {@code handed}, the events that the device
+ * has by a time; {@code lost_per_s}, {@code wait_s}, {@code differs} (the share of time in which they differ) and
  * {@code longer} (the share of events that wait longer than a time) of each batch of the long run; {@code events} of each
  * short run and {@code events_long_run}.
  *
@@ -54,6 +55,7 @@ final class Experiment {
                 results.add("lost", second, (double) lost(bench, 0, nanos(second)));
                 results.add("done", second, doneNanos <= nanos(second) ? 1 : 0);
             }
+            results.add("handed", HORIZON_SECONDS, (double) bench.arrivals.handedOver(nanos(HORIZON_SECONDS)));
             results.add("completion_s", 0, doneNanos / NANOS);
             noteDivergence(bench);
             results.add("events", 0, (double) bench.arrivals.size());
@@ -70,16 +72,16 @@ final class Experiment {
         return bench.arrivals.lost(firstNanos, lastNanos) + inDevice.until(lastNanos) - inDevice.until(firstNanos);
     }
 
-    /** Whether the run has to go on until belief and device differ; with back-pressure they never do. */
+    /** Whether the run has to go on until belief and device differ; with back-pressure alone they never do. */
     private boolean mayDiverge(Bench bench) {
         boolean backPressure =
                 point.mechanism() == Point.Mechanism.SERIAL || point.mechanism() == Point.Mechanism.PIPELINED;
-        return !backPressure && bench.divergedNanos() < 0;
+        return (!backPressure || point.disturbances().part()) && bench.agreement.divergedNanos() < 0;
     }
 
     private void noteDivergence(Bench bench) {
-        if (bench.divergedNanos() >= 0) {
-            results.add("divergence_s", 0, bench.divergedNanos() / NANOS);
+        if (bench.agreement.divergedNanos() >= 0) {
+            results.add("divergence_s", 0, bench.agreement.divergedNanos() / NANOS);
         }
     }
 
@@ -96,6 +98,7 @@ final class Experiment {
                 bench.arrivals.waits(begin, end, batch::add);
                 results.add("lost_per_s", 0, lost(bench, begin, end) / (double) batchSeconds);
                 results.add("wait_s", 0, batch.meanSeconds());
+                results.add("differs", 0, bench.agreement.wrongNanos(begin, end) / (double) (end - begin));
                 for (int second = 1; second <= LONGEST_WAIT_SECONDS; second++) {
                     results.add("longer", second, batch.shareLongerThan(second));
                 }

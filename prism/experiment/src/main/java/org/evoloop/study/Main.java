@@ -56,6 +56,9 @@ public final class Main implements Callable<Integer> {
             Point point;
             try {
                 point = Point.parse(line);
+                if (threads && point.disturbances().isAny()) {
+                    throw new IllegalArgumentException("'" + line + "': without --threads only");
+                }
             } catch (IllegalArgumentException wrong) {
                 err.println("error: " + wrong.getMessage());
                 return CommandLine.ExitCode.USAGE;

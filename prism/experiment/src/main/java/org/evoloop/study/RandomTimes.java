@@ -16,6 +16,7 @@ final class RandomTimes {
     private final SplittableRandom conversions;
     private final SplittableRandom actions;
     private final SplittableRandom holdOffs;
+    private final SplittableRandom disturbances;
 
     RandomTimes(long seed) {
         SplittableRandom root = new SplittableRandom(seed);
@@ -23,14 +24,21 @@ final class RandomTimes {
         conversions = root.split();
         actions = root.split();
         holdOffs = root.split();
+        disturbances = root.split();
     }
 
     Duration untilArrival(double perSecond) {
         return exponential(arrivals, 1 / perSecond);
     }
 
-    Duration conversion(double meanSeconds) {
-        return exponential(conversions, meanSeconds);
+    Duration conversion(ConversionTime time) {
+        Duration sum = Duration.ZERO;
+        for (int phase = 0; phase < time.phases(); phase++) {
+            sum = sum.plus(exponential(conversions, time.first()));
+        }
+        return time.more() > 0 && conversions.nextDouble() < time.more()
+                ? sum.plus(exponential(conversions, time.last()))
+                : sum;
     }
 
     Duration action(double meanSeconds) {
@@ -44,6 +52,10 @@ final class RandomTimes {
             sum = sum.plus(exponential(holdOffs, meanSeconds / phases));
         }
         return sum;
+    }
+
+    Duration untilDisturbance(double meanSeconds) {
+        return exponential(disturbances, meanSeconds);
     }
 
     private static Duration exponential(SplittableRandom random, double meanSeconds) {

@@ -16,22 +16,26 @@ final class RingModels {
 
     private RingModels() {}
 
-    static ModelPair pair() {
-        return new ModelPair(ring().build(), withJumps().build());
+    /** @param edition that of the new model: one more edition has one more event, which nobody uses */
+    static ModelPair pair(int edition) {
+        return new ModelPair(ring("ring").build(), withJumps(edition).build());
     }
 
-    private static StateMachineBuilder ring() {
-        StateMachineBuilder ring = StateMachine.named("ring").initial(STATES.get(0));
+    private static StateMachineBuilder ring(String name) {
+        StateMachineBuilder ring = StateMachine.named(name).initial(STATES.get(0));
         for (int from = 0; from < STATES.size(); from++) {
             ring.transition(STATES.get(from), NEXT, STATES.get((from + 1) % STATES.size()));
         }
         return ring;
     }
 
-    private static StateMachineBuilder withJumps() {
-        StateMachineBuilder jumping = ring();
+    private static StateMachineBuilder withJumps(int edition) {
+        StateMachineBuilder jumping = ring("ring with jumps " + edition);
         for (int from = 0; from < STATES.size(); from++) {
             jumping.transition(STATES.get(from), JUMP, STATES.get((from + 2) % STATES.size()));
+        }
+        for (int extra = 1; extra <= edition; extra++) {
+            jumping.transition(STATES.get(0), "extra" + extra, STATES.get(1));
         }
         return jumping;
     }

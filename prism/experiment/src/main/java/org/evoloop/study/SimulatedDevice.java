@@ -33,6 +33,11 @@ final class SimulatedDevice {
         }
     }
 
+    /** Somebody moves it on by hand, in no time. */
+    void operate() {
+        position = (position + 1) % RingModels.STATES.size();
+    }
+
     /** How long it still acts. */
     Duration untilReady() {
         long readyNanos = ready.size() == 0 ? 0 : ready.at(ready.size());

@@ -13,7 +13,17 @@ class BenchTest {
     private static final long SEED = 17;
 
     private static Point point(Mechanism mechanism, int capacity, int steps) {
-        return new Point("test", mechanism, capacity, steps, 0.5, 0.25, 1, 1, SEED);
+        return new Point(
+                "test",
+                mechanism,
+                capacity,
+                steps,
+                0.5,
+                ConversionTime.exponential(0.25),
+                1,
+                1,
+                Disturbances.NONE,
+                SEED);
     }
 
     private static Bench afterAnHour(Point point) {
@@ -45,7 +55,7 @@ class BenchTest {
                 try (Bench bench = afterAnHour(point(mechanism, 2, steps))) {
                     assertThat(lost(bench)).as("in the full queue").isPositive();
                     assertThat(bench.device.lost().size()).as("in the device").isZero();
-                    assertThat(bench.divergedNanos()).isNegative();
+                    assertThat(bench.agreement.divergedNanos()).isNegative();
                 }
             }
         }
@@ -56,7 +66,7 @@ class BenchTest {
         for (Mechanism mechanism : List.of(Mechanism.UNBUFFERED, Mechanism.HOLDOFF)) {
             try (Bench bench = afterAnHour(point(mechanism, 1, 1))) {
                 assertThat(bench.device.lost().size()).isPositive();
-                assertThat(bench.divergedNanos()).isPositive();
+                assertThat(bench.agreement.divergedNanos()).isPositive();
             }
         }
     }

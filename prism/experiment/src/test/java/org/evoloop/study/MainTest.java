@@ -25,7 +25,7 @@ class MainTest {
 
     @Test
     void printsWhatItMeasuresForEachPoint() {
-        int status = run("u,unbuffered,1,1,0.5,0.25,1,0,3\np,pipelined,4,1,0.5,0.25,1,0,4\n", "--runs", "20");
+        int status = run("u,unbuffered,1,1,0.5,0.25,1,0,3,\np,pipelined,4,1,0.5,0.25,1,0,4,\n", "--runs", "20");
 
         assertThat(status).isZero();
         assertThat(err.toString(StandardCharsets.UTF_8)).isEmpty();
@@ -41,7 +41,7 @@ class MainTest {
 
     @Test
     void measuresTheSameInThreads() {
-        String point = "p,pipelined,2,1,0.5,0.25,1,0,4\n";
+        String point = "p,pipelined,2,1,0.5,0.25,1,0,4,\n";
         assertThat(run(point, "--runs", "5", "--batch", "100")).isZero();
         String steps = out.toString(StandardCharsets.UTF_8);
         out.reset();
@@ -51,8 +51,35 @@ class MainTest {
     }
 
     @Test
+    void measuresWhatDisturbsTheConverter() {
+        String points = "c,pipelined,4,1,0.5,0.25,1,0,5,crash=20 recovery=5\n"
+                + "p,pipelined,4,1,0.5,0,1,0,6,phases=2 first=0.4 more=0.5 last=0.4\n";
+        assertThat(run(points, "--runs", "20", "--batch", "100")).isZero();
+
+        assertThat(out.toString(StandardCharsets.UTF_8))
+                .containsPattern("c,handed,100,20,3[0-9]\\.")
+                .containsPattern("c,differs,0,100,0\\.[456]")
+                .containsPattern("p,completion_s,0,20,[34][0-9]\\.")
+                .containsPattern("p,differs,0,100,0\\.0+,");
+    }
+
+    @Test
+    void disturbsNoThreads() {
+        assertThat(run("c,pipelined,4,1,0.5,0.25,1,0,5,crash=20 recovery=5", "--threads"))
+                .isEqualTo(2);
+        assertThat(err.toString(StandardCharsets.UTF_8)).endsWith("': without --threads only\n");
+    }
+
+    @Test
     void refusesAPointThatDoesNotFit() {
-        for (String wrong : new String[] {"few,cells", "n,fast,1,1,0.5,0.25,1,0,1", "n,serial,0,1,0.5,0.25,1,0,1"}) {
+        for (String wrong : new String[] {
+            "few,cells",
+            "n,fast,1,1,0.5,0.25,1,0,1,",
+            "n,serial,0,1,0.5,0.25,1,0,1,",
+            "n,serial,1,1,0.5,0.25,1,0,1,crash=20 recovery=5",
+            "n,pipelined,1,1,0.5,0.25,1,0,1,crush=20",
+            "n,pipelined,1,1,0.5,0,1,0,1,phases=0 first=1"
+        }) {
             err.reset();
             assertThat(run(wrong)).isEqualTo(2);
             assertThat(err.toString(StandardCharsets.UTF_8)).startsWith("error: '" + wrong + "'");

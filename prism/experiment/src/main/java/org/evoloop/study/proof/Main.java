@@ -1,5 +1,7 @@
 package org.evoloop.study.proof;
 
+import static java.util.Objects.requireNonNull;
+
 import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
@@ -8,6 +10,7 @@ import java.nio.file.Path;
 import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.Callable;
+import org.evoloop.journal.JournalException;
 import org.evoloop.statemachine.ModelException;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine;
@@ -20,7 +23,7 @@ import picocli.CommandLine.Option;
         mixinStandardHelpOptions = true,
         description = {
             "Prints the decision tables of a pair of models, and of the pair that it may be swapped for, in Promela;",
-            "or, with --traces, what the real core does on random inputs."
+            "or, with --traces, what the real core does on random inputs, or, with --journal or --record, in recorded runs."
         })
 @SuppressWarnings("NullAway.Init") // picocli sets the fields
 public final class Main implements Callable<Integer> {
@@ -54,6 +57,19 @@ public final class Main implements Callable<Integer> {
     @Option(names = "--traces", paramLabel = "N", description = "How many traces.")
     private int traces;
 
+    @Option(
+            names = "--journal",
+            paramLabel = "DIR",
+            description = "What the core was told in the run that this journal recorded.")
+    private @Nullable Path journal;
+
+    @Option(
+            names = "--record",
+            paramLabel = "DIR",
+            description = "Runs the whole converter with a journal in this empty folder, as often as --traces says,"
+                    + " and prints what the core was told.")
+    private @Nullable Path recorded;
+
     @Option(names = "--length", defaultValue = "90", description = "Inputs of a trace, at most.")
     private int length;
 
@@ -81,13 +97,29 @@ public final class Main implements Callable<Integer> {
             err.println("error: " + wrong.getMessage());
             return CommandLine.ExitCode.USAGE;
         }
-        if (traces == 0) {
-            out.print(Tables.of(evolution));
-        }
-        for (int index = 0; index < traces; index++) {
-            out.print(Trace.random(evolution, seed + index, length));
+        try {
+            print(evolution);
+        } catch (IllegalArgumentException | JournalException wrong) {
+            err.println("error: " + (journal == null ? "" : journal + ": ") + wrong.getMessage());
+            return CommandLine.ExitCode.USAGE;
         }
         out.flush();
         return CommandLine.ExitCode.OK;
+    }
+
+    private void print(EvolvingPair evolution) throws IOException {
+        if (journal != null) {
+            out.print(RecordedTrace.of(evolution, journal));
+        } else if (traces == 0) {
+            out.print(Tables.of(evolution));
+        }
+        for (int index = 0; index < traces; index++) {
+            out.print(recorded == null ? Trace.random(evolution, seed + index, length) : run(evolution, seed + index));
+        }
+    }
+
+    private String run(EvolvingPair evolution, long number) throws IOException {
+        Path folder = Files.createDirectories(requireNonNull(recorded).resolve("run" + number));
+        return RecordedTrace.of(evolution, RecordedRun.record(evolution, timers, folder, number, length));
     }
 }

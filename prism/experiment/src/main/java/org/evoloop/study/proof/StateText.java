@@ -27,6 +27,15 @@ final class StateText {
         return new StateText(evolution, now).write(swapped);
     }
 
+    /** An occurrence as numbers: its event or state, who tells it, and of which visit. */
+    record Numbers(int what, int source, int visit) {}
+
+    /** @param now before it is told */
+    static Numbers numbers(EvolvingPair evolution, Snapshot now, Occurrence occurrence) {
+        StateText text = new StateText(evolution, now);
+        return new Numbers(text.what(occurrence), source(occurrence), text.visit(occurrence));
+    }
+
     private String write(boolean swapped) {
         StringBuilder all = new StringBuilder("= ");
         all.append(numbers(

@@ -25,7 +25,7 @@ class GoldenTest {
 
     private final ByteArrayOutputStream said = new ByteArrayOutputStream();
 
-    private static List<String> arguments(String pair) {
+    static List<String> arguments(String pair) {
         String models = ROOT.resolve("models").toString();
         return pair.equals("robot")
                 ? List.of(
