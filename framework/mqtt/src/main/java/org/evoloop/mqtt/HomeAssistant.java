@@ -325,7 +325,6 @@ public final class HomeAssistant implements AutoCloseable {
             running.interrupt();
             Threads.join(running, END_LIMIT);
         }
-        publish(Message.state(topics.availability(), "offline"));
         connection.close();
     }
 }
