@@ -107,6 +107,7 @@ function list(place, pairs) {
     .flatMap(([term, text, className]) => [element('dt', term), element('dd', text, className)]));
 }
 
+const isViolation = event => event.outcome === 'failed' && event.event.startsWith('violation of ');
 const arrow = one => `${one.source} → ${one.target} on ${one.event}`;
 
 function explain(event) {
@@ -118,7 +119,7 @@ function explain(event) {
   $('headline').textContent = `${event.number}. ${event.event}: ${OUTCOMES[event.outcome] ?? event.outcome}`;
   list($('why'), [
     ['When', new Date(event.at).toLocaleString()],
-    ['From', event.source + (event.deviceActed ? ', the device has already acted' : '') + (event.values ? `, ${event.values}` : '')],
+    ['From', isViolation(event) ? '' : event.source + (event.deviceActed ? ', the device has already acted' : '') + (event.values ? `, ${event.values}` : '')],
     ['Original model', event.before.original === event.after.original ? `stays in ${event.after.original}` : `${event.before.original} → ${event.after.original}`],
     ['New model', event.before.new === event.after.new ? `stays in ${event.after.new}` : `${event.before.new} → ${event.after.new}`],
     ['Why', decision ? MEANINGS[decision.kind] ?? decision.kind : ''],
@@ -173,7 +174,7 @@ function showStatus() {
   if ($('warning').textContent !== text) $('warning').textContent = text;
   const { queue, events: counts, conversionTime, link, faults } = status;
   const running = status.function;
-  const violated = events.findLast(event => event.outcome === 'failed' && event.event.startsWith('violation of '));
+  const violated = events.findLast(isViolation);
   list($('status'), [
     ['Loop', status.loop, status.loop === 'running' ? 'good' : ''],
     ['Queue', `${queue.depth} of ${queue.capacity} waiting, highest ${queue.highest}`],
@@ -244,7 +245,7 @@ function difference({ at, event, source, then, now }) {
 function showOthers() {
   const { evolution, shadow } = status;
   $('others').hidden = !evolution && !shadow && !evolves;
-  $('evolution').textContent = evolution ? `Running: ${evolution}` : 'The models that it was started with are running.';
+  $('evolution').textContent = evolution ? `Running: ${evolution}` : '';
   $('back').hidden = !evolves || !(evolution || shadow);
   $('promote').hidden = $('off').hidden = !shadow;
   $('rollback').hidden = !evolution;

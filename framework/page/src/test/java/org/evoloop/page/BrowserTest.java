@@ -178,7 +178,7 @@ class BrowserTest {
         assertThat(text("shadow")).isEmpty();
         assertThat(text("differences")).isEmpty();
         click("Roll back");
-        browser.await("document.getElementById('evolution').innerText.startsWith('The models that')");
+        browser.await("document.getElementById('evolution').innerText === ''");
         browser.await("!document.querySelector('#new svg text.label[data-source=Move][data-event=Spot]')");
 
         click("Evolve");
