@@ -28,10 +28,12 @@ final class OtherModels implements NewModels {
     private static final Duration PATIENCE = Duration.ofSeconds(10);
 
     private final RoombaConverter roomba;
+    private final Path file;
     private @Nullable List<String> choices;
 
     OtherModels(RoombaConverter roomba) {
         this.roomba = roomba;
+        this.file = ModelReference.parse(running()).file();
     }
 
     @Override
@@ -55,12 +57,16 @@ final class OtherModels implements NewModels {
         };
     }
 
-    /** The new models in the file of the running one that the robot can evolve to, that one included, by name. */
+    @Override
+    public List<String> offered() {
+        return choices().stream().map(name -> file + "#" + name).toList();
+    }
+
+    /** The new models in the file of the one at the start that the robot can evolve to, that one included, by name. */
     synchronized List<String> choices() {
         List<String> known = choices;
         if (known == null) {
             known = new ArrayList<>();
-            Path file = file();
             for (XmiMachine machine : XmiFile.read(file).machines()) {
                 if (fits(file + "#" + machine.name())) {
                     known.add(machine.name());
@@ -69,10 +75,6 @@ final class OtherModels implements NewModels {
             choices = known;
         }
         return known;
-    }
-
-    private Path file() {
-        return ModelReference.parse(running()).file();
     }
 
     private String running() {
@@ -102,7 +104,7 @@ final class OtherModels implements NewModels {
 
     /** Evolves to another one of the {@link #choices}. */
     void choose(String name) {
-        String reference = file() + "#" + name;
+        String reference = file + "#" + name;
         ModelPair next = new ModelPair(roomba.models().pair().original(), read(reference));
         roomba.converter()
                 .evolve(Evolution.to(roomba.converter().knowledgeOf(next)).withDeadline(PATIENCE));

@@ -1,7 +1,6 @@
 package org.evoloop.roomba;
 
 import java.io.IOException;
-import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -166,11 +165,6 @@ final class RoombaCommand implements Callable<Integer> {
                     .completing(before -> before.isEmpty() ? buttons(roomba) : List.of()));
             OtherModels others = new OtherModels(roomba);
             console.evolvesBy(others);
-            console.addCommand(ConsoleCommand.of(
-                            "model NAME",
-                            "puts another new model of the same file in, as evolve does",
-                            (arguments, out) -> choose(others, arguments.get(0), out))
-                    .completing(before -> before.isEmpty() ? others.choices() : List.of()));
             if (world != null) {
                 console.addCommand(ConsoleCommand.of(
                                 "robot COMMAND [ARGUMENT] [ARGUMENT] [ARGUMENT]",
@@ -182,15 +176,6 @@ final class RoombaCommand implements Callable<Integer> {
             showAtHome(roomba, others, console);
             return service.run(console);
         }
-    }
-
-    private static void choose(OtherModels others, String name, PrintStream out) {
-        if (!others.choices().contains(name)) {
-            throw new IllegalArgumentException(
-                    "no model is named " + Names.shown(name) + "; there are " + String.join(", ", others.choices()));
-        }
-        others.choose(name);
-        out.println("the new model is " + others.chosen());
     }
 
     private static List<String> buttons(RoombaConverter roomba) {

@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.Deque;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Consumer;
@@ -53,6 +54,7 @@ public final class Console {
     private final List<Consumer<String>> endListeners = new ArrayList<>();
     private final Ending ending = new Ending();
     private boolean outlivesInput;
+    private @Nullable NewModels newModels;
 
     private final Reader reader = new Reader() {
         @Override
@@ -122,7 +124,13 @@ public final class Console {
      * @param models reads what they name
      */
     public void evolvesBy(NewModels models) {
+        newModels = models;
         EvolveCommands.of(converter, models).forEach(commands::add);
+    }
+
+    /** By what {@code evolve} reads other models; empty if there is no such command. */
+    public Optional<NewModels> newModels() {
+        return Optional.ofNullable(newModels);
     }
 
     /** Adds a command, before {@link #run}. @throws IllegalArgumentException if there is one of that name */

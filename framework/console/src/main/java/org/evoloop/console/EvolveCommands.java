@@ -6,6 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayDeque;
+import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
 import java.util.Locale;
@@ -48,13 +49,19 @@ final class EvolveCommands {
                                 --probation SECONDS: rolls back if anything goes wrong meanwhile
                                 --probation-events N: the same for so many events
                                 --no-way-back: also if no way leads back from some of its states""", own::evolve)
-                        .completing(before -> before.isEmpty() ? List.of() : OPTIONS),
+                        .completing(before -> before.isEmpty() ? models.offered() : OPTIONS),
                 ConsoleCommand.of("rollback", "puts the models before the last evolve back in", own::rollBack),
                 ConsoleCommand.of("shadow [FILE#NAME|off] [OPTION...]", """
                                 tells another new model the same, without performing what it says; alone: what it would
                                 have done otherwise; options as of evolve, which hold when it is promoted""", own::shadow)
-                        .completing(before -> before.isEmpty() ? List.of("off") : OPTIONS),
+                        .completing(before -> before.isEmpty() ? own.shadows() : OPTIONS),
                 ConsoleCommand.of("promote", "puts the shadow in, as evolve does", own::promote));
+    }
+
+    private List<String> shadows() {
+        List<String> words = new ArrayList<>(models.offered());
+        words.add("off");
+        return words;
     }
 
     private void evolve(List<String> arguments, PrintStream out) {
@@ -89,6 +96,7 @@ final class EvolveCommands {
             ShadowReport report = present.get().report();
             out.println(report + "; it would be in " + report.at());
             report.differences().forEach(out::println);
+            report.faults().forEach(out::println);
         }
     }
 

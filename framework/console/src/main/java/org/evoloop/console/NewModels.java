@@ -1,5 +1,6 @@
 package org.evoloop.console;
 
+import java.util.List;
 import org.evoloop.converter.Probation;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.statemachine.StateMachine;
@@ -18,6 +19,11 @@ public interface NewModels {
      * @throws org.evoloop.statemachine.ModelException if there is none, or it is wrong; the message says what and where
      */
     StateMachine read(String reference);
+
+    /** The new models that are offered to choose from, as {@code FILE#NAME}; any other may be named, too. */
+    default List<String> offered() {
+        return List.of();
+    }
 
     /**
      * What has to hold while the models are on probation, besides that nothing fails.

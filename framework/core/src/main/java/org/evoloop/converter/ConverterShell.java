@@ -112,10 +112,10 @@ final class ConverterShell implements LoopListener<Occurrence> {
      *
      * @throws EvolutionException if something keeps it from that now
      */
-    void shadow(Swap swap) {
+    void shadow(Swap swap, Probation.Watches watches) {
         AtomicBoolean begun = new AtomicBoolean();
         loop.between(LONGEST_WAIT, () -> {
-            driver.shadow(swap);
+            driver.shadow(swap, watches);
             begun.set(true);
         });
         if (!begun.get()) {

@@ -338,9 +338,9 @@ final class CoreDriver implements Intake<Occurrence> {
      *
      * @throws EvolutionException if they have no place for where the system is
      */
-    synchronized void shadow(Swap swap) {
+    synchronized void shadow(Swap swap, Probation.Watches watches) {
         requirePossible(swap);
-        ShadowCore begun = new ShadowCore(core, swap, clock);
+        ShadowCore begun = new ShadowCore(core, swap, watches, clock);
         shadow = begun;
         outputs.shadow = begun.hears();
     }

@@ -87,7 +87,9 @@ final class Evolver {
         changes.change(() -> {
             belongings.take(next, next.name());
             try {
-                shell.shadow(compile(shell, evolution, false).swap());
+                shell.shadow(
+                        compile(shell, evolution, false).swap(),
+                        evolution.probation().watches());
             } catch (RuntimeException refused) {
                 belongings.giveBack(next);
                 throw refused;

@@ -6,7 +6,8 @@ package org.evoloop.converter;
  *
  * <p>A step of theirs succeeds unless the running models' step for the same event failed; guards hold that hold for the
  * running models; functions do not run: their events are heard while both new models are in the same state. Timers are due
- * by the other models' own deadlines.
+ * by the other models' own deadlines. What the {@linkplain Probation.Watches watches} of the evolution find in what they
+ * make of events is told, too.
  *
  * <p>Threading: thread-safe.
  *

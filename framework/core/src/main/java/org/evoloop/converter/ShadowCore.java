@@ -1,17 +1,20 @@
 package org.evoloop.converter;
 
+import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
 import org.evoloop.core.Core;
 import org.evoloop.core.Input;
+import org.evoloop.core.Output;
 import org.evoloop.core.Outputs;
 import org.evoloop.core.Swap;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.rehearsal.Chronicle;
 import org.evoloop.rehearsal.Comparison;
 import org.evoloop.rehearsal.Difference;
+import org.evoloop.rehearsal.Ending;
 import org.evoloop.rehearsal.Verdict;
 import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
@@ -30,13 +33,19 @@ final class ShadowCore {
     private final Instant since;
     private final Core core;
     private final Chronicle running;
-    private final Comparison comparison = new Comparison(this::compared, ending -> {});
+    private final Comparison comparison = new Comparison(this::compared, this::otherEnded);
+    private final Probation.Watch watch;
     private final Deque<Difference> kept = new ArrayDeque<>();
+    private final Deque<ShadowReport.Fault> faults = new ArrayDeque<>();
     private long events;
     private long different;
 
-    /** Begins where the running models are, in terms of the others. */
-    ShadowCore(Core core, Swap swap, Clock clock) {
+    /**
+     * Begins where the running models are, in terms of the others.
+     *
+     * @param watches look at what the others make of each event
+     */
+    ShadowCore(Core core, Swap swap, Probation.Watches watches, Clock clock) {
         this.model = swap.name();
         this.core = core;
         this.clock = clock;
@@ -45,6 +54,7 @@ final class ShadowCore {
                 new Chronicle(core.snapshot().visit().number(), ending -> comparison.ended(ending, clock.nanoTime()));
         Core placed = new Core(core.rules(), core.snapshot(), output -> {});
         placed.evolved(swap, clock.nanoTime());
+        this.watch = watches.begin(swap.rules().table(), placed.snapshot().at());
         comparison.begin(swap.rules(), Comparison.still(placed.snapshot()));
     }
 
@@ -68,17 +78,51 @@ final class ShadowCore {
         events++;
         if (then == null || now == null || !then.isSame(now)) {
             different++;
-            Instant at = clock.wallTime().minusNanos(clock.nanoTime() - occurrence.observedNanos());
-            kept.add(new Difference(at, occurrence, then, now));
-            if (kept.size() > MOST_KEPT) {
-                kept.remove();
-            }
+            keep(kept, new Difference(at(occurrence), occurrence, then, now));
+        }
+    }
+
+    private Instant at(Occurrence occurrence) {
+        return clock.wallTime().minusNanos(clock.nanoTime() - occurrence.observedNanos());
+    }
+
+    private static <T> void keep(Deque<T> all, T newest) {
+        all.add(newest);
+        if (all.size() > MOST_KEPT) {
+            all.remove();
+        }
+    }
+
+    private void otherEnded(Ending ending) {
+        Output.Ended ended = ending.ended();
+        String fault = fault(new HistoryEntry(
+                events + 1,
+                clock.wallTime(),
+                ended.occurrence(),
+                ended.before(),
+                ended.after(),
+                ended.outcome(),
+                ended.detail(),
+                ended.decision(),
+                Duration.ZERO));
+        if (!fault.isEmpty()) {
+            keep(faults, new ShadowReport.Fault(at(ended.occurrence()), fault));
+        }
+    }
+
+    private String fault(HistoryEntry entry) {
+        try {
+            return watch.faultIn(entry);
+        } catch (RuntimeException failure) {
+            // The running models' work goes on, whatever is wrong with what looks at others.
+            return "what watches the properties has failed: " + failure;
         }
     }
 
     /** How it stands now. */
     ShadowReport report() {
         comparison.pass(clock.nanoTime());
-        return new ShadowReport(model, since, comparison.at(), events, different, List.copyOf(kept));
+        return new ShadowReport(
+                model, since, comparison.at(), events, different, List.copyOf(kept), List.copyOf(faults));
     }
 }

@@ -174,6 +174,32 @@ class ShadowTest {
         assertThat(begin(next).report().events()).isZero();
     }
 
+    @Test
+    void whatWatchesTheOtherModelsTellsWhatTheyWouldHaveBroken() {
+        press("play");
+        StateKnowledge next = Player.knowledge(
+                List.of("Fading"), NewFunction.none(), "Paused fade -> Fading", "Fading play -> Playing");
+        Probation.Watches watches = (table, from) -> {
+            assertThat(from).hasToString("(Playing, Playing)");
+            return entry -> switch (entry.after().toString()) {
+                case "(Paused, Fading)" -> "'Never fading' is broken";
+                case "(Stopped, Stopped)" -> throw new IllegalStateException("lost count");
+                default -> "";
+            };
+        };
+        Shadow shadow = player.converter.shadow(
+                Evolution.to(next).withoutWayBack().withProbation(Probation.NONE.watchedBy(watches)));
+        press("pause", "fade", "play", "stop");
+
+        assertThat(shadow.report().faults())
+                .extracting(ShadowReport.Fault::why)
+                .containsExactly(
+                        "'Never fading' is broken",
+                        "what watches the properties has failed: java.lang.IllegalStateException: lost count");
+        assertThat(shadow.report()).asString().endsWith("decided otherwise; properties broken: 2");
+        assertThat(player.sent).containsExactly("play", "pause", "play", "stop");
+    }
+
     /** An equal model decides the same, whatever happens. */
     @ParameterizedTest
     @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8})

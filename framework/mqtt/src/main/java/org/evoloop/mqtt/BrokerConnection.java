@@ -4,9 +4,11 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
@@ -38,6 +40,7 @@ public final class BrokerConnection implements DeviceLink, AutoCloseable {
     private final BrokerAddress address;
     private final String client;
     private final Map<String, Consumer<Message>> consumers = new LinkedHashMap<>();
+    private final List<Runnable> whenLost = new CopyOnWriteArrayList<>();
     private final Outbox outbox = new Outbox();
     private final Attempts attempts = new Attempts();
     private final CountDownLatch closed = new CountDownLatch(1);
@@ -57,9 +60,14 @@ public final class BrokerConnection implements DeviceLink, AutoCloseable {
         this.trouble = address + " has not been reached yet";
     }
 
-    /** What the broker publishes when this client is gone without a goodbye; before {@link #open}. */
+    /** What the broker publishes when this client is gone, however it ended; before {@link #open}. */
     public synchronized void will(Message message) {
         will = message;
+    }
+
+    /** Has something done each time that a connection has ended, before the next one; before {@link #open}. */
+    synchronized void onLost(Runnable action) {
+        whenLost.add(action);
     }
 
     /**
@@ -139,6 +147,7 @@ public final class BrokerConnection implements DeviceLink, AutoCloseable {
                 downSince = Instant.now();
             }
             outbox.discardCommands();
+            whenLost.forEach(Runnable::run);
         }
     }
 
@@ -187,7 +196,7 @@ public final class BrokerConnection implements DeviceLink, AutoCloseable {
         synchronized (this) {
             consumer = consumers.get(message.topic());
         }
-        if (consumer != null) {
+        if (consumer != null && !closing) {
             consumer.accept(message);
         }
     }

@@ -9,6 +9,7 @@ import com.hivemq.client.mqtt.mqtt5.Mqtt5Client;
 import com.hivemq.client.mqtt.mqtt5.Mqtt5ClientBuilder;
 import com.hivemq.client.mqtt.mqtt5.message.auth.Mqtt5SimpleAuth;
 import com.hivemq.client.mqtt.mqtt5.message.auth.Mqtt5SimpleAuthBuilder;
+import com.hivemq.client.mqtt.mqtt5.message.disconnect.Mqtt5DisconnectReasonCode;
 import com.hivemq.client.mqtt.mqtt5.message.publish.Mqtt5Publish;
 import java.nio.charset.StandardCharsets;
 import java.util.Set;
@@ -177,12 +178,15 @@ final class HiveSession implements AutoCloseable {
         }
     }
 
-    /** Says goodbye, so that the will is not published, if the connection is there. Idempotent. */
+    /** Says goodbye, if the connection is there; the broker publishes the will. Idempotent. */
     @Override
     public void close() {
         boolean interrupted = Thread.interrupted();
         try {
-            client.disconnect().get(GOODBYE_SECONDS, TimeUnit.SECONDS);
+            client.disconnectWith()
+                    .reasonCode(Mqtt5DisconnectReasonCode.DISCONNECT_WITH_WILL_MESSAGE)
+                    .send()
+                    .get(GOODBYE_SECONDS, TimeUnit.SECONDS);
         } catch (InterruptedException hurry) {
             interrupted = true;
         } catch (ExecutionException | TimeoutException gone) {

@@ -61,6 +61,9 @@ public final class HomeAssistant implements AutoCloseable {
     private final Set<HomeReading> readings = new LinkedHashSet<>();
 
     private boolean described;
+    /** Whether there was ever one: its entities do not go with it. */
+    private boolean shadowed;
+
     private @Nullable Errand errand;
     private @Nullable Vacuum vacuum;
     private @Nullable Thread thread;
@@ -133,6 +136,10 @@ public final class HomeAssistant implements AutoCloseable {
         });
         obey(topics.press(), controller::press);
         obey(topics.converting(), this::convert);
+        // It waits until it is possible, and other commands do not wait for it.
+        obey(
+                topics.promote(),
+                payload -> Threads.start("mqtt-promote-" + topics.id(), () -> obey(any -> promote(), payload)));
         Vacuum shown = vacuum;
         if (shown != null) {
             obey(topics.vacuumCommand(), command -> shown.perform(command(command)));
@@ -167,6 +174,13 @@ public final class HomeAssistant implements AutoCloseable {
             case "OFF" -> converter.stop();
             default -> throw new IllegalArgumentException("converting is ON or OFF, not " + payload);
         }
+    }
+
+    private void promote() {
+        converter
+                .shadow()
+                .orElseThrow(() -> new IllegalStateException("there is no shadow"))
+                .promote();
     }
 
     /** What is done on a command. */
@@ -219,7 +233,12 @@ public final class HomeAssistant implements AutoCloseable {
 
     private void show() {
         ConverterStatus status = converter.status();
+        JsonObject shadow = converter.shadow().map(HomeState::shadow).orElse(HomeState.NO_SHADOW);
         boolean more = !described;
+        if (shadow != HomeState.NO_SHADOW && !shadowed) {
+            shadowed = true;
+            more = true;
+        }
         for (Reading reading : HomeState.readings(status)) {
             more |= readings.add(HomeReading.of(reading));
         }
@@ -235,6 +254,9 @@ public final class HomeAssistant implements AutoCloseable {
             publish(Message.state(
                     topics.vacuum(), new JsonObject().put("state", activity).toString()));
         }
+        if (shadowed) {
+            publish(Message.state(topics.shadow(), shadow.toString()));
+        }
         publish(Message.state(
                 topics.diagnostics(), HomeState.diagnostics(status, connection).toString()));
         boolean ended = status.loop() == LoopState.EXITED;
@@ -249,6 +271,9 @@ public final class HomeAssistant implements AutoCloseable {
         }
         if (status.link() != null) {
             discovery.link();
+        }
+        if (shadowed) {
+            discovery.shadow();
         }
         readings.forEach(discovery::reading);
         choices.forEach(discovery::choice);
@@ -267,6 +292,9 @@ public final class HomeAssistant implements AutoCloseable {
     private final class Listener implements ConverterListener {
         @Override
         public void ended(HistoryEntry entry) {
+            if (entry.occurrence() instanceof Occurrence.Violated violated) {
+                lastFailure = violated.label();
+            }
             publish(Message.event(topics.decision(), HomeState.decision(entry).toString()));
             look();
         }
@@ -297,7 +325,6 @@ public final class HomeAssistant implements AutoCloseable {
             running.interrupt();
             Threads.join(running, END_LIMIT);
         }
-        publish(Message.state(topics.availability(), "offline"));
         connection.close();
     }
 }

@@ -116,6 +116,26 @@ final class HomeDiscovery {
                                 List.of("start", "stop", "pause", "return_home", "clean_spot", "locate", "status")));
     }
 
+    /** What other models would have decided beside those that run. */
+    HomeDiscovery shadow() {
+        add(
+                "sensor",
+                "shadow_different",
+                "Shadow decided otherwise",
+                count -> count.put("state_topic", topics.shadow())
+                        .put("value_template", "{{ value_json.different }}")
+                        .put("json_attributes_topic", topics.shadow())
+                        .put("state_class", "total_increasing")
+                        .put("entity_category", DIAGNOSTIC));
+        return add(
+                "button",
+                "promote",
+                "Promote shadow",
+                promote -> promote.put("command_topic", topics.promote())
+                        .put("payload_press", "PROMOTE")
+                        .put("entity_category", "config"));
+    }
+
     /** What can be chosen. */
     HomeDiscovery choice(Choice choice) {
         return add(

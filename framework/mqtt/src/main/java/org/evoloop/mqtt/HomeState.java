@@ -3,8 +3,10 @@ package org.evoloop.mqtt;
 import java.util.List;
 import java.util.Locale;
 import org.evoloop.console.JsonObject;
+import org.evoloop.console.ShadowJson;
 import org.evoloop.converter.ConverterStatus;
 import org.evoloop.converter.HistoryEntry;
+import org.evoloop.converter.Shadow;
 import org.evoloop.function.Reading;
 import org.evoloop.loop.ComponentStatus;
 import org.evoloop.loop.LoopState;
@@ -16,6 +18,12 @@ final class HomeState {
 
     /** What stands for nothing where Home Assistant wants a text. */
     private static final String NONE = "none";
+
+    /** The newest: Home Assistant keeps attributes of 16 KB. */
+    private static final int DIFFERENCES = 10;
+
+    /** No shadow: Home Assistant takes it for unknown. */
+    static final JsonObject NO_SHADOW = new JsonObject().put("different", (String) null);
 
     private HomeState() {}
 
@@ -76,6 +84,15 @@ final class HomeState {
                 .put("conversion_micros", status.conversionTime().medianNanos() / 1000)
                 .put("connects", connection.connects())
                 .put("lost", connection.lost());
+    }
+
+    /** What other models would have decided; nothing once they have ended. */
+    static JsonObject shadow(Shadow shadow) {
+        try {
+            return ShadowJson.of(shadow.report(), DIFFERENCES);
+        } catch (IllegalStateException ended) {
+            return NO_SHADOW;
+        }
     }
 
     /** What became of an event, and why. */

@@ -31,6 +31,16 @@ record HomeTopics(String id, String discovery) {
         return own("diagnostics");
     }
 
+    /** What a shadow would have done, as JSON. */
+    String shadow() {
+        return own("shadow");
+    }
+
+    /** Puts the shadow in. */
+    String promote() {
+        return own("shadow/promote");
+    }
+
     /** What became of an event, as JSON. */
     String decision() {
         return own("decision");

@@ -1,10 +1,12 @@
 package org.evoloop.mqtt;
 
 import java.util.LinkedHashSet;
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.function.Consumer;
 import org.evoloop.converter.PushMonitor;
+import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -14,6 +16,8 @@ import org.slf4j.LoggerFactory;
  * <pre>{@code
  * new MqttMonitor("WallSwitch", broker).controller("zigbee2mqtt/switch/action", Map.of("single", "switch"));
  * }</pre>
+ *
+ * <p>With {@link #bypassed} the controller's events may reach the device while this converter is gone.
  *
  * <p>What the broker had retained is from another time, and ignored. So are other payloads than those named.
  *
@@ -28,6 +32,10 @@ public class MqttMonitor extends PushMonitor {
 
     private final BrokerConnection connection;
     private final Set<String> devicesOwn = new LinkedHashSet<>();
+    private @Nullable Fence fence;
+
+    /** How much of what a bypass has passed on the converter has been told. */
+    private int told;
 
     /** @param name what the console calls it, unique within a converter */
     public MqttMonitor(String name, BrokerConnection connection) {
@@ -41,7 +49,11 @@ public class MqttMonitor extends PushMonitor {
      * @param events by payload
      */
     public final MqttMonitor controller(String topic, Map<String, String> events) {
-        return on(topic, events, event -> push(fromController(event)));
+        return on(topic, events, event -> {
+            if (fence == null || fence.isPassed()) {
+                push(fromController(event));
+            }
+        });
     }
 
     /**
@@ -52,6 +64,31 @@ public class MqttMonitor extends PushMonitor {
     public final MqttMonitor device(String topic, Map<String, String> events) {
         devicesOwn.addAll(events.values());
         return on(topic, events, event -> push(fromDevice(event)));
+    }
+
+    /**
+     * While this converter is gone, an {@link MqttBypass} passes the controller's events on. The controller's events count from
+     * when the bypass knows that the converter is here; what was passed on until then comes first, as what the device has already
+     * acted on.
+     *
+     * @param topic below which both tell each other how they are, such as {@code evoloop/lamp/bypass}
+     */
+    public final MqttMonitor bypassed(String topic) {
+        BypassTopics topics = new BypassTopics(topic);
+        connection.subscribe(topics.passed(), message -> {
+            hearPassed(message);
+            connection.publish(Message.event(topics.told(), Integer.toString(told)));
+        });
+        fence = new Fence(connection, topics.converter(), () -> {});
+        return this;
+    }
+
+    private void hearPassed(Message message) {
+        List<String> passed = BypassTopics.events(message);
+        for (String event : passed.subList(Math.min(told, passed.size()), passed.size())) {
+            push(fromPanel(event, true));
+        }
+        told = passed.size();
     }
 
     private MqttMonitor on(String topic, Map<String, String> events, Consumer<String> heard) {

@@ -112,6 +112,60 @@ class HomeAssistantTest {
     }
 
     @Test
+    void aShadowIsShownWithWhatItWouldDecideAndPromoted() throws Exception {
+        watcher.awaitNewest("evoloop/lamp/availability", "online");
+        assertThat(watcher.newest(CONFIG)).doesNotContain("shadow");
+        watcher.publish("evoloop/lamp/shadow/promote", "PROMOTE", false);
+        watcher.awaitHeard(DECISION, "there is no shadow");
+        lamp.converter.start();
+        lamp.shadow();
+        watcher.awaitNewest("evoloop/lamp/shadow", "\"model\":\"plain\"");
+        watcher.awaitNewest(CONFIG, "Promote shadow");
+        lamp.wallSwitch.press("switch");
+        lamp.wallSwitch.press("switch");
+        watcher.awaitNewest("evoloop/lamp/shadow", "\"different\":1");
+        assertThat(watcher.newest("evoloop/lamp/shadow"))
+                .contains("\"now\":\"(on, on) -> (off, off), sends switch", "\"newState\":\"off\"");
+        DiscoverySchema.check(
+                watcher.newest(CONFIG),
+                Map.of(
+                        STATE,
+                        watcher.newest(STATE),
+                        "evoloop/lamp/diagnostics",
+                        watcher.newest("evoloop/lamp/diagnostics"),
+                        "evoloop/lamp/shadow",
+                        watcher.newest("evoloop/lamp/shadow")));
+        lamp.wallSwitch.press("switch");
+        watcher.awaitNewest(STATE, "\"state\":\"incandescentOn\"");
+        watcher.publish("evoloop/lamp/shadow/promote", "PROMOTE", false);
+        await().atMost(LIMIT).until(() -> {
+            lamp.clock.advance(Duration.ofSeconds(10));
+            return watcher.heard().stream().anyMatch(line -> line.contains("has no state incandescentOn"));
+        });
+        lamp.wallSwitch.press("switch");
+        watcher.awaitNewest(STATE, "\"state\":\"off\"");
+        watcher.publish("evoloop/lamp/shadow/promote", "PROMOTE", false);
+        watcher.awaitNewest("evoloop/lamp/shadow", "{\"different\":null}");
+        await().atMost(LIMIT).until(() -> !watcher.newest(CONFIG).contains("incandescentOn"));
+        assertThat(watcher.newest(CONFIG)).contains("Promote shadow");
+    }
+
+    @Test
+    void aViolationOfAPropertyOfTimeIsAnEventThatHasFailed() throws Exception {
+        watcher.awaitNewest("evoloop/lamp/availability", "online");
+        lamp.converter.start();
+        lamp.wallSwitch.press("switch");
+        watcher.awaitNewest(STATE, "\"state\":\"on\"");
+        lamp.clock.advance(Duration.ofMillis(1));
+        watcher.awaitHeard(DECISION, "\"event\":\"violation of Nobody plays with the light\"");
+        assertThat(watcher.heard())
+                .anyMatch(line -> line.startsWith(DECISION)
+                        && line.contains("\"event_type\":\"failed\"")
+                        && line.contains("violation of Nobody plays with the light"));
+        watcher.awaitNewest(STATE, "\"last_failure\":\"violation of Nobody plays with the light");
+    }
+
+    @Test
     void theVacuumObeysItsCommandsAndNoneThatIsOld() throws Exception {
         watcher.awaitNewest("evoloop/lamp/availability", "online");
         watcher.publish("evoloop/lamp/vacuum/set", "return_to_base", true);

@@ -4,15 +4,20 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
+import org.evoloop.Alarm;
+import org.evoloop.Machines;
 import org.evoloop.PaperModels;
 import org.evoloop.converter.DeviceLink;
 import org.evoloop.converter.EventExecute;
+import org.evoloop.converter.Evolution;
 import org.evoloop.converter.PushMonitor;
 import org.evoloop.converter.StateKnowledge;
 import org.evoloop.converter.SystemEventConverter;
+import org.evoloop.evolution.ModelPair;
 import org.evoloop.evolution.Step;
 import org.evoloop.function.Reading;
 import org.evoloop.loop.LoopConfig;
+import org.evoloop.statemachine.StateMachine;
 import org.evoloop.time.ManualClock;
 
 /** The light bulb's converter, with a link that can be cut. */
@@ -37,15 +42,31 @@ final class Lamp implements DeviceLink, AutoCloseable {
                 sent.add(step.trigger().name());
             }
         });
-        converter.addKnowledge(new StateKnowledge(PaperModels.lightBulb()) {
-            @Override
-            protected void registerNewFunctions() {
-                timer("wait", "timeout", Duration.ofSeconds(2));
-                function("incandescentOn", visit -> visit.progress("warming up", List.of(Reading.of("warm", 40, "%"))));
-            }
-        });
+        converter.addKnowledge(new Knowledge(PaperModels.lightBulb()));
+        converter.addKnowledgeFactory(Knowledge::new);
+        converter.watch((models, at, nanos) -> new Alarm("Nobody plays with the light", "switch"));
         converter.addLink(this);
         converter.build();
+    }
+
+    private static final class Knowledge extends StateKnowledge {
+        Knowledge(ModelPair models) {
+            super(models);
+        }
+
+        @Override
+        protected void registerNewFunctions() {
+            timer("wait", "timeout", Duration.ofSeconds(2));
+            function("incandescentOn", visit -> visit.progress("warming up", List.of(Reading.of("warm", 40, "%"))));
+        }
+    }
+
+    /** Has the lamp go off at once beside the one that waits. */
+    void shadow() {
+        ModelPair running = converter.knowledge().models();
+        StateMachine plain = Machines.machine("plain", "off switch -> on", "on switch -> off");
+        converter.shadow(Evolution.to(converter.knowledgeOf(new ModelPair(running.original(), plain)))
+                .withoutWayBack());
     }
 
     @Override

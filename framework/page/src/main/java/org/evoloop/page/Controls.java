@@ -7,19 +7,26 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
 import java.util.Set;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.evoloop.console.Console;
 import org.evoloop.console.ConsoleCommand;
 import org.evoloop.console.JsonObject;
+import org.evoloop.console.NewModels;
 import org.evoloop.converter.SystemEventConverter;
 
 /**
  * What can be done on the page: start, stop, exchange, and those of the application's commands that can be buttons because they
- * take no argument or one of some known words.
+ * take no argument or one of some known words. If the program offers it, other models can be put in, or beside, of those that
+ * it names: whoever controls on the page names no files.
  *
  * <p>Threading: thread-safe.
  */
 final class Controls {
     private static final Set<String> OF_EVERY_CONVERTER = Set.of("start", "stop", "exchange");
+
+    private static final Pattern OF_MODELS = Pattern.compile(
+            "rollback|promote|shadow off|(?:evolve|shadow) \"([^\"]+)\"(?: --(?:within|probation) [0-9]+)*");
 
     private final Console console;
     private final SystemEventConverter converter;
@@ -29,7 +36,10 @@ final class Controls {
         this.converter = console.converters().get(0);
     }
 
-    /** {@code commands}: {@code name}, {@code help}, {@code choices}; {@code spares}. */
+    /**
+     * {@code commands}: {@code name}, {@code help}, {@code choices}; {@code spares}; {@code evolves}, and if so, {@code models},
+     * those that are offered.
+     */
     JsonObject offered() {
         List<JsonObject> commands = new ArrayList<>();
         for (ConsoleCommand command : buttons()) {
@@ -38,7 +48,15 @@ final class Controls {
                     .put("help", command.help())
                     .putTexts("choices", choices(command)));
         }
-        return new JsonObject().put("commands", commands).putTexts("spares", converter.spares());
+        return new JsonObject()
+                .put("commands", commands)
+                .putTexts("spares", converter.spares())
+                .put("evolves", console.newModels().isPresent())
+                .putTexts("models", models());
+    }
+
+    private List<String> models() {
+        return console.newModels().map(NewModels::offered).orElse(List.of());
     }
 
     private List<ConsoleCommand> buttons() {
@@ -65,7 +83,8 @@ final class Controls {
     JsonObject perform(String line) throws InterruptedException {
         String name = line.strip().split("\\s", 2)[0];
         if (!OF_EVERY_CONVERTER.contains(name)
-                && buttons().stream().noneMatch(command -> command.name().equals(name))) {
+                && buttons().stream().noneMatch(command -> command.name().equals(name))
+                && !isOfModels(line)) {
             return new JsonObject().put("status", 2).put("output", "").put("error", "the page has no command " + name);
         }
         ByteArrayOutputStream results = new ByteArrayOutputStream();
@@ -78,5 +97,12 @@ final class Controls {
                 .put("status", status)
                 .put("output", results.toString(StandardCharsets.UTF_8).strip())
                 .put("error", errors.toString(StandardCharsets.UTF_8).strip().replaceFirst("^error: ", ""));
+    }
+
+    private boolean isOfModels(String line) {
+        Matcher asked = OF_MODELS.matcher(line.strip());
+        return console.newModels().isPresent()
+                && asked.matches()
+                && (asked.group(1) == null || models().contains(asked.group(1)));
     }
 }

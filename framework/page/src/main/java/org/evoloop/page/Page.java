@@ -10,6 +10,7 @@ import java.util.Objects;
 import java.util.concurrent.Semaphore;
 import org.evoloop.console.Console;
 import org.evoloop.console.JsonObject;
+import org.evoloop.console.ShadowJson;
 import org.evoloop.converter.HistoryEntry;
 import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.evolution.ModelPair;
@@ -36,6 +37,9 @@ import org.jspecify.annotations.Nullable;
 public final class Page implements AutoCloseable {
     private static final int LONGEST_REQUEST = 4096;
     private static final int HISTORY_PAGE = 500;
+
+    /** What a shadow would have done otherwise: so many of the newest. */
+    private static final int DIFFERENCES = 20;
 
     private final Console console;
     private final SystemEventConverter converter;
@@ -93,6 +97,7 @@ public final class Page implements AutoCloseable {
         to.onStream("/events", exchange -> new Stream(broadcast, to.deadlines(), clock).serve(exchange));
         to.on("GET", "/about", exchange -> Answer.json(exchange, about()));
         to.on("GET", "/history", this::history);
+        to.on("GET", "/shadow", this::shadow);
         to.on("GET", "/picture", this::picture);
         to.on("GET", "/controls", exchange -> controls(to, exchange));
         to.on("POST", "/session", exchange -> session(to, exchange));
@@ -157,6 +162,21 @@ public final class Page implements AutoCloseable {
                             .toString());
         } finally {
             readingHistory.release();
+        }
+    }
+
+    private void shadow(HttpExchange exchange) throws IOException {
+        Answer.json(exchange, shadowJson().toString());
+    }
+
+    private JsonObject shadowJson() {
+        try {
+            return converter
+                    .shadow()
+                    .map(shadow -> ShadowJson.of(shadow.report(), DIFFERENCES))
+                    .orElseGet(JsonObject::new);
+        } catch (IllegalStateException ended) {
+            return new JsonObject();
         }
     }
 

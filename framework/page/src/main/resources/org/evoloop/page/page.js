@@ -78,6 +78,7 @@ async function load(before) {
     // The stream says that the connection is gone.
   } finally {
     loading = null;
+    if (status) showStatus();
     show();
   }
 }
@@ -106,6 +107,7 @@ function list(place, pairs) {
     .flatMap(([term, text, className]) => [element('dt', term), element('dd', text, className)]));
 }
 
+const isViolation = event => event.outcome === 'failed' && event.event.startsWith('violation of ');
 const arrow = one => `${one.source} → ${one.target} on ${one.event}`;
 
 function explain(event) {
@@ -117,7 +119,7 @@ function explain(event) {
   $('headline').textContent = `${event.number}. ${event.event}: ${OUTCOMES[event.outcome] ?? event.outcome}`;
   list($('why'), [
     ['When', new Date(event.at).toLocaleString()],
-    ['From', event.source + (event.deviceActed ? ', the device has already acted' : '') + (event.values ? `, ${event.values}` : '')],
+    ['From', isViolation(event) ? '' : event.source + (event.deviceActed ? ', the device has already acted' : '') + (event.values ? `, ${event.values}` : '')],
     ['Original model', event.before.original === event.after.original ? `stays in ${event.after.original}` : `${event.before.original} → ${event.after.original}`],
     ['New model', event.before.new === event.after.new ? `stays in ${event.after.new}` : `${event.before.new} → ${event.after.new}`],
     ['Why', decision ? MEANINGS[decision.kind] ?? decision.kind : ''],
@@ -172,12 +174,13 @@ function showStatus() {
   if ($('warning').textContent !== text) $('warning').textContent = text;
   const { queue, events: counts, conversionTime, link, faults } = status;
   const running = status.function;
+  const violated = events.findLast(isViolation);
   list($('status'), [
     ['Loop', status.loop, status.loop === 'running' ? 'good' : ''],
-    ...(status.evolution ? [['Models', status.evolution]] : []),
     ['Queue', `${queue.depth} of ${queue.capacity} waiting, highest ${queue.highest}`],
     ['Lost', `${queue.dropped} dropped, ${queue.refused} refused`, queue.dropped ? 'bad' : ''],
     ['Events', `${counts.handled} handled, ${counts.ignored} ignored, ${counts.stale} stale, ${counts.failed} failed`],
+    ['Violated', violated ? `${violated.event.slice('violation of '.length)}, ${new Date(violated.at).toLocaleString()}` : '', 'bad'],
     ['Conversion', conversionTime.events ? `last ${duration(conversionTime.lastNanos)}, median ${duration(conversionTime.medianNanos)}, 99th percentile ${duration(conversionTime.percentile99Nanos)}` : 'none yet'],
     ['Function', running.state ? [running.state, running.progress, ...readings.function].filter(Boolean).join(', ') : 'none'],
     ['Link', link ? `${link.up ? 'up' : 'DOWN'}${link.text ? `, ${link.text}` : ''}` : '', link && !link.up ? 'bad' : 'good'],
@@ -209,17 +212,73 @@ function listen() {
   stream.onmessage = message => {
     const update = JSON.parse(message.data);
     ({ status, readings } = update);
-    // Other models have other states and transitions to draw.
+    // Other models have other states and transitions to draw, and other events to press.
     const evolution = status.evolution.split(', on probation')[0];
-    if (drawnFor !== null && drawnFor !== evolution) return location.reload();
+    if (drawnFor !== null && drawnFor !== evolution) {
+      drawModels().then(() => admit(null)).catch(() => location.reload());
+    }
     drawnFor = evolution;
     const known = events.length ? events[events.length - 1].number : 0;
     add(update.events);
     if (update.last > known + update.events.length) load();
     showStatus();
+    showOthers();
     show();
-    return undefined;
   };
+}
+
+// Other models
+
+let shadowShown = '';
+let evolves = false;
+
+const clock = at => new Date(at).toLocaleTimeString();
+
+function difference({ at, event, source, then, now }) {
+  const item = element('li', `${clock(at)}  ${event} (${source})`);
+  const both = document.createElement('dl');
+  list(both, [['Running models', then], ['Shadow', now]]);
+  item.append(both);
+  return item;
+}
+
+function showOthers() {
+  const { evolution, shadow } = status;
+  $('others').hidden = !evolution && !shadow && !evolves;
+  $('evolution').textContent = evolution ? `Running: ${evolution}` : '';
+  $('back').hidden = !evolves || !(evolution || shadow);
+  $('promote').hidden = $('off').hidden = !shadow;
+  $('rollback').hidden = !evolution;
+  if (shadow !== shadowShown) showShadow(shadow);
+}
+
+async function showShadow(text) {
+  shadowShown = text;
+  $('shadow').textContent = text && `Shadow ${text}`;
+  const answer = await fetch('/shadow');
+  // Meanwhile there may be more, which is asked for by itself.
+  if (!answer.ok || shadowShown !== text) return;
+  const { since, originalState, newState, differences = [], faults = [] } = await answer.json();
+  if (since) $('shadow').textContent += `, since ${clock(since)}. It would be in (${originalState}, ${newState}).`;
+  $('faults').replaceChildren(...faults.map(({ at, why }) => element('li', `${clock(at)}  ${why}`, 'bad')));
+  $('differences').replaceChildren(...differences.map(difference));
+}
+
+function offerModels(controls) {
+  evolves = Boolean(controls?.evolves);
+  const models = controls?.models ?? [];
+  $('choose').hidden = !models.length;
+  $('model').replaceChildren(...models.map(name => new Option(name.replace(/.*#/, ''), name)));
+  if (status) showOthers();
+}
+
+$('choose').addEventListener('submit', submitted => {
+  submitted.preventDefault();
+  const probation = Number($('probation').value) ? ` --probation ${$('probation').value}` : '';
+  perform(`${submitted.submitter.value} "${$('model').value}" --within 10${probation}`, 'told');
+});
+for (const [id, line] of [['promote', 'promote'], ['off', 'shadow off'], ['rollback', 'rollback']]) {
+  $(id).addEventListener('click', () => perform(line, 'told'));
 }
 
 // Looking back
@@ -240,20 +299,20 @@ $('older').addEventListener('click', () => {
 
 // Doing something
 
-async function perform(line) {
-  $('answer').textContent = `${line} ...`;
+async function perform(line, place = 'answer') {
+  $(place).textContent = `${line} ...`;
   try {
     const answer = await fetch('/command', { method: 'POST', body: line });
     if (answer.ok) {
       const told = await answer.json();
-      $('answer').textContent = `${line}: ${told.error || told.output || 'done'}`;
-      $('answer').className = told.error ? 'bad' : 'good';
+      $(place).textContent = `${line}: ${told.error || told.output || 'done'}`;
+      $(place).className = told.error ? 'bad' : 'good';
     } else {
-      $('answer').textContent = await answer.text();
+      $(place).textContent = await answer.text();
       if (answer.status === 401) offer(null);
     }
   } catch {
-    $('answer').textContent = `${line}: the program cannot be reached`;
+    $(place).textContent = `${line}: the program cannot be reached`;
   }
 }
 
@@ -270,6 +329,7 @@ function offer(controls) {
     return button;
   }));
   $('spare').replaceChildren(...(controls?.spares ?? []).map(name => new Option(name)));
+  offerModels(controls);
 }
 
 async function admit(token) {
@@ -312,13 +372,19 @@ function showPictures(pictures) {
   });
 }
 
-async function begin() {
+async function drawModels() {
   const about = await (await fetch('/about')).json();
-  document.title = `${about.name} - Evoloop`;
-  $('name').textContent = about.name;
   draw('original', about.original);
   draw('new', about.new);
-  showPictures(about.pictures);
+  show();
+  return about;
+}
+
+async function begin() {
+  const { name, pictures } = await drawModels();
+  document.title = `${name} - Evoloop`;
+  $('name').textContent = name;
+  showPictures(pictures);
   const token = new URLSearchParams(location.hash.slice(1)).get('token');
   if (token) history.replaceState(null, '', '/');
   await admit(token);

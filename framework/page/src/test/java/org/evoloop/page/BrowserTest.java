@@ -147,17 +147,75 @@ class BrowserTest {
         browser.await("document.getElementById('answer').innerText.includes('is in the place of Robot')");
     }
 
+    @Test
+    void otherModelsAreTriedAsAShadowPutInAndTakenBack() {
+        shown.converter.start();
+        browser.open(shown.address() + "/");
+        lit("Off", "Off");
+        assertThat(browser.evaluate("document.getElementById('others').hidden")).isEqualTo("true");
+
+        browser.open("about:blank");
+        browser.open(shown.address() + "/#token=" + shown.token);
+        browser.await("document.readyState === 'complete' && !document.getElementById('choose').hidden");
+        browser.evaluate("document.getElementById('probation').value = '600'");
+        click("Try as a shadow");
+        browser.await("document.getElementById('told').innerText.includes(\"shadow of 'hasty'\")");
+        for (String button : List.of("Clean", "Spot", "Spot")) {
+            shown.panel.press(button);
+        }
+        browser.await("document.getElementById('shadow').innerText.includes('3 events, 1 of them decided otherwise')");
+        browser.await("document.getElementById('differences').children.length === 1");
+        assertThat(text("differences"))
+                .contains("Spot (controller)", "stays in (On, Move): not-acceptable", "(On, Move) -> (On, On)");
+        assertThat(text("shadow")).contains("It would be in (On, On).");
+        assertThat(text("faults")).contains("breaks 'Who goes arrives'");
+
+        click("Promote the shadow");
+        browser.await(
+                "document.getElementById('evolution').innerText.includes(\"'hasty', which took over from 'new'\")");
+        assertThat(text("evolution")).contains("on probation for");
+        browser.await("document.querySelector('#new svg text.label[data-source=Move][data-event=Spot]')");
+        assertThat(text("shadow")).isEmpty();
+        assertThat(text("differences")).isEmpty();
+        click("Roll back");
+        browser.await("document.getElementById('evolution').innerText === ''");
+        browser.await("!document.querySelector('#new svg text.label[data-source=Move][data-event=Spot]')");
+
+        click("Evolve");
+        browser.await("document.getElementById('told').innerText.includes(\"evolved to 'hasty'\")");
+    }
+
+    @Test
+    void aViolationOfAPropertyOfTimeIsAnEventThatHasFailed() {
+        shown.converter.start();
+        browser.open(shown.address() + "/");
+        lit("Off", "Off");
+        shown.panel.press("arriveSpot");
+        browser.await("document.getElementById('position').max === '1'");
+        // Either may come to its end first.
+        assertThat(browser.evaluate("""
+                        ['0', '1'].map(number => {
+                          const position = document.getElementById('position');
+                          position.value = number;
+                          position.dispatchEvent(new Event('input'));
+                          return document.getElementById('event').innerText;
+                        }).join()""")).contains("violation of Who arrives has left: FAILED", "arriveSpot: ignored");
+        assertThat(text("status")).contains("Violated", "Who arrives has left, ");
+    }
+
     @ParameterizedTest
     @CsvSource({"390,light", "390,dark", "1280,light", "1280,dark"})
     void nothingSticksOutOfAnyWindow(int width, String colours) throws Exception {
         shown.converter.start();
-        for (String button : List.of("Clean", "Spot")) {
+        shown.tryHasty();
+        for (String button : List.of("Clean", "Spot", "Spot", "arriveSpot")) {
             shown.panel.press(button);
         }
         browser.looks(width, 900, colours.equals("dark"));
         browser.open(shown.address() + "/#token=" + shown.token);
-        lit("On", "Move");
+        lit("Spot", "Spot");
         browser.await("!document.getElementById('buttons').hidden");
+        browser.await("document.getElementById('differences').children.length === 2");
         assertThat(browser.evaluate("document.documentElement.scrollWidth")).isEqualTo(Integer.toString(width));
         browser.picture(Path.of("target/page-" + width + "-" + colours + ".png"));
     }

@@ -10,17 +10,24 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.atomic.AtomicLong;
+import org.evoloop.Alarm;
+import org.evoloop.Machines;
 import org.evoloop.PaperModels;
 import org.evoloop.console.Console;
 import org.evoloop.console.ConsoleCommand;
+import org.evoloop.console.NewModels;
 import org.evoloop.converter.DeviceLink;
 import org.evoloop.converter.EventExecute;
+import org.evoloop.converter.Evolution;
+import org.evoloop.converter.Probation;
 import org.evoloop.converter.PushMonitor;
 import org.evoloop.converter.StateKnowledge;
 import org.evoloop.converter.SystemEventConverter;
+import org.evoloop.evolution.ModelPair;
 import org.evoloop.evolution.Step;
 import org.evoloop.function.Reading;
 import org.evoloop.loop.LoopConfig;
+import org.evoloop.statemachine.StateMachine;
 import org.evoloop.time.SystemClock;
 
 /** The paper's cleaning robot, without a robot, and its page. */
@@ -41,13 +48,9 @@ final class Shown implements AutoCloseable {
         converter.addMonitor(panel);
         converter.addExecute(execute());
         converter.addSpare("Robot2", Shown::execute);
-        converter.addKnowledge(new StateKnowledge(PaperModels.cleaningRobot()) {
-            @Override
-            protected void registerNewFunctions() {
-                function("Move", visit -> visit.progress("driving", List.of(Reading.of("distance", 1.25, "m"))));
-                timer("SpotWait", "timeout", Duration.ofSeconds(600));
-            }
-        });
+        converter.addKnowledge(new Robot(PaperModels.cleaningRobot()));
+        converter.addKnowledgeFactory(Robot::new);
+        converter.watch((models, at, nanos) -> new Alarm("Who arrives has left", "arriveSpot"));
         converter.addLink(new DeviceLink() {
             @Override
             public boolean isUp() {
@@ -71,6 +74,7 @@ final class Shown implements AutoCloseable {
         });
         converter.build();
         console = new Console(converter, InputStream.nullInputStream(), System.out, System.err);
+        console.evolvesBy(new Others());
         console.addCommand(
                 ConsoleCommand.of("press BUTTON", "presses a button", (words, out) -> panel.press(words.get(0)))
                         .completing(before -> before.isEmpty() ? List.of("Clean", "Spot") : List.of()));
@@ -78,6 +82,56 @@ final class Shown implements AutoCloseable {
         ByteArrayOutputStream told = new ByteArrayOutputStream();
         page = Page.open(PageOptions.at("0"), console, new PrintStream(told, true, StandardCharsets.UTF_8), pictures);
         token = told.toString(StandardCharsets.UTF_8).replaceFirst("(?s).*#token=(\\S+).*", "$1");
+    }
+
+    private static final class Robot extends StateKnowledge {
+        Robot(ModelPair models) {
+            super(models);
+        }
+
+        @Override
+        protected void registerNewFunctions() {
+            function("Move", visit -> visit.progress("driving", List.of(Reading.of("distance", 1.25, "m"))));
+            timer("SpotWait", "timeout", Duration.ofSeconds(600));
+        }
+    }
+
+    /** Begins a shadow. */
+    void tryHasty() {
+        Others others = new Others();
+        ModelPair running = converter.knowledge().models();
+        ModelPair hasty = new ModelPair(running.original(), others.read("hasty"));
+        converter.shadow(Evolution.to(converter.knowledgeOf(hasty))
+                .withProbation(Probation.NONE.watchedBy(others.watches("hasty", hasty))));
+    }
+
+    /** A robot that may be called off on its way. */
+    private static final class Others implements NewModels {
+        @Override
+        public StateMachine read(String reference) {
+            return Machines.machine(
+                    "hasty",
+                    "Off Clean -> On",
+                    "On Spot -> Move",
+                    "On Clean -> Clean",
+                    "Move arriveSpot -> Spot",
+                    "Move Spot -> On",
+                    "Spot endSpot -> On",
+                    "Clean Clean -> SpotWait",
+                    "SpotWait timeout -> On",
+                    "SpotWait Clean -> Spot");
+        }
+
+        @Override
+        public List<String> offered() {
+            return List.of("robot.xml#hasty");
+        }
+
+        @Override
+        public Probation.Watches watches(String reference, ModelPair next) {
+            return (table, from) ->
+                    entry -> entry.before().evolved().name().equals("Move") ? "Spot breaks 'Who goes arrives'" : "";
+        }
     }
 
     private static EventExecute execute() {
