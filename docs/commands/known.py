@@ -172,7 +172,7 @@ KNOWN = [
         "./evoloop gateway --bootstrap HOST:9092 --mqtt mqtt://BROKER --device kitchen,hall --journal DIR",
         why_not="needs a Kafka cluster and an MQTT broker; GatewayTest of fleet starts both",
     ),
-    Known("./evoloop bench --fleet", why_not="takes a quarter of an hour; --quick does the same with fewer devices"),
+    Known("./evoloop bench --fleet", why_not="takes ten minutes and more; --quick does the same with fewer devices"),
     typed("./evoloop bench --fleet --quick", slow=True, shows="events/CPU s"),
     typed("java -version"),
     # Models.

@@ -1,19 +1,33 @@
 package org.evoloop.fleet;
 
+import java.time.Duration;
+import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ExecutionException;
+import org.apache.kafka.clients.consumer.ConsumerConfig;
+import org.apache.kafka.clients.consumer.ConsumerRecord;
+import org.apache.kafka.clients.consumer.KafkaConsumer;
 import org.apache.kafka.clients.producer.KafkaProducer;
 import org.apache.kafka.clients.producer.ProducerConfig;
 import org.apache.kafka.clients.producer.ProducerRecord;
+import org.apache.kafka.common.KafkaException;
+import org.apache.kafka.common.TopicPartition;
+import org.apache.kafka.common.serialization.ByteArrayDeserializer;
 import org.apache.kafka.common.serialization.ByteArraySerializer;
+import org.apache.kafka.common.serialization.StringDeserializer;
 import org.apache.kafka.common.serialization.StringSerializer;
+import org.evoloop.fleet.device.Model;
 import org.evoloop.fleet.stream.FleetException;
 import org.evoloop.fleet.stream.FleetTopics;
+import org.evoloop.fleet.wire.ModelRecord;
 import org.evoloop.fleet.wire.Topic;
+import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Option;
 
 /** Which fleet a command is for, and how it writes to that. */
 final class ClusterOptions {
+    private static final Duration POLL = Duration.ofMillis(200);
+
     @Option(
             names = "--bootstrap",
             required = true,
@@ -45,6 +59,44 @@ final class ClusterOptions {
         try (FleetTopics topics = new FleetTopics(bootstrap, fleet)) {
             topics.check();
         }
+    }
+
+    /**
+     * The models that were published as {@code version}.
+     *
+     * @throws FleetException if there are none
+     */
+    Model requireModels(String version) {
+        byte[] record = models(version);
+        if (record == null) {
+            throw new FleetException(
+                    "there are no models " + version + " in the fleet '" + fleet + "'; publish them first");
+        }
+        return ModelRecord.read(version, record);
+    }
+
+    /** The record of the models that were published as {@code version}; null if there are none. */
+    byte @Nullable [] models(String version) {
+        check();
+        TopicPartition all = new TopicPartition(Topic.MODELS.of(fleet), 0);
+        byte[] last = null;
+        try (KafkaConsumer<String, byte[]> consumer = new KafkaConsumer<>(
+                Map.of(ConsumerConfig.BOOTSTRAP_SERVERS_CONFIG, bootstrap),
+                new StringDeserializer(),
+                new ByteArrayDeserializer())) {
+            consumer.assign(List.of(all));
+            consumer.seekToBeginning(List.of(all));
+            long end = consumer.endOffsets(List.of(all)).getOrDefault(all, 0L);
+            while (consumer.position(all) < end) {
+                for (ConsumerRecord<String, byte[]> record : consumer.poll(POLL)) {
+                    last = version.equals(record.key()) ? record.value() : last;
+                }
+            }
+        } catch (KafkaException e) {
+            throw new FleetException(
+                    "the broker at " + bootstrap + " does not tell what was published: " + e.getMessage());
+        }
+        return last;
     }
 
     /** Writes these records, all of them before it returns. */

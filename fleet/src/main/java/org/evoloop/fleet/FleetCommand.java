@@ -10,6 +10,7 @@ import org.evoloop.fleet.demo.Demo;
 import org.evoloop.fleet.program.Lamp;
 import org.evoloop.fleet.program.Scratch;
 import org.evoloop.fleet.stream.Fleet;
+import org.evoloop.fleet.stream.FleetException;
 import org.evoloop.fleet.stream.FleetSettings;
 import org.evoloop.fleet.stream.FleetTopics;
 import org.evoloop.fleet.wire.ModelRecord;
@@ -33,6 +34,7 @@ import picocli.CommandLine.Spec;
         footer = {"", "Exit status: 0 success, 1 the demo was not as it should be, 2 wrong usage or input."})
 final class FleetCommand implements Callable<Integer> {
     private static final Duration START_LIMIT = Duration.ofMinutes(10);
+    private static final int PARTITIONS = 8;
     private static final int MOST_DEVICES = 1_000_000;
 
     @Spec
@@ -66,10 +68,9 @@ final class FleetCommand implements Callable<Integer> {
     @Option(
             names = "--partitions",
             paramLabel = "N",
-            defaultValue = "8",
             description =
                     "Into so many parts --create-topics divides the devices; it cannot be changed later (default: 8).")
-    private int partitions;
+    private @Nullable Integer partitions;
 
     @Option(
             names = "--threads",
@@ -122,15 +123,22 @@ final class FleetCommand implements Callable<Integer> {
     }
 
     private int create(String broker) {
-        if (partitions < 1 || partitions > 10_000) {
-            throw new IllegalArgumentException("--partitions is " + partitions + ", allowed is 1 to 10000");
+        int wanted = partitions == null ? PARTITIONS : partitions;
+        if (wanted < 1 || wanted > 10_000) {
+            throw new IllegalArgumentException("--partitions is " + wanted + ", allowed is 1 to 10000");
         }
         try (FleetTopics topics = new FleetTopics(broker, settings().fleet())) {
-            topics.create(partitions);
+            topics.create(wanted);
+            int found = topics.check();
+            if (partitions != null && found != wanted) {
+                throw new FleetException("the devices of the fleet '" + name + "' are divided into " + found
+                        + " parts already, not into " + wanted
+                        + "; that cannot be changed, so leave out --partitions or take another --name");
+            }
             spec.commandLine()
                     .getOut()
-                    .println("the topics of the fleet '" + name + "' are there; devices are divided into "
-                            + topics.check() + " parts");
+                    .println("the topics of the fleet '" + name + "' are there; devices are divided into " + found
+                            + " parts");
         }
         return 0;
     }

@@ -6,6 +6,7 @@ import org.evoloop.fleet.bench.BenchCommand;
 import org.evoloop.fleet.stream.FleetException;
 import org.evoloop.fleet.wire.Refusal;
 import org.evoloop.program.UsersMistakes;
+import org.evoloop.statemachine.ModelException;
 import picocli.CommandLine;
 
 /** Runs the command line; what its user can mend is one message and exit status 2. */
@@ -29,6 +30,7 @@ public final class Main {
     private static boolean isUsersMistake(Exception failure) {
         return failure instanceof FleetException
                 || failure instanceof Refusal
+                || failure instanceof ModelException
                 || failure instanceof IllegalArgumentException;
     }
 

@@ -5,6 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.Callable;
@@ -87,6 +88,11 @@ final class PublishCommand implements Callable<Integer> {
                         ModelRecord.QUEUE)
                 .bytes();
         ModelRecord.read(version, record);
+        byte[] before = cluster.models(version);
+        if (before != null && !Arrays.equals(before, record)) {
+            throw new FleetException("other models are published as " + version
+                    + " already; a version means the same for good, so give these another");
+        }
         cluster.write(Topic.MODELS, Map.of(version, record));
         spec.commandLine().getOut().println("the models " + version + " are published");
         return 0;

@@ -38,6 +38,7 @@ final class RegisterCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws InterruptedException {
+        cluster.requireModels(model);
         Map<String, byte[]> records = new LinkedHashMap<>();
         devices.forEach(device -> records.put(device, Wire.device(model)));
         cluster.write(Topic.DEVICES, records);

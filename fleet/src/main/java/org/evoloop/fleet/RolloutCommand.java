@@ -86,7 +86,12 @@ final class RolloutCommand implements Callable<Integer> {
         } catch (NoSuchFileException e) {
             throw new FleetException("there is no file " + file);
         }
+        if (from.equals(to)) {
+            throw new IllegalArgumentException("--from and --to are both " + from + "; name the models that take over");
+        }
         Rollout written = new Rollout(rollout, from, to, percent, text, stopPercent, stopAfter, back ? "by hand" : "");
+        // What cannot be led over is told here, and not only in the log of an instance.
+        written.takeover(cluster.requireModels(from), cluster.requireModels(to));
         cluster.write(Topic.ROLLOUTS, Map.of(rollout, written.bytes()));
         spec.commandLine().getOut().println("the rollout " + rollout + " is written");
         return 0;

@@ -69,10 +69,17 @@ class FleetCommandTest {
                 .isZero();
         assertThat(run(with(cluster, "fleet", "register", "--model", "lamp-1", "a", "b")))
                 .isZero();
+        assertThat(run(with(cluster, "fleet", "publish", "lamp-2", lamp, "--timer", "wait:timeout:500")))
+                .isZero();
         assertThat(run(with(cluster, "fleet", "rollout", "r", "--from", "lamp-1", "--to", "lamp-2", "--percent", "10")))
                 .isZero();
         assertThat(out.toString()).contains("lamp-1 are published", "2 written", "rollout r is written");
         out.getBuffer().setLength(0);
+        mistake("other models are published as lamp-1 already", with(cluster, "fleet", "publish", "lamp-1", lamp));
+        mistake("there are no models x", with(cluster, "fleet", "register", "--model", "x", "c"));
+        mistake("there are no models x", with(cluster, "fleet", "rollout", "r", "--from", "lamp-1", "--to", "x"));
+        mistake("are both lamp-1", with(cluster, "fleet", "rollout", "r", "--from", "lamp-1", "--to", "lamp-1"));
+        mistake("divided into 8 parts already", with(cluster, "fleet", "--create-topics", "--partitions", "3"));
         mistake("there is no file none.xml", with(cluster, "fleet", "publish", "x", "none.xml"));
         mistake("'no version'", with(cluster, "fleet", "publish", "no version", lamp));
         mistake("write STATE:EVENT:MS", with(cluster, "fleet", "publish", "x", lamp, "--timer", "wait"));

@@ -107,12 +107,14 @@ public final class Device {
         return news;
     }
 
-    /** What has become of an order. One that has been answered or was never given counts for nothing. */
+    /**
+     * What has become of an order. What is due by then happens before, so that an order may be given up already; an answer to
+     * one that was answered or was never given counts for nothing.
+     */
     public void answered(Answer answer) {
+        due(answer.atNanos());
         Order.Open order = open;
-        boolean awaited = order != null && order.sequence() == answer.sequence();
-        due(answer.atNanos(), false, awaited);
-        if (order != null && awaited) {
+        if (order != null && order.sequence() == answer.sequence()) {
             open = null;
             conclude(order, answer);
         } else if (lost != null && lost.sequence() == answer.sequence()) {
@@ -154,17 +156,12 @@ public final class Device {
      * @param late whether each is told as of {@code atNanos}, since it is that late
      */
     public void due(long atNanos, boolean late) {
-        due(atNanos, late, false);
-    }
-
-    /** @param answering whether the open order is being answered, and so not given up */
-    private void due(long atNanos, boolean late, boolean answering) {
         long last = NEVER;
         while (true) {
             Snapshot snapshot = kept.snapshot();
             Map.Entry<Event, Long> timer = Deadlines.next(snapshot);
             long timerNanos = timer == null ? NEVER : timer.getValue();
-            long orderNanos = answering ? NEVER : orderDue(open, patienceNanos);
+            long orderNanos = orderDue(open, patienceNanos);
             long next = Math.min(timerNanos, orderNanos);
             // A timer for which there is no room is tried again the next time.
             if (next > atNanos || (timerNanos <= orderNanos && next == last)) {

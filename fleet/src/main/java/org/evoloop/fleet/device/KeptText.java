@@ -47,7 +47,11 @@ public final class KeptText {
      * @throws IllegalArgumentException if they are no such text, or one of another version
      */
     public static String model(byte[] bytes) {
-        return head(new String(bytes, StandardCharsets.UTF_8))[0];
+        int end = 0;
+        while (end < bytes.length && bytes[end] != '\n') {
+            end++;
+        }
+        return head(new String(bytes, 0, Math.min(bytes.length, end + 1), StandardCharsets.UTF_8))[0];
     }
 
     /**

@@ -2,20 +2,15 @@ package org.evoloop.fleet.stream;
 
 import java.time.Duration;
 import java.util.Map;
-import org.apache.kafka.streams.KeyValue;
 import org.apache.kafka.streams.processor.PunctuationType;
 import org.apache.kafka.streams.processor.api.Processor;
 import org.apache.kafka.streams.processor.api.ProcessorContext;
 import org.apache.kafka.streams.processor.api.Record;
 import org.apache.kafka.streams.processor.api.RecordMetadata;
-import org.apache.kafka.streams.state.KeyValueIterator;
-import org.apache.kafka.streams.state.KeyValueStore;
-import org.evoloop.core.text.SnapshotException;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.fleet.device.Answer;
 import org.evoloop.fleet.device.Device;
 import org.evoloop.fleet.device.Kept;
-import org.evoloop.fleet.device.KeptText;
 import org.evoloop.fleet.device.Model;
 import org.evoloop.fleet.wire.Letters;
 import org.evoloop.fleet.wire.Reading;
@@ -26,7 +21,7 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Tells the devices of one partition what comes for them and what is due, and keeps what they know in a store. */
+/** Tells the devices of one partition what comes for them and what is due, and sends what they say. */
 final class DeviceProcessor implements Processor<String, byte[], String, byte[]> {
     static final String STORE = "devices";
     static final String MODELS = "models";
@@ -36,29 +31,24 @@ final class DeviceProcessor implements Processor<String, byte[], String, byte[]>
     private static final Duration TICK = Duration.ofMillis(50);
     private static final Duration LOOK = Duration.ofMillis(500);
 
-    private static final long CATCH_UP_MILLIS = 1_000;
-
     /** So many devices are looked at in one go, so that records do not wait for all of them. */
     private static final int SLICE = 2_000;
 
     private final FleetSettings settings;
     private final Map<String, Topic> topics;
     private final long patienceNanos;
-    private final Schedule schedule = new Schedule();
-    private final Recent recent = new Recent();
+    private final Letters letters = new Letters();
     private ProcessorContext<String, byte[]> context;
-    private KeyValueStore<String, byte[]> store;
+    private Clock clock;
     private Library library;
+    private Devices devices;
+    private Agenda agenda;
     private Rollouts rollouts;
-    private Letters letters;
 
-    /** When the last record was written, and when it was taken. */
-    private long writtenMillis;
+    /** Whether idle devices are being looked at for a rollout, and where that goes on; null for the first. */
+    private boolean sweeping;
 
-    private long takenMillis;
-
-    /** Where the sweep for a rollout goes on; null if there is none. */
-    private @Nullable String sweep;
+    private @Nullable String sweptTo;
 
     @SuppressWarnings("NullAway.Init") // init comes before all else
     DeviceProcessor(FleetSettings settings, Map<String, Topic> topics) {
@@ -67,21 +57,19 @@ final class DeviceProcessor implements Processor<String, byte[], String, byte[]>
         this.patienceNanos = settings.patience().toNanos();
     }
 
+    /** After a failure the same object may begin again with another store. */
     @Override
     public void init(ProcessorContext<String, byte[]> given) {
         context = given;
-        store = given.getStateStore(STORE);
+        clock = new Clock(given, settings);
         library = new Library(given.getStateStore(MODELS));
+        devices = new Devices(given.getStateStore(STORE), library);
         rollouts = new Rollouts(given.getStateStore(ROLLOUTS), library);
-        letters = new Letters();
-        // After a failure the same object may begin again with another store.
-        schedule.clear();
-        recent.clear();
-        sweep = "";
-        writtenMillis = 0;
-        takenMillis = given.currentSystemTimeMs();
-        reschedule();
-        if (settings.isWallClock()) {
+        agenda = new Agenda(clock);
+        beginSweep();
+        // What is due is not kept by itself: what is kept of the devices tells.
+        devices.eachDue(patienceNanos, agenda::set);
+        if (clock.isWall()) {
             given.schedule(TICK, PunctuationType.WALL_CLOCK_TIME, this::tick);
         } else {
             given.schedule(Duration.ofMillis(1), PunctuationType.STREAM_TIME, this::tick);
@@ -89,28 +77,12 @@ final class DeviceProcessor implements Processor<String, byte[], String, byte[]>
         given.schedule(LOOK, PunctuationType.WALL_CLOCK_TIME, now -> look());
     }
 
-    /** What is due is not kept by itself: the snapshots tell. */
-    private void reschedule() {
-        try (KeyValueIterator<String, byte[]> each = store.all()) {
-            while (each.hasNext()) {
-                KeyValue<String, byte[]> next = each.next();
-                try {
-                    Model model = library.model(KeptText.model(next.value));
-                    schedule(next.key, KeptText.read(model.rules(), next.value));
-                } catch (Refusal | SnapshotException | IllegalArgumentException e) {
-                    LOG.error("nothing will be due at the device {}: {}", next.key, e.getMessage());
-                }
-            }
-        }
-    }
-
     // What comes in
 
     @Override
     public void process(Record<String, byte[]> record) {
         RecordMetadata from = context.recordMetadata().orElseThrow();
-        writtenMillis = record.timestamp();
-        takenMillis = context.currentSystemTimeMs();
+        agenda.takes(record.timestamp());
         try {
             if (record.key() == null || record.key().isEmpty()) {
                 throw new Refusal(Refusal.Reason.MALFORMED, "it has no key; the key is the device's id");
@@ -139,22 +111,22 @@ final class DeviceProcessor implements Processor<String, byte[], String, byte[]>
             return;
         }
         Reading reading = Reading.of(record.value());
-        Kept before = known(id);
+        Kept before = devices.get(id);
         if (before == null) {
             throw new Refusal(
                     Refusal.Reason.UNKNOWN_DEVICE,
-                    "no device " + id + " was registered; write it to " + topicOfDevices());
+                    "no device " + id + " was registered; write it to " + Topic.DEVICES.of(settings.fleet()));
         }
         if (topic == Topic.EFFECTS) {
             Answer answer = reading.answer();
-            requireLikely(answer.atNanos());
+            clock.requireLikely(answer.atNanos());
             Device device = device(before);
             device.answered(answer);
             keep(id, before, device, record.timestamp());
         } else {
             Occurrence occurrence = reading.occurrence();
             long number = reading.number("number", 0);
-            requireLikely(occurrence.observedNanos());
+            clock.requireLikely(occurrence.observedNanos());
             Device device = device(before);
             if (device.isNews(number)) {
                 device.observed(occurrence);
@@ -163,66 +135,24 @@ final class DeviceProcessor implements Processor<String, byte[], String, byte[]>
         }
     }
 
-    private String topicOfDevices() {
-        return Topic.DEVICES.of(settings.fleet());
-    }
-
     private void register(String id, Record<String, byte[]> record) {
         if (record.value() == null) {
-            store.delete(id);
-            recent.remove(id);
-            schedule.set(id, Device.NEVER);
+            devices.remove(id);
+            agenda.set(id, Device.NEVER);
             context.forward(new Record<>(id, null, record.timestamp()), Topic.STATES.name());
             return;
         }
         String version = Reading.of(record.value()).text("model");
-        Kept known = known(id);
+        Kept known = devices.get(id);
         if (known == null) {
             Model model = library.model(version);
             letters.begin(version, null);
-            long since = Math.min(record.timestamp(), now());
-            keep(id, null, new Device(model, patienceNanos, letters, Wire.nanos(since)), record.timestamp());
+            Device device = new Device(model, patienceNanos, letters, clock.atMost(record.timestamp()));
+            keep(id, null, device, record.timestamp());
         } else if (!known.model().equals(version)) {
             throw new Refusal(
                     Refusal.Reason.REGISTERED_ALREADY,
                     "the device " + id + " has the models " + known.model() + "; a rollout gives it others");
-        }
-    }
-
-    private long now() {
-        return settings.isWallClock() ? context.currentSystemTimeMs() : context.currentStreamTimeMs();
-    }
-
-    /** A clock that is ahead would have timers fire early from then on. */
-    private void requireLikely(long atNanos) {
-        long ahead = Wire.millis(atNanos) - now();
-        if (ahead > settings.clockAhead().toMillis()) {
-            throw new Refusal(Refusal.Reason.CLOCK, "it is " + ahead + " ms ahead of this machine's clock");
-        } else if (-ahead > settings.clockBehind().toMillis()) {
-            throw new Refusal(Refusal.Reason.CLOCK, "it is " + -ahead + " ms behind this machine's clock");
-        }
-    }
-
-    // Devices
-
-    private @Nullable Kept known(String id) {
-        Kept kept = recent.get(id);
-        if (kept == null) {
-            byte[] bytes = store.get(id);
-            if (bytes == null) {
-                return null;
-            }
-            kept = open(bytes);
-            recent.put(id, kept);
-        }
-        return kept;
-    }
-
-    private Kept open(byte[] bytes) {
-        try {
-            return KeptText.read(library.model(KeptText.model(bytes)).rules(), bytes);
-        } catch (SnapshotException | IllegalArgumentException e) {
-            throw new Refusal(Refusal.Reason.UNUSABLE_STATE, "what is kept of the device: " + e.getMessage());
         }
     }
 
@@ -231,12 +161,13 @@ final class DeviceProcessor implements Processor<String, byte[], String, byte[]>
         return new Device(library.model(kept.model()), kept, patienceNanos, letters);
     }
 
+    // What follows from it
+
     private void keep(String id, @Nullable Kept before, Device device, long timestamp) {
         evolve(id, device, timestamp);
         Kept kept = device.kept();
         if (!kept.equals(before)) {
-            store.put(id, KeptText.write(kept));
-            recent.put(id, kept);
+            devices.put(id, kept);
         }
         for (String rollout : rollouts.watching(id, kept.model())) {
             if (letters.good() + letters.bad() > 0) {
@@ -245,15 +176,7 @@ final class DeviceProcessor implements Processor<String, byte[], String, byte[]>
             }
         }
         send(id, timestamp);
-        schedule(id, kept);
-    }
-
-    /** What is overdue already waits a little for what the device has told before and is still on its way. */
-    private void schedule(String id, Kept kept) {
-        long due = Device.dueNanos(kept, patienceNanos);
-        long soonest = Wire.nanos(now() + CATCH_UP_MILLIS);
-        boolean overdue = settings.isWallClock() && due < soonest - Wire.nanos(CATCH_UP_MILLIS);
-        schedule.set(id, overdue ? soonest : due);
+        agenda.set(id, Device.dueNanos(kept, patienceNanos));
     }
 
     private void send(String id, long timestamp) {
@@ -264,11 +187,11 @@ final class DeviceProcessor implements Processor<String, byte[], String, byte[]>
     }
 
     private void evolve(String id, Device device, long timestamp) {
-        Model.Takeover takeover = rollouts.isEmpty() ? null : rollouts.of(id, device.model());
+        Model.Takeover takeover = rollouts.of(id, device.model());
         if (takeover != null) {
             String before = device.model();
             letters.becomes(takeover.next().version());
-            if (!device.evolve(takeover, Wire.nanos(Math.min(timestamp, now()))).isEmpty()) {
+            if (!device.evolve(takeover, clock.atMost(timestamp)).isEmpty()) {
                 letters.becomes(before);
             }
         }
@@ -277,62 +200,49 @@ final class DeviceProcessor implements Processor<String, byte[], String, byte[]>
     // What is due
 
     private void tick(long nowMillis) {
-        if (settings.isWallClock() && isBehind(nowMillis)) {
-            return;
-        }
-        long now = Wire.nanos(nowMillis);
         for (int looked = 0; looked < SLICE; looked++) {
-            String id = schedule.poll(now);
+            String id = agenda.poll(nowMillis);
             if (id == null) {
                 break;
             }
-            lookAt(id, now, nowMillis);
+            lookAt(id, nowMillis);
         }
-        sweep(now, nowMillis);
+        if (!agenda.isBehind(nowMillis)) {
+            sweep(nowMillis);
+        }
     }
 
-    private void lookAt(String id, long now, long timestamp) {
+    private void lookAt(String id, long nowMillis) {
         try {
-            Kept before = known(id);
+            Kept before = devices.get(id);
             if (before == null) {
                 return;
             }
             Device device = device(before);
-            device.due(now, settings.isWallClock());
-            keep(id, before, device, timestamp);
+            device.due(Wire.nanos(nowMillis), clock.isWall());
+            keep(id, before, device, nowMillis);
         } catch (RuntimeException defect) {
             LOG.error("what is due at {} is left out; this is a defect", id, defect);
         }
     }
 
-    /** Whether records are being taken that have been lying there: what they tell may have happened before what is due. */
-    private boolean isBehind(long nowMillis) {
-        return nowMillis - writtenMillis > CATCH_UP_MILLIS && nowMillis - takenMillis < CATCH_UP_MILLIS;
-    }
-
     private void look() {
         if (rollouts.refresh()) {
-            sweep = "";
+            beginSweep();
         }
+    }
+
+    private void beginSweep() {
+        sweeping = true;
+        sweptTo = null;
     }
 
     /** Idle devices are told nothing, and take part in rollouts all the same. */
-    private void sweep(long now, long timestamp) {
-        if (sweep == null || rollouts.isEmpty()) {
-            return;
+    private void sweep(long nowMillis) {
+        if (sweeping && !rollouts.isEmpty()) {
+            sweptTo = devices.walk(
+                    sweptTo, SLICE, (id, version) -> rollouts.of(id, version) != null, id -> lookAt(id, nowMillis));
+            sweeping = sweptTo != null;
         }
-        String last = null;
-        int looked = 0;
-        try (KeyValueIterator<String, byte[]> each = store.range(sweep.isEmpty() ? null : sweep, null)) {
-            while (each.hasNext() && looked < SLICE) {
-                KeyValue<String, byte[]> next = each.next();
-                last = next.key;
-                looked++;
-                if (rollouts.of(next.key, KeptText.model(next.value)) != null) {
-                    lookAt(next.key, now, timestamp);
-                }
-            }
-        }
-        sweep = looked < SLICE || last == null ? null : last + '\0';
     }
 }

@@ -27,6 +27,8 @@ public final class Fleet implements AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(Fleet.class);
 
     private static final long REPLAY_IDLE_MILLIS = 1_000;
+    private static final int BATCH_BYTES = 128 << 10;
+    private static final long MOST_LINGER_MILLIS = 1_000;
     private static final Duration CLOSING = Duration.ofSeconds(30);
 
     private final String name;
@@ -83,7 +85,10 @@ public final class Fleet implements AutoCloseable {
                 settings.session().toMillis());
         properties.put(StreamsConfig.consumerPrefix(ConsumerConfig.HEARTBEAT_INTERVAL_MS_CONFIG), (int)
                 Math.min(3_000, settings.session().toMillis() / 3));
-        properties.put(StreamsConfig.producerPrefix(ProducerConfig.LINGER_MS_CONFIG), 5);
+        // Nobody sees a record before it is committed, so that it may wait for others until then.
+        properties.put(StreamsConfig.producerPrefix(ProducerConfig.LINGER_MS_CONFIG), (int)
+                Math.min(settings.commitInterval().toMillis(), MOST_LINGER_MILLIS));
+        properties.put(StreamsConfig.producerPrefix(ProducerConfig.BATCH_SIZE_CONFIG), BATCH_BYTES);
         // When a transaction begins, the broker may refuse the first of several requests, and then all others.
         properties.put(StreamsConfig.producerPrefix(ProducerConfig.MAX_IN_FLIGHT_REQUESTS_PER_CONNECTION), 1);
         return properties;

@@ -115,7 +115,7 @@ public final class FleetTopics implements AutoCloseable {
         if (!problems.isEmpty()) {
             throw new FleetException("the topics of the fleet '" + fleet + "' at " + bootstrap + " cannot be used:\n"
                     + String.join("\n", problems)
-                    + "\nCreate what is missing with: evoloop fleet --bootstrap " + bootstrap
+                    + "\nCreate what is missing with: evoloop fleet --bootstrap " + bootstrap + " --name " + fleet
                     + " --create-topics; delete first what has a wrong number of partitions");
         }
         return partitions;

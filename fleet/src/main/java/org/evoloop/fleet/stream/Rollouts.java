@@ -12,7 +12,6 @@ import org.apache.kafka.streams.state.ReadOnlyKeyValueStore;
 import org.evoloop.fleet.device.Model;
 import org.evoloop.fleet.wire.Refusal;
 import org.evoloop.fleet.wire.Rollout;
-import org.evoloop.migration.Mapping;
 import org.evoloop.statemachine.ModelException;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -87,15 +86,7 @@ final class Rollouts {
     }
 
     private Model.Takeover takeover(Rollout rollout) {
-        return takeovers.computeIfAbsent(rollout.name(), name -> {
-            Model from = library.model(rollout.from());
-            Model to = library.model(rollout.to());
-            Mapping mapping = Mapping.parse(
-                    "rollout " + name,
-                    rollout.mapping(),
-                    from.rules().table().models(),
-                    to.rules().table().models());
-            return rollout.isRolling() ? from.to(to, mapping) : to.to(from, mapping.reversed());
-        });
+        return takeovers.computeIfAbsent(
+                rollout.name(), name -> rollout.takeover(library.model(rollout.from()), library.model(rollout.to())));
     }
 }

@@ -104,6 +104,25 @@ final class Json {
 
     private void quoted(String words) {
         text.append('"');
+        if (isPlain(words)) {
+            text.append(words);
+        } else {
+            escaped(words);
+        }
+        text.append('"');
+    }
+
+    private static boolean isPlain(String words) {
+        for (int at = 0; at < words.length(); at++) {
+            char each = words.charAt(at);
+            if (each == '"' || each == '\\' || each < ' ') {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private void escaped(String words) {
         for (int at = 0; at < words.length(); at++) {
             char each = words.charAt(at);
             if (each == '"' || each == '\\') {
@@ -114,10 +133,9 @@ final class Json {
                 text.append(each);
             }
         }
-        text.append('"');
     }
 
     byte[] bytes() {
-        return (text + "}").getBytes(StandardCharsets.UTF_8);
+        return text.append('}').toString().getBytes(StandardCharsets.UTF_8);
     }
 }

@@ -2,6 +2,9 @@ package org.evoloop.fleet.wire;
 
 import java.nio.charset.StandardCharsets;
 import java.util.zip.CRC32;
+import org.evoloop.fleet.device.Model;
+import org.evoloop.migration.Mapping;
+import org.evoloop.statemachine.ModelException;
 
 /**
  * Models that take over from others in a share of the fleet, as it stands in {@link Topic#ROLLOUTS}.
@@ -61,6 +64,20 @@ public record Rollout(
     /** The same, which leads back. */
     public Rollout stoppedBecause(String why) {
         return new Rollout(name, from, to, percent, mapping, stopPercent, stopAfter, why);
+    }
+
+    /**
+     * How it leads from the models {@code one} to {@code other}, which are those that it names; the other way if it leads back.
+     *
+     * @throws ModelException if the mapping does not fit them
+     */
+    public Model.Takeover takeover(Model one, Model other) {
+        Mapping mapping = Mapping.parse(
+                "rollout " + name,
+                this.mapping,
+                one.rules().table().models(),
+                other.rules().table().models());
+        return isRolling() ? one.to(other, mapping) : other.to(one, mapping.reversed());
     }
 
     /** Whether it still leads from {@link #from} to {@link #to}. */

@@ -4,10 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.File;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
@@ -30,7 +32,8 @@ class KillTest {
     private Path directory;
 
     private final Random random = new Random(3);
-    private final List<Process> instances = new ArrayList<>();
+    private volatile int restarts;
+    private final Map<Integer, Process> instances = new HashMap<>();
 
     @Test
     void nothingIsLostAndNothingIsDoneTwiceWhenInstancesAndTheBrokerAreKilled() throws Exception {
@@ -40,36 +43,36 @@ class KillTest {
         String bootstrap = "localhost:" + port;
         Process broker = broker(port, controller, bootstrap);
         try (PressedLamps lamps = new PressedLamps(bootstrap, FLEET, 60, Models.LAMP)) {
-            while (instances.size() < INSTANCES) {
-                instances.add(instance(bootstrap, instances.size()));
+            for (int each = 0; each < INSTANCES; each++) {
+                start(each, bootstrap);
             }
             lamps.register();
             for (int kill = 1; kill <= kills; kill++) {
                 int victim = random.nextInt(INSTANCES);
                 lamps.press(100);
-                end(instances.get(victim));
+                kill(victim);
                 lamps.press(100);
-                instances.set(victim, instance(bootstrap, victim));
+                start(victim, bootstrap);
                 lamps.press(100);
                 if (kill % 10 == 0) {
                     end(broker);
                     broker = broker(port, controller, bootstrap);
                 }
                 lamps.awaitDecided(200L * kill);
-                System.out.println("kill " + kill + ", pressed " + lamps.pressed());
+                System.out.println("kill " + kill + ", pressed " + lamps.pressed() + ", started again " + restarts);
             }
             lamps.settle();
             assertThat(lamps.pressed()).isEqualTo(300L * kills);
         } finally {
-            for (Process each : instances) {
-                end(each);
+            for (int each = 0; each < INSTANCES; each++) {
+                kill(each);
             }
             end(broker);
         }
     }
 
-    private Process instance(String bootstrap, int number) throws IOException {
-        return java(
+    private synchronized void start(int number, String bootstrap) {
+        Process instance = java(
                 Main.class,
                 "fleet",
                 "--bootstrap",
@@ -80,6 +83,26 @@ class KillTest {
                 "3000",
                 "--state-dir",
                 directory.resolve("instance-" + number).toString());
+        instances.put(number, instance);
+        instance.onExit().thenAccept(ended -> startAgain(number, ended, bootstrap));
+    }
+
+    /** As a service manager does with an instance that found no broker when it began, and has ended by itself. */
+    private synchronized void startAgain(int number, Process ended, String bootstrap) {
+        if (instances.get(number) == ended) {
+            restarts++;
+            start(number, bootstrap);
+        }
+    }
+
+    private void kill(int number) throws InterruptedException {
+        Process victim;
+        synchronized (this) {
+            victim = instances.remove(number);
+        }
+        if (victim != null) {
+            end(victim);
+        }
     }
 
     private Process broker(int port, int controller, String bootstrap) throws Exception {
@@ -96,7 +119,7 @@ class KillTest {
         return broker;
     }
 
-    private Process java(Class<?> program, String... arguments) throws IOException {
+    private Process java(Class<?> program, String... arguments) {
         List<String> command = new ArrayList<>(List.of(
                 Path.of(System.getProperty("java.home"), "bin", "java").toString(),
                 "-XX:TieredStopAtLevel=1",
@@ -106,10 +129,14 @@ class KillTest {
                 program.getName()));
         command.addAll(List.of(arguments));
         File log = directory.resolve(program.getSimpleName() + ".log").toFile();
-        return new ProcessBuilder(command)
-                .redirectErrorStream(true)
-                .redirectOutput(ProcessBuilder.Redirect.appendTo(log))
-                .start();
+        try {
+            return new ProcessBuilder(command)
+                    .redirectErrorStream(true)
+                    .redirectOutput(ProcessBuilder.Redirect.appendTo(log))
+                    .start();
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
     }
 
     private static void end(Process process) throws InterruptedException {

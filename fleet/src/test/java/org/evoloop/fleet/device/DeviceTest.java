@@ -83,6 +83,15 @@ class DeviceTest implements Hearer {
     }
 
     @Test
+    void anAnswerOfALaterTimeFindsTheOrderGivenUpEvenIfNobodyHasLookedAtTheClock() {
+        press(2 * SECOND);
+        answer(1, Answer.Outcome.SENT, 62 * SECOND);
+        assertThat(orders).extracting(Order::kind).containsExactly(Order.Kind.SEND, Order.Kind.LOCATE);
+        assertThat(device.kept().lost()).isNull();
+        assertThat(device.kept().snapshot().at().original()).isEqualTo(new State("on"));
+    }
+
+    @Test
     void otherModelsTakeOverBetweenTwoEventsOnly() {
         Model next = ModelRecord.read("lamp-2", Models.lamp(500).bytes());
         Model.Takeover takeover = lamp.to(next, Mapping.byName());

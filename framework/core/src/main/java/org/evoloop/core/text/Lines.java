@@ -3,15 +3,24 @@ package org.evoloop.core.text;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The lines of a text, read one after the other, word by word. */
+/** The lines of a text, read one after the other, word by word, where they stand: nothing is copied but what is asked for. */
 final class Lines {
-    private final List<String> lines;
-    private String line = "";
+    private static final int DECIMAL = 10;
+
+    private final String text;
     private int number;
+
+    /** Where the line begins and ends, and how far it was read. */
+    private int begin;
+
+    private int end;
     private int place;
 
+    /** Where the next line begins. */
+    private int next;
+
     Lines(String text) {
-        lines = text.lines().toList();
+        this.text = text;
     }
 
     SnapshotException wrong(String what) {
@@ -24,53 +33,76 @@ final class Lines {
 
     /** Goes on to the next line, which must begin with {@code first}. */
     void next(String first) {
-        String found = next();
-        if (!found.equals(first)) {
-            throw damaged("'" + first + "' was expected, not '" + found + "'");
+        goOn();
+        int to = wordEnd(begin);
+        if (to - begin != first.length() || !text.startsWith(first, begin)) {
+            throw damaged("'" + first + "' was expected, not '" + text.substring(begin, to) + "'");
         }
+        place = to;
     }
 
     /** Goes on to the next line, and returns how it begins. */
     String next() {
+        goOn();
+        return word();
+    }
+
+    private void goOn() {
         number++;
-        if (number > lines.size()) {
+        if (next >= text.length()) {
             throw damaged("the text ends too early");
         }
-        line = lines.get(number - 1);
-        place = 0;
-        return word();
+        begin = next;
+        int feed = text.indexOf('\n', begin);
+        end = feed < 0 ? text.length() : feed;
+        next = feed < 0 ? end : feed + 1;
+        if (end > begin && text.charAt(end - 1) == '\r') {
+            end--;
+        }
+        place = begin;
+    }
+
+    private int wordEnd(int from) {
+        int at = from;
+        while (at < end && text.charAt(at) != ' ') {
+            at++;
+        }
+        return at;
     }
 
     /** The line must have been read to its end. */
     void ends() {
-        if (place < line.length()) {
-            throw damaged("'" + line.substring(place).strip() + "' is too much");
+        if (place < end) {
+            throw damaged("'" + text.substring(place, end).strip() + "' is too much");
         }
     }
 
     /** Nothing must follow. */
     void endsAll() {
         ends();
-        if (number < lines.size()) {
+        if (next < text.length()) {
             number++;
             throw damaged("something follows after the end");
         }
     }
 
     boolean isQuotedNext() {
-        return line.startsWith(" \"", place);
+        return place + 1 < end && text.charAt(place) == ' ' && text.charAt(place + 1) == '"';
     }
 
     /** A word without quotes. */
     String word() {
-        int from = place == 0 ? 0 : separated();
-        int to = line.indexOf(' ', from);
-        place = to < 0 ? line.length() : to;
-        return line.substring(from, place);
+        int from = wordBegin();
+        place = wordEnd(from);
+        return text.substring(from, place);
+    }
+
+    private int wordBegin() {
+        return place == begin ? begin : separated();
     }
 
     private int separated() {
-        if (place >= line.length() || line.charAt(place) != ' ') {
+        if (place >= end || text.charAt(place) != ' ') {
             throw damaged("the line ends too early");
         }
         return place + 1;
@@ -86,7 +118,17 @@ final class Lines {
     }
 
     long number() {
-        return numberIn(word());
+        int from = wordBegin();
+        place = wordEnd(from);
+        try {
+            return Long.parseLong(text, from, place, DECIMAL);
+        } catch (NumberFormatException e) {
+            throw noNumber(text.substring(from, place));
+        }
+    }
+
+    private SnapshotException noNumber(String word) {
+        return damaged("a number was expected, not '" + word + "'");
     }
 
     /** The number that {@code word} is. */
@@ -94,7 +136,7 @@ final class Lines {
         try {
             return Long.parseLong(word);
         } catch (NumberFormatException e) {
-            throw damaged("a number was expected, not '" + word + "'");
+            throw noNumber(word);
         }
     }
 
@@ -109,12 +151,15 @@ final class Lines {
 
     /** How many there are of something. */
     int count() {
-        return countIn(word());
+        return counted(number());
     }
 
     /** The count that {@code word} is. */
     int countIn(String word) {
-        long count = numberIn(word);
+        return counted(numberIn(word));
+    }
+
+    private int counted(long count) {
         if (count < 0 || count > Integer.MAX_VALUE) {
             throw damaged("a count was expected, not " + count);
         }
@@ -126,25 +171,45 @@ final class Lines {
         if (!isQuotedNext()) {
             throw damaged("a text in quotes was expected");
         }
-        int at = separated();
-        StringBuilder text = new StringBuilder();
-        for (at++; at < line.length() && line.charAt(at) != '"'; at++) {
-            char each = line.charAt(at);
+        int from = separated() + 1;
+        int at = from;
+        while (at < end && text.charAt(at) != '"' && text.charAt(at) != '\\') {
+            at++;
+        }
+        if (at >= end) {
+            throw open();
+        } else if (text.charAt(at) == '\\') {
+            return withEscapes(from);
+        }
+        place = at + 1;
+        return text.substring(from, at);
+    }
+
+    private SnapshotException open() {
+        return damaged("a text has no closing quote");
+    }
+
+    private String withEscapes(int from) {
+        StringBuilder plain = new StringBuilder();
+        int at = from;
+        for (; at < end && text.charAt(at) != '"'; at++) {
+            char each = text.charAt(at);
             if (each != '\\') {
-                text.append(each);
-            } else if (line.startsWith("u", at + 1)) {
-                text.append(escaped(at + 2));
+                plain.append(each);
+            } else if (at + 1 < end && text.charAt(at + 1) == 'u') {
+                plain.append(escaped(at + 2));
                 at += 5;
             } else {
                 at++;
-                text.append(line.startsWith("\"", at) || line.startsWith("\\", at) ? line.charAt(at) : bad());
+                boolean known = at < end && (text.charAt(at) == '"' || text.charAt(at) == '\\');
+                plain.append(known ? text.charAt(at) : bad());
             }
         }
-        if (at >= line.length()) {
-            throw damaged("a text has no closing quote");
+        if (at >= end) {
+            throw open();
         }
         place = at + 1;
-        return text.toString();
+        return plain.toString();
     }
 
     /** Several texts, their count first. */
@@ -159,7 +224,7 @@ final class Lines {
 
     private char escaped(int at) {
         try {
-            return (char) Integer.parseInt(line.substring(at, Math.min(line.length(), at + 4)), 16);
+            return (char) Integer.parseInt(text, Math.min(end, at), Math.min(end, at + 4), 16);
         } catch (NumberFormatException e) {
             return bad();
         }

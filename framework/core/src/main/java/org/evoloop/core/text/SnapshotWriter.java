@@ -26,101 +26,120 @@ final class SnapshotWriter {
     private final StringBuilder text = new StringBuilder(CAPACITY);
 
     String write(Snapshot snapshot) {
-        line(SnapshotText.TITLE, SnapshotText.VERSION);
-        line("open", snapshot.open());
+        begin(SnapshotText.TITLE).word(SnapshotText.VERSION).end();
+        begin("open").word(snapshot.open()).end();
         at("at", snapshot.at());
-        line("sent", snapshot.steps(), snapshot.lastStepNanos());
+        begin("sent").word(snapshot.steps()).word(snapshot.lastStepNanos()).end();
         visit(snapshot.visit());
-        line("losing", snapshot.losing());
-        line("owed", snapshot.followOwed());
-        line("waiting", snapshot.waiting().size());
+        begin("losing").word(snapshot.losing()).end();
+        begin("owed").word(snapshot.followOwed()).end();
+        begin("waiting").word(snapshot.waiting().size()).end();
         snapshot.waiting().forEach(this::pending);
         doubt(snapshot.doubt());
         work(snapshot.work());
         tally(snapshot.tally());
-        line("now", snapshot.nowNanos());
-        line("end");
+        begin("now").word(snapshot.nowNanos()).end();
+        begin("end").end();
         return text.toString();
     }
 
-    /** Texts are quoted, all else is written as it is. */
-    private void line(String first, Object... more) {
+    private SnapshotWriter begin(String first) {
         text.append(first);
-        for (Object word : more) {
-            word(word);
-        }
+        return this;
+    }
+
+    private SnapshotWriter word(long number) {
+        text.append(' ').append(number);
+        return this;
+    }
+
+    private SnapshotWriter word(boolean truth) {
+        text.append(' ').append(truth);
+        return this;
+    }
+
+    private SnapshotWriter word(String word) {
+        text.append(' ').append(word);
+        return this;
+    }
+
+    private SnapshotWriter word(Enum<?> constant) {
+        return word(constant.name().toLowerCase(Locale.ROOT));
+    }
+
+    private SnapshotWriter quoted(String words) {
+        text.append(' ');
+        Quoted.append(text, words);
+        return this;
+    }
+
+    private void end() {
         text.append('\n');
     }
 
-    private void word(Object word) {
-        text.append(' ');
-        if (word instanceof Quoted quoted) {
-            text.append(quoted.inQuotes());
-        } else {
-            text.append(word);
-        }
+    private void none(String name) {
+        begin(name).word("none").end();
     }
 
     private void at(String name, Configuration at) {
-        line(name, new Quoted(at.original().name()), new Quoted(at.evolved().name()));
+        begin(name).quoted(at.original().name()).quoted(at.evolved().name()).end();
     }
 
     private void visit(Snapshot.OpenVisit visit) {
-        line("visit", visit.number(), visit.over() ? "over" : "on");
+        begin("visit").word(visit.number()).word(visit.over() ? "over" : "on").end();
         transition("by", visit.by());
-        line("deadlines", visit.deadlines().size());
+        begin("deadlines").word(visit.deadlines().size()).end();
         for (Map.Entry<Event, Long> deadline : visit.deadlines().entrySet()) {
-            text.append("deadline");
-            event(deadline.getKey());
-            word(deadline.getValue());
-            text.append('\n');
+            begin("deadline").event(deadline.getKey()).word(deadline.getValue()).end();
         }
     }
 
-    private void event(Event event) {
-        word(new Quoted(event.name()));
-        texts(event.guards());
+    private SnapshotWriter event(Event event) {
+        return quoted(event.name()).texts(event.guards());
     }
 
-    private void texts(Collection<String> texts) {
+    private SnapshotWriter texts(Collection<String> texts) {
         word(texts.size());
-        texts.forEach(one -> word(new Quoted(one)));
+        texts.forEach(this::quoted);
+        return this;
     }
 
     private void transition(String name, @Nullable Transition transition) {
-        text.append(name);
         if (transition == null) {
-            word("none");
+            none(name);
         } else {
-            arc(transition);
+            begin(name).arc(transition).end();
         }
-        text.append('\n');
     }
 
-    private void arc(Transition transition) {
-        word(new Quoted(transition.source().name()));
-        event(transition.event());
-        word(new Quoted(transition.target().name()));
+    private SnapshotWriter arc(Transition transition) {
+        return quoted(transition.source().name())
+                .event(transition.event())
+                .quoted(transition.target().name());
     }
 
     private void step(String name, @Nullable Step step) {
-        text.append(name);
         if (step == null) {
-            word("none");
+            none(name);
         } else {
-            word(step.byDevice() ? "device" : "sent");
-            word(step.conditional() ? "conditional" : "always");
-            arc(step.transition());
+            begin(name)
+                    .word(step.byDevice() ? "device" : "sent")
+                    .word(step.conditional() ? "conditional" : "always")
+                    .arc(step.transition())
+                    .end();
         }
-        text.append('\n');
     }
 
     private void pending(Pending pending) {
-        line("pending", pending.number(), pending.stepsBefore(), pending.attempts());
+        begin("pending")
+                .word(pending.number())
+                .word(pending.stepsBefore())
+                .word(pending.attempts())
+                .end();
         if (pending.from() == null) {
-            line("from", "none");
+            none("from");
         } else {
-            line("from", new Quoted(pending.from().name()));
+            begin("from").quoted(pending.from().name()).end();
         }
         step("own", pending.own());
         broken(pending.broken());
@@ -129,94 +148,90 @@ final class SnapshotWriter {
 
     private void broken(@Nullable BrokenPlan broken) {
         if (broken == null) {
-            line("broken", "none");
+            none("broken");
             return;
         }
-        line(
-                "broken",
-                broken.then().name().toLowerCase(Locale.ROOT),
-                new Quoted(broken.begun().name()),
-                new Quoted(broken.reason()),
-                broken.failed().size());
+        begin("broken")
+                .word(broken.then())
+                .quoted(broken.begun().name())
+                .quoted(broken.reason())
+                .word(broken.failed().size())
+                .end();
         broken.failed().forEach(step -> step("step", step));
     }
 
     private void occurrence(Occurrence occurrence) {
         if (occurrence instanceof Occurrence.Heard heard) {
-            text.append("heard");
-            word(heard.observedNanos());
-            word(heard.visit());
-            word(heard.source().name().toLowerCase(Locale.ROOT));
-            word(heard.deviceActed() ? "acted" : "told");
-            event(heard.event());
-            texts(heard.holding().stream().sorted().toList());
-            values(occurrence);
+            begin("heard")
+                    .word(heard.observedNanos())
+                    .word(heard.visit())
+                    .word(heard.source())
+                    .word(heard.deviceActed() ? "acted" : "told")
+                    .event(heard.event())
+                    .texts(heard.holding().stream().sorted().toList())
+                    .values(occurrence);
         } else if (occurrence instanceof Occurrence.Asked asked) {
-            text.append("asked");
-            word(asked.observedNanos());
-            word(asked.visit());
-            event(asked.event());
-            values(occurrence);
+            begin("asked")
+                    .word(asked.observedNanos())
+                    .word(asked.visit())
+                    .event(asked.event())
+                    .values(occurrence);
         } else if (occurrence instanceof Occurrence.Found found) {
-            text.append("found");
-            word(found.observedNanos());
-            word(new Quoted(found.state().name()));
+            begin("found").word(found.observedNanos()).quoted(found.state().name());
         } else if (occurrence instanceof Occurrence.InDoubt inDoubt) {
-            text.append("in-doubt");
-            word(inDoubt.observedNanos());
-            word(new Quoted(inDoubt.why()));
+            begin("in-doubt").word(inDoubt.observedNanos()).quoted(inDoubt.why());
         } else if (occurrence instanceof Occurrence.Violated violated) {
-            text.append("violated");
-            word(violated.observedNanos());
-            word(new Quoted(violated.property()));
+            begin("violated").word(violated.observedNanos()).quoted(violated.property());
         } else if (occurrence instanceof Occurrence.Evolved evolved) {
-            text.append("evolved");
-            word(evolved.observedNanos());
-            word(new Quoted(evolved.model()));
+            begin("evolved").word(evolved.observedNanos()).quoted(evolved.model());
         }
-        text.append('\n');
+        end();
     }
 
     private void values(Occurrence occurrence) {
         Map<String, Object> values = occurrence.values().byName();
         word(values.size());
         values.forEach((name, value) -> {
-            word(new Quoted(name));
-            word(value instanceof String words ? new Quoted(words) : value);
+            quoted(name);
+            if (value instanceof String words) {
+                quoted(words);
+            } else {
+                word(value.toString());
+            }
         });
     }
 
     private void occurrences(List<Occurrence> meanwhile) {
-        line("meanwhile", meanwhile.size());
+        begin("meanwhile").word(meanwhile.size()).end();
         meanwhile.forEach(this::occurrence);
     }
 
     private void doubt(@Nullable Doubt doubt) {
         if (doubt == null) {
-            line("doubt", "none");
+            none("doubt");
             return;
         }
-        line(
-                "doubt",
-                doubt.number(),
-                doubt.stepsBefore(),
-                doubt.settled() ? "settled" : "open",
-                new Quoted(doubt.why()));
+        begin("doubt")
+                .word(doubt.number())
+                .word(doubt.stepsBefore())
+                .word(doubt.settled() ? "settled" : "open")
+                .quoted(doubt.why())
+                .end();
         step("step", doubt.step());
         occurrences(doubt.meanwhile());
     }
 
     private void work(@Nullable Work work) {
         if (work == null) {
-            line("work", "none");
+            none("work");
             return;
         }
-        line(
-                "work",
-                work.taken(),
-                work.effectsRun(),
-                work.stage().name().toLowerCase(Locale.ROOT),
-                new Quoted(work.failedEffects()));
+        begin("work")
+                .word(work.taken())
+                .word(work.effectsRun())
+                .word(work.stage())
+                .quoted(work.failedEffects())
+                .end();
         pending(work.pending());
         decision(work.decision());
         occurrences(work.meanwhile());
@@ -224,32 +239,30 @@ final class SnapshotWriter {
 
     private void decision(@Nullable Decision decision) {
         if (decision == null) {
-            line("decision", "none");
+            none("decision");
             return;
         }
-        line("decision", DecisionKind.of(decision).word());
+        begin("decision").word(DecisionKind.of(decision).word()).end();
         at("before", decision.before());
         at("after", decision.after());
         transition("transition", decision.transition());
-        line("steps", decision.steps().size());
+        begin("steps").word(decision.steps().size()).end();
         decision.steps().forEach(step -> step("step", step));
-        text.append("effects");
-        texts(decision.effects());
-        text.append('\n');
-        line("reason", new Quoted(DecisionKind.reasonOf(decision)));
+        begin("effects").texts(decision.effects()).end();
+        begin("reason").quoted(DecisionKind.reasonOf(decision)).end();
     }
 
     private void tally(Tally tally) {
-        line(
-                "tally",
-                tally.observed(),
-                tally.handled(),
-                tally.ignored(),
-                tally.stale(),
-                tally.failed(),
-                tally.dropped(),
-                tally.refused(),
-                tally.queued(),
-                tally.highest());
+        begin("tally")
+                .word(tally.observed())
+                .word(tally.handled())
+                .word(tally.ignored())
+                .word(tally.stale())
+                .word(tally.failed())
+                .word(tally.dropped())
+                .word(tally.refused())
+                .word(tally.queued())
+                .word(tally.highest())
+                .end();
     }
 }
