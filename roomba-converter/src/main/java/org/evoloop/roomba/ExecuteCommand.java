@@ -30,7 +30,7 @@ import org.slf4j.LoggerFactory;
  * robot does by itself; elsewhere the command counts as obeyed when it has been sent.
  */
 final class ExecuteCommand extends EventExecute implements SessionListener {
-    /** The robot tells nobody when it has digested a command; so long after one it is taken to be ready again. */
+    /** The robot does not acknowledge commands; it is assumed to be ready this long after one. */
     static final Duration HOLD_OFF = Duration.ofMillis(200);
 
     /** So long the robot is kept under control though nobody uses it. */

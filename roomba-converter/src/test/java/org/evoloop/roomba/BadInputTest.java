@@ -133,7 +133,7 @@ class BadInputTest {
                         + "Condition 1: event timeout is missing in the new model; "
                         + "Condition 2: state Move is missing in the new model; "
                         + "Condition 2: state SpotWait is missing in the new model. "
-                        + "Keep what the device has and add to it: names must be equal, capital letters included",
+                        + "The new model must keep every state and event of the device; names are case-sensitive",
                 "--simulate",
                 "--original",
                 MODELS + "#new",
@@ -155,7 +155,7 @@ class BadInputTest {
                 text.substring(0, target) + off + text.substring(target + on.length()));
 
         assertRefused(
-                "error: the device cannot become what '" + changed + "#new' asks for:\n"
+                "error: the model '" + changed + "#new' cannot be carried out:\n"
                         + "  no plan in (Clean, SpotWait): event timeout leads to Off, but with the device in Clean no "
                         + "events that can be sent take it there (sendable: Clean, Spot)",
                 "--simulate",

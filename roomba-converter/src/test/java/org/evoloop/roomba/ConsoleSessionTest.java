@@ -46,7 +46,7 @@ class ConsoleSessionTest {
         assertThat(result.out().lines())
                 .contains("ok")
                 .anyMatch(line -> line.startsWith("{") && line.contains("\"xMm\":500") && line.contains("\"yMm\":-250"))
-                .anyMatch(line -> line.startsWith("error: 'dance' is no command; there are press clean|spot|dock"))
+                .anyMatch(line -> line.startsWith("error: 'dance' is not a command; there are press clean|spot|dock"))
                 .last()
                 .isEqualTo("spares      ExecuteCommand2");
         assertThat(result.status()).isZero();

@@ -171,7 +171,8 @@ final class MachineRules {
             findings.add(new Finding(
                     Rule.TIMER_CANNOT_FIRE,
                     element(transition),
-                    "event " + transition.event() + " of " + name() + " looks like a time trigger and is none",
+                    "event " + transition.event() + " of " + name()
+                            + " looks like a time trigger but cannot be parsed as one",
                     "write tm(2s) or after 2 s, with the unit ms, s, min or h"));
         }
     }

@@ -36,28 +36,28 @@ final class ConverterCommands {
     /** @param next what to type next, see {@link NextStep} */
     static void addTo(CommandSet commands, SystemEventConverter converter, Reader reader, Supplier<String> next) {
         ConverterCommands own = new ConverterCommands(converter, commands, reader, next);
-        commands.add(ConsoleCommand.of("start", "opens the loop: events are converted from now on", own::start));
-        commands.add(ConsoleCommand.of("stop", "closes the loop: events are refused until the next start", own::stop));
+        commands.add(ConsoleCommand.of("start", "starts converting events", own::start));
+        commands.add(ConsoleCommand.of("stop", "stops converting: events are refused until the next start", own::stop));
         commands.add(ConsoleCommand.of(
                         "status [--all|--json]",
-                        "shows states, device and what is going on; --all adds queue, events, times and components; "
+                        "shows states, device and current activity; --all adds queue, events, times and components; "
                                 + "--json prints all in one line for programs",
                         own::status)
                 .completing(before -> before.isEmpty() ? STATUS_OPTIONS : List.of()));
         commands.add(ConsoleCommand.of(
                 "watch [SECONDS]",
-                "shows the status again every second, or as often as told, until a key is pressed",
+                "redraws the status every second, or every SECONDS, until a key is pressed",
                 own::watch));
         commands.add(ConsoleCommand.of("list", "lists the components, and the spares for exchange", own::list));
         commands.add(ConsoleCommand.of(
                         "exchange COMPONENT SPARE",
-                        "puts a spare in the place of a component, between two events",
+                        "replaces a component with a spare, between two events",
                         own::exchange)
                 .completing(own::exchangeable));
         commands.add(ConsoleCommand.of(
                 "history [N]",
                 "shows the last N events, " + EVENTS_LISTED
-                        + " if not told, and what became of them; a journal reaches further back than memory",
+                        + " by default, and their outcomes; with a journal also events no longer in memory",
                 own::history));
         commands.add(ConsoleCommand.of("help [COMMAND]", "lists the commands, or explains one", own::help)
                 .completing(before -> before.isEmpty() ? commands.names() : List.of()));
@@ -81,8 +81,8 @@ final class ConverterCommands {
                     .filter(component -> component.activity() != ComponentStatus.Activity.WAITING)
                     .map(component -> component.name() + " in its thread " + component.thread())
                     .collect(Collectors.joining(", "));
-            out.println("stopped; the rest follows when what was begun has returned or was given up"
-                    + (busy.isEmpty() ? "" : ": " + busy));
+            out.println(
+                    "stopped; running work has to return first, or is abandoned" + (busy.isEmpty() ? "" : ": " + busy));
         }
     }
 
@@ -90,7 +90,7 @@ final class ConverterCommands {
         requireKnown("component", arguments.get(0), exchangeable(List.of()));
         requireKnown("spare", arguments.get(1), converter.spares());
         converter.exchange(arguments.get(0), arguments.get(1));
-        out.println("the spare " + arguments.get(1) + " is in the place of " + arguments.get(0));
+        out.println(arguments.get(1) + " has replaced " + arguments.get(0));
     }
 
     private static void requireKnown(String what, String name, Collection<String> known) {

@@ -41,21 +41,21 @@ final class EvolveCommands {
         EvolveCommands own = new EvolveCommands(converter, models);
         return List.of(
                 ConsoleCommand.of("evolve FILE#NAME [OPTION...]", """
-                                puts another new model in, between two events
-                                --original FILE#NAME: the device has another model, too
-                                --mapping FILE: what states, timers and functions become that do not go by their names
-                                --when-idle SECONDS: only when nothing has happened for so long
-                                --within SECONDS: how long to wait until it is possible, 30 if not told
-                                --probation SECONDS: rolls back if anything goes wrong meanwhile
-                                --probation-events N: the same for so many events
-                                --no-way-back: also if no way leads back from some of its states""", own::evolve)
+                                replaces the new model by another, between two events
+                                --original FILE#NAME: the device's model changes, too
+                                --mapping FILE: rules for states, timers and functions whose names differ
+                                --when-idle SECONDS: waits until nothing has happened for this long
+                                --within SECONDS: how long to wait until it is possible (default 30)
+                                --probation SECONDS: rolls back if anything goes wrong in this time
+                                --probation-events N: the same for this many events
+                                --no-way-back: even if a rollback is impossible from some of its states""", own::evolve)
                         .completing(before -> before.isEmpty() ? models.offered() : OPTIONS),
-                ConsoleCommand.of("rollback", "puts the models before the last evolve back in", own::rollBack),
+                ConsoleCommand.of("rollback", "goes back to the models before the last evolve", own::rollBack),
                 ConsoleCommand.of("shadow [FILE#NAME|off] [OPTION...]", """
-                                tells another new model the same, without performing what it says; alone: what it would
-                                have done otherwise; options as of evolve, which hold when it is promoted""", own::shadow)
+                                lets another new model decide the same events, without acting on its decisions; without
+                                FILE: what it would have done differently; takes evolve's options for promote""", own::shadow)
                         .completing(before -> before.isEmpty() ? own.shadows() : OPTIONS),
-                ConsoleCommand.of("promote", "puts the shadow in, as evolve does", own::promote));
+                ConsoleCommand.of("promote", "makes the shadow's models take over, as evolve does", own::promote));
     }
 
     private List<String> shadows() {

@@ -27,7 +27,7 @@ import org.jspecify.annotations.Nullable;
  *   <li>{@code faults}, a list of what is no component and has failed, such as a guard or a function: {@code part}, {@code
  *       failures}, {@code lastFailure}
  *   <li>{@code link}: {@code up}, {@code text}, {@code readings}, an object with a member for each thing that is known of the
- *       device, such as {@code "battery":93}; {@code null} if the converter was told of none
+ *       device, such as {@code "battery":93}; {@code null} if no link was registered
  * </ul>
  *
  * <p>Threading: any thread may call it.

@@ -57,7 +57,7 @@ final class StreamIo implements ConsoleIo {
 
     @Override
     public void watch(Supplier<String> text, Duration period) {
-        throw new IllegalStateException("a pipe cannot be drawn on");
+        throw new IllegalStateException("watch needs a terminal, not a pipe");
     }
 
     @Override

@@ -100,7 +100,7 @@ class ConsoleTest {
 
         assertThat(err.text()).isEmpty();
         assertThat(out.lines())
-                .contains("the spare spareSwitch is in the place of WallSwitch")
+                .contains("spareSwitch has replaced WallSwitch")
                 .contains("monitor     SpareSwitch   ended    no thread");
     }
 
@@ -163,7 +163,7 @@ class ConsoleTest {
 
         assertThat(out.lines()).allMatch(line -> line.length() <= 80);
         assertThat(out.text())
-                .contains("  status [--all|--json]     shows states, device and what is going on; --all\n"
+                .contains("  status [--all|--json]     shows states, device and current activity; --all\n"
                         + " ".repeat(28) + "adds queue, events, times and components; --json\n");
     }
 

@@ -12,7 +12,7 @@ import org.jspecify.annotations.Nullable;
  * directive.
  */
 final class Agenda {
-    /** The turn of whoever opens or closes the converter, or ends what somebody else has begun. */
+    /** The turn of a thread that opens or closes the converter, or ends what another thread has begun. */
     static final long NOBODY = 0;
 
     private final ArrayDeque<Output.Directive> directives = new ArrayDeque<>();

@@ -151,8 +151,8 @@ final class Assembly {
         }
         problems.addAll(knowledge.bindings().unboundEffects(table));
         if (!problems.isEmpty()) {
-            throw new ModelException("the device cannot become what '"
-                    + pair.evolved().name() + "' asks for:\n  " + String.join("\n  ", problems));
+            throw new ModelException("the model '" + pair.evolved().name() + "' cannot be carried out:\n  "
+                    + String.join("\n  ", problems));
         }
         return table;
     }

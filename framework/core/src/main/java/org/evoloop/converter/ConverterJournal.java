@@ -51,10 +51,10 @@ public interface ConverterJournal {
     Snapshot open(Rules rules, Clock clock, Past past);
 
     /**
-     * Begins to keep what {@code core} is told.
+     * Begins to record the inputs of {@code core}.
      *
      * @param failed hears that nothing is kept any more, and why
-     * @return takes the inputs from now on, and tells them to {@code core} when they are kept. While nothing can be kept, it
+     * @return takes the inputs from now on, and passes them to {@code core} once they are recorded. While nothing can be kept, it
      *     refuses the events of controllers, and throws instead of announcing a step or an effect
      * @throws RuntimeException if it cannot be written; the message says why and what to do
      */

@@ -27,7 +27,7 @@ public interface ConverterListener {
     /** The current states have changed. */
     default void moved(Configuration before, Configuration after) {}
 
-    /** Other models have taken over; what is told from now on is in their terms. */
+    /** Other models have taken over; later notices are in terms of these. */
     default void evolved(Evolution.Result result) {}
 
     /** A component has failed. */

@@ -93,7 +93,7 @@ final class ConverterShell implements LoopListener<Occurrence> {
      * Another knowledge takes over.
      *
      * @param idle for how long nothing must have happened
-     * @param monitors who tell by the names of events
+     * @param monitors that report events by name
      * @throws EvolutionException if something keeps it from that now
      */
     Evolution.Result evolve(Swap swap, StateKnowledge next, Duration idle, List<EventMonitor> monitors) {
@@ -134,7 +134,7 @@ final class ConverterShell implements LoopListener<Occurrence> {
         return Evolution.Result.of(evolved, Duration.ofNanos(config.clock().nanoTime() - begun));
     }
 
-    /** Adds a component, which is told what it belongs to. */
+    /** Adds a component, which learns what it belongs to. */
     void join(Component component) {
         attach(component);
         if (component instanceof EventMonitor monitor) {
@@ -311,7 +311,7 @@ final class ConverterShell implements LoopListener<Occurrence> {
         }
     }
 
-    /** @param unknown whether nobody knows if a step that was being sent had its effect */
+    /** @param unknown whether it is unknown if a step that was being sent had its effect */
     private void ends(Failure<Occurrence> failure, boolean unknown) {
         report(failure);
         if (failure.occurrence() != null) {

@@ -95,7 +95,7 @@ public record ConverterStatus(
     /**
      * The connection, see {@link DeviceLink}.
      *
-     * @param readings of the device now; none while it cannot be reached, whatever it told before
+     * @param readings of the device now; none while it cannot be reached, whatever it reported before
      */
     public record LinkStatus(boolean up, String text, List<Reading> readings) {
         /** Leaves out readings that may no longer hold. */

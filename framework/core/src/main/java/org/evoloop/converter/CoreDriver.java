@@ -26,10 +26,10 @@ import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Gives the core its inputs, one at a time, and hands out its directives to whoever carries the occurrence in progress.
+ * Gives the core its inputs, one at a time, and passes its directives to the thread that carries the occurrence in progress.
  *
  * <p>Threading: thread-safe. Its lock is held for as long as the core and its outputs take, which is short; nothing
- * of a user runs under it. Whoever holds the loop's lock may take this one, never the other way round.
+ * of a user runs under it. A thread that holds the loop's lock may take this one, never the other way round.
  */
 final class CoreDriver implements Intake<Occurrence> {
     private static final long WAIT_MILLIS = 5;
@@ -48,7 +48,7 @@ final class CoreDriver implements Intake<Occurrence> {
 
     private volatile Rules rules;
 
-    /** Other models that are told the same; null if none are. */
+    /** Other models that get the same inputs; null if there are none. */
     private @Nullable ShadowCore shadow;
 
     /** When an event came to its end last. */
@@ -209,7 +209,7 @@ final class CoreDriver implements Intake<Occurrence> {
         return agenda;
     }
 
-    /** What has to be done next for {@code plan}; null if there is nothing. For whoever has its turn. */
+    /** What has to be done next for {@code plan}; null if there is nothing. Called by the thread whose turn it is. */
     synchronized Output.@Nullable Directive toDo(ChangePlan plan) {
         Pending pending = outputs.begun;
         boolean hasTurn = pending != null
@@ -267,7 +267,7 @@ final class CoreDriver implements Intake<Occurrence> {
     /**
      * The occurrence in progress has failed; what follows from that is the turn of whoever calls.
      *
-     * @param unknown whether nobody knows if a step that was being sent had its effect
+     * @param unknown whether it is unknown if a step that was being sent had its effect
      */
     synchronized void failed(String reason, boolean unknown) {
         Pending pending = outputs.begun;
@@ -334,7 +334,7 @@ final class CoreDriver implements Intake<Occurrence> {
     // Shadow
 
     /**
-     * Other models are told the same from now on; nothing is in the loop.
+     * Other models get the same inputs from now on; nothing is in the loop.
      *
      * @throws EvolutionException if they have no place for where the system is
      */
@@ -361,7 +361,7 @@ final class CoreDriver implements Intake<Occurrence> {
         return shadow == null ? null : shadow.report();
     }
 
-    /** How many events have come to an end that history tells of. */
+    /** How many ended events are in the history. */
     synchronized long recorded() {
         return books.history().number();
     }
@@ -410,7 +410,7 @@ final class CoreDriver implements Intake<Occurrence> {
         return books.history().entries();
     }
 
-    /** How many came to an end that history tells of. */
+    /** How many ended events are in the history. */
     private static long ended(Tally tally) {
         return tally.handled() + tally.ignored() + tally.stale() + tally.failed() + tally.dropped();
     }

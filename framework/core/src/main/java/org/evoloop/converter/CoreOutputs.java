@@ -31,7 +31,7 @@ final class CoreOutputs implements Outputs {
     /** What became of what was offered last. */
     Admission admission = Admission.TAKEN;
 
-    /** Hears, too, how each event is dealt with; null if nobody does. */
+    /** Also learns how each event is handled; null if there is none. */
     @Nullable
     Outputs shadow;
 
@@ -191,7 +191,7 @@ final class CoreOutputs implements Outputs {
         }
     }
 
-    /** An event that neither model knows is told once a burst: until another one comes. */
+    /** An event that neither model knows is logged once, and again only after a different one came. */
     private void warnOfUnknown(Occurrence.Heard heard, Outcome outcome, String detail) {
         if (outcome == Outcome.HANDLED || knowledge.get().eventNames().knows(heard.event())) {
             unknown = null;

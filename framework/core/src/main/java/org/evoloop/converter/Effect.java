@@ -15,7 +15,7 @@ public interface Effect {
     /**
      * Does it; returns when it is done.
      *
-     * @throws InterruptedException if the thread is told to stop meanwhile
+     * @throws InterruptedException if the thread is interrupted meanwhile
      * @throws Exception any failure: it is reported, and the event has failed although the transition is taken
      */
     void run() throws Exception;

@@ -57,7 +57,7 @@ public class EventAnalyze extends Analyze<Occurrence, Analysis> {
         return attached.configuration();
     }
 
-    /** An analysis by which nothing comes of {@code occurrence}; the history tells the reason. */
+    /** An analysis that dismisses {@code occurrence}; the history shows the reason. */
     protected final Analysis refuse(Occurrence occurrence, String reason) {
         return new Analysis(occurrence, new Decision.Refused(configuration(), reason));
     }

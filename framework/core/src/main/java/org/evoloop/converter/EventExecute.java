@@ -46,7 +46,7 @@ public abstract class EventExecute extends Execute<ChangePlan> {
     /**
      * Waits until the device can take the event of {@code step}. Events queue up meanwhile.
      *
-     * @throws InterruptedException if the thread is told to stop while it waits
+     * @throws InterruptedException if the thread is interrupted while it waits
      * @throws Exception any failure: the step is not taken
      */
     protected void awaitReady(Step step) throws Exception {}
@@ -55,8 +55,8 @@ public abstract class EventExecute extends Execute<ChangePlan> {
      * Sends the event of {@code step} to the device, which is in the step's source state. When this returns the event is
      * taken to have had its effect, and the original model moves to the step's target.
      *
-     * @throws InterruptedException if the thread is told to stop while it waits
-     * @throws UnknownEffectException if nobody knows whether it had its effect: the device is asked, see {@link #locate}
+     * @throws InterruptedException if the thread is interrupted while it waits
+     * @throws UnknownEffectException if it is unknown whether it had its effect: the device is asked, see {@link #locate}
      * @throws Exception any other failure: it had none; the original model stays where it is, and the rest of the plan is not
      *     carried out
      */

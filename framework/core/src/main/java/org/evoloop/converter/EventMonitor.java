@@ -37,7 +37,7 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
         super(name);
     }
 
-    /** @param holding tells which guards of the original model hold now */
+    /** @param holding which guards of the original model hold now */
     final void attach(
             LoopConfig loopConfig, MapeLoop<Occurrence, ?, ?> joined, EventNames names, Supplier<Set<String>> holding) {
         eventNames = names;
@@ -47,12 +47,12 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
         attached(names, loopConfig.clock());
     }
 
-    /** From now on it tells by these names. */
+    /** From now on it reports events by these names. */
     final void tellBy(EventNames names) {
         eventNames = names;
     }
 
-    /** @throws IllegalArgumentException if it tells an event that is not among {@code names} */
+    /** @throws IllegalArgumentException if it reports an event that is not among {@code names} */
     void requireKnown(EventNames names) {}
 
     /** It has become part of a converter, whose time {@code clock} is. */
@@ -87,7 +87,7 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
         return joined != null && joined.state() != LoopState.NEW && !joined.has(this);
     }
 
-    /** Tells a loop without threads, whoever calls; false if there is none yet. */
+    /** Reports to a loop without threads, on the caller's thread; false if there is none yet. */
     final boolean hand(Occurrence occurrence) {
         MapeLoop<Occurrence, ?, ?> joined = loop;
         if (joined == null || joined.state() == LoopState.NEW) {

@@ -91,7 +91,7 @@ final class FailureLog {
         }
     }
 
-    /** The same for whoever holds a lock, behind which nobody shall wait for a slow log: it does not wait. */
+    /** The same for callers that hold a lock: it never blocks, so no thread waits behind that lock for a slow log. */
     void warnSoon(String what) {
         long count = count(what);
         if (!isDue(count)) {

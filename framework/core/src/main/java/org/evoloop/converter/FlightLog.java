@@ -9,7 +9,7 @@ import org.evoloop.flight.ObservedEvent;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a recording of Java Flight Recorder is told of a converter's occurrences.
+ * Reports a converter's occurrences to Java Flight Recorder.
  *
  * <p>Threading: guarded by the lock of the {@link CoreDriver}.
  */

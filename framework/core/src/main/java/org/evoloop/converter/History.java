@@ -49,7 +49,7 @@ final class History {
     /**
      * Records an event that has come to its end.
      *
-     * @param decision what it was found to mean, which tells the detail; null if {@code detail} does
+     * @param decision what it was found to mean, which gives the detail; null if {@code detail} does
      */
     void record(
             Occurrence occurrence,
@@ -64,7 +64,7 @@ final class History {
         record(clock.wallTime(), clock.nanoTime(), occurrence, before, after, outcome, decision, detail, left);
     }
 
-    /** The event whose turn it is leaves a function, {@code where} in words. Called by whoever carries that event. */
+    /** The event whose turn it is leaves a function, {@code where} in words. Called by the thread that carries that event. */
     void leaving(String where) {
         leaving = where;
     }

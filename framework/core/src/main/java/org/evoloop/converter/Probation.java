@@ -8,7 +8,7 @@ import org.evoloop.evolution.DecisionTable;
 
 /**
  * How long other models are on trial after they have taken over. The models before them come back if meanwhile an event
- * fails, the record of the device is in doubt, the device is found elsewhere than the record says, or a watch tells so.
+ * fails, the record of the device is in doubt, the device is found elsewhere than the record says, or a watch reports a violation.
  *
  * <p>Threading: immutable.
  *

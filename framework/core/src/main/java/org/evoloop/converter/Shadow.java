@@ -1,7 +1,7 @@
 package org.evoloop.converter;
 
 /**
- * Other models beside those that run: they are told the same, nothing of what they say is performed, and what both make of
+ * Other models beside those that run: they get the same inputs, none of their decisions is carried out, and what both make of
  * each event is compared. A shadow ends when models take over, when another one begins, and with the process.
  *
  * <p>A step of theirs succeeds unless the running models' step for the same event failed; guards hold that hold for the

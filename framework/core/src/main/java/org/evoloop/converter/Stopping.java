@@ -5,7 +5,7 @@ import org.evoloop.time.Threads;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What follows when a converter was stopped, on a thread of its own: whoever has stopped it has his answer soon, whatever
+ * What follows when a converter was stopped, on a thread of its own: the caller of {@code stop} gets an answer soon, whatever
  * hangs.
  *
  * <p>Threading: thread-safe.

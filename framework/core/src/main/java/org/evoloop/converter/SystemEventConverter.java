@@ -41,7 +41,7 @@ import org.jspecify.annotations.Nullable;
  * @since 0.1
  */
 public final class SystemEventConverter implements AutoCloseable {
-    /** The most events that {@link #history(int)} tells of at once. */
+    /** The most events that {@link #history(int)} returns at once. */
     public static final int MOST_HISTORY = 100_000;
 
     private final LoopConfig config;
@@ -141,9 +141,9 @@ public final class SystemEventConverter implements AutoCloseable {
     }
 
     /**
-     * Keeps what this converter is told, before {@link #build}; that begins where the process before this one has ended.
+     * Records this converter's inputs, before {@link #build}; that begins where the process before this one has ended.
      * Events that waited still wait, and the one in progress goes on after the steps that were sent, as soon as the converter
-     * is started. A step of which nobody knows whether it was sent is not sent again: the record is in doubt, see
+     * is started. A step that may or may not have been sent is not sent again: the record is in doubt, see
      * {@link EventExecute#locate}.
      *
      * @throws IllegalStateException if it has been built, or has a journal already

@@ -34,7 +34,7 @@ final class Watchman {
         this.posting = posting;
     }
 
-    /** Before anything is told. */
+    /** Before the first input. */
     void attach(Object driver, Consumer<Occurrence> takes) {
         lock = driver;
         loop = takes;

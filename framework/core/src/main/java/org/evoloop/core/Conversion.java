@@ -273,7 +273,7 @@ final class Conversion {
         }
     }
 
-    /** Whoever carried the plan out is gone. What was begun and not told to have ended is not begun again. */
+    /** The thread that carried the plan out is gone. What was begun and not reported as ended is not begun again. */
     void interrupt() {
         if (progress.isSending()) {
             giveUp(progress.pending().number(), PROCESS_ENDED);
@@ -296,7 +296,7 @@ final class Conversion {
         return progress.isInterrupted() && decision != null && decision.leavesState();
     }
 
-    /** The device was asked; {@code state} is null if it could not tell. */
+    /** The device was asked for its state; {@code state} is null if it did not know. */
     void located(long number, @Nullable State state) {
         if (!progress.isOf(number)) {
             return;
@@ -322,7 +322,7 @@ final class Conversion {
         }
     }
 
-    /** The device has told where it is; both models follow if that is news. */
+    /** The device has reported its state; both models follow if that is news. */
     private void isIn(State state, long number) {
         if (state.equals(ledger.place.at().original())) {
             conclude(number, Outcome.HANDLED, "the device is in " + state);

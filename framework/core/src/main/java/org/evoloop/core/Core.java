@@ -18,7 +18,7 @@ import org.jspecify.annotations.Nullable;
  * its turn, and is decided from wherever the record is by then. A plan that a fact has overtaken is decided anew, so that
  * nothing is ever sent from a place where the device no longer is.
  *
- * <p>Threading: not thread-safe; whoever drives it gives it one input after the other.
+ * <p>Threading: not thread-safe; the caller gives it one input after the other.
  *
  * @since 0.1
  */
@@ -196,7 +196,7 @@ public final class Core implements Inputs {
         return takeover.hindrance(swap);
     }
 
-    /** An occurrence that nobody has been told of yet, and that cannot be taken, whatever the state of the converter. */
+    /** An occurrence that has not been reported yet, and that cannot be taken, whatever the state of the converter. */
     public void refuse(Occurrence occurrence) {
         ledger.counts.observe();
         ledger.refused(occurrence);
@@ -223,7 +223,7 @@ public final class Core implements Inputs {
         return doubt == null ? "" : doubt.why();
     }
 
-    /** The latest time that it was told. */
+    /** The latest time of any input. */
     public long nowNanos() {
         return ledger.nowNanos;
     }

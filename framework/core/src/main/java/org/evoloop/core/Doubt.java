@@ -5,17 +5,17 @@ import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Step;
 
 /**
- * That nobody knows for sure where the device is.
+ * Why the device's state is not certain.
  *
  * <p>Threading: immutable.
  *
  * @param why for people
  * @param number the occurrence in whose conversion it arose
- * @param step the step of which nobody knows whether or when it had its effect
+ * @param step the step of which it is unknown whether or when it had its effect
  * @param stepsBefore how many steps had been sent before; {@value #UNSETTLED} if another step was in doubt then, so that
  *     knowing of this one is not enough
  * @param meanwhile what the device did by itself, or where it was found, since the step was about to be sent
- * @param settled whether the device has told where it is, so that the record is sure until the step is told to have had its
+ * @param settled whether the device has reported its state, so that the record is sure until the step is told to have had its
  *     effect after all
  * @since 0.1
  */

@@ -7,8 +7,8 @@ import org.evoloop.statemachine.State;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What the {@link Core} is told. Times are nanoseconds of the converter's monotonic clock; {@code number} is that of the
- * occurrence, as {@link Output.Begin} told it: what comes for another one than that in progress is ignored, since it was
+ * An input of the {@link Core}. Times are nanoseconds of the converter's monotonic clock; {@code number} is that of the
+ * occurrence, as {@link Output.Begin} gave it: what comes for another one than that in progress is ignored, since it was
  * given up.
  *
  * <p>Threading: immutable.
@@ -16,7 +16,7 @@ import org.jspecify.annotations.Nullable;
  * @since 0.1
  */
 public sealed interface Input {
-    /** Tells it to {@code told}. */
+    /** Gives it to {@code told}. */
     void applyTo(Inputs told);
 
     /** The converter is opened: it takes controllers' events, and the current state is entered anew. */
@@ -44,7 +44,7 @@ public sealed interface Input {
     }
 
     /**
-     * The process that told the inputs before this one has ended without closing the converter: a step that was being sent is
+     * The process that gave the inputs before this one has ended without closing the converter: a step that was being sent is
      * in doubt, an effect that was being run is not run again, and all else goes on when the converter is opened.
      */
     record Recovered(long atNanos) implements Input {
@@ -131,7 +131,7 @@ public sealed interface Input {
         }
     }
 
-    /** The device was asked where it is; {@code state} is null if that cannot be told. */
+    /** The device was asked for its state; {@code state} is null if it is unknown. */
     record Located(long number, @Nullable State state, long atNanos) implements Input {
         @Override
         public void applyTo(Inputs told) {
@@ -147,7 +147,7 @@ public sealed interface Input {
         }
     }
 
-    /** A component was given up with it, or has failed; whether a step that was being sent had its effect, nobody knows. */
+    /** A component was abandoned with it, or has failed; it is unknown whether a step being sent had its effect. */
     record GivenUp(long number, String reason, long atNanos) implements Input {
         @Override
         public void applyTo(Inputs told) {

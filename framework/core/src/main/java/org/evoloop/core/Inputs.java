@@ -7,7 +7,7 @@ import org.evoloop.statemachine.State;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Who is told what happens: a {@link Core}, or one that keeps it on the way there. Every {@link Input} can be told as a
+ * Takes the inputs: a {@link Core}, or a recorder that passes them on to one. Every {@link Input} can be given as a
  * value, by {@link #apply}, or by the method of its name, which leaves no garbage in an event's way.
  *
  * @since 0.1

@@ -22,7 +22,7 @@ final class Ledger {
     Rules rules;
     boolean open;
 
-    /** The latest time that it was told. */
+    /** The latest time of any input. */
     long nowNanos;
 
     /** Whether facts were lost, so that the new model has to follow the device when nothing waits any more. */

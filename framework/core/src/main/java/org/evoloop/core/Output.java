@@ -24,10 +24,10 @@ public sealed interface Output {
     /** The one {@link Leave} that there has to be. */
     Leave LEAVE = new Leave();
 
-    /** Something to be done, in order, by whoever carries the occurrence in progress. */
+    /** Something to be done, in order, by the thread that carries the occurrence in progress. */
     sealed interface Directive extends Output {}
 
-    /** Something to be told. */
+    /** Something to be reported. */
     sealed interface Notice extends Output {}
 
     /** An occurrence has its turn: it is to be analyzed and planned. */
@@ -36,7 +36,7 @@ public sealed interface Output {
     /** The state that was entered last will be left: its timers and its function end. */
     record Leave() implements Directive {}
 
-    /** Send this step when the device is ready for it, and tell when that begins and when it has had its effect. */
+    /** Send this step when the device is ready for it; report when that begins and when it has had its effect. */
     record Send(Step step) implements Directive {}
 
     /** Run this effect. */
@@ -48,7 +48,7 @@ public sealed interface Output {
     /**
      * A state is entered.
      *
-     * @param by the new model's transition that led here, which tells the function; null if none did
+     * @param by the new model's transition that led here, which names the function; null if none did
      * @param deadlines when its timers are due
      */
     record Enter(long visit, State state, @Nullable Transition by, Map<Event, Long> deadlines) implements Directive {}

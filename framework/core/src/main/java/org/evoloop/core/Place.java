@@ -8,7 +8,7 @@ import org.jspecify.annotations.Nullable;
 /**
  * The record of where the device and the evolved system are, and how sure it is.
  *
- * <p>A fact moves it when it is observed, and a step when it has had its effect, in the order in which they are told.
+ * <p>A fact moves it when it is observed, and a step when it has had its effect, in the order in which they are reported.
  */
 final class Place {
     private Configuration at;

@@ -6,7 +6,7 @@ import org.evoloop.statemachine.Event;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Watches over time what a core is told and where that leads, and finds what must not be so.
+ * Watches a core's inputs and the states to which they lead, over time, and finds violations.
  *
  * <p>Times are nanoseconds of the converter's monotonic clock. Threading: called by one thread at a time, under a lock; it must
  * return at once.
@@ -21,7 +21,7 @@ public interface Sentry {
     @FunctionalInterface
     interface Posting {
         /**
-         * Who watches these models from now on; null if nobody does.
+         * The sentry that watches these models from now on; null for none.
          *
          * @param at where device and evolved system are
          */
@@ -49,7 +49,7 @@ public interface Sentry {
     /** It is this late. */
     void passed(long atNanos);
 
-    /** A violation that was found and not told yet; null if there is none. */
+    /** A violation that was found and not reported yet; null if there is none. */
     @Nullable
     Violation poll();
 }

@@ -25,7 +25,7 @@ import org.jspecify.annotations.Nullable;
  * @param followOwed whether facts were lost, so that the new model has to follow the device when nothing waits any more
  * @param work the occurrence in progress; null if there is none
  * @param tally how many occurrences came and what became of them
- * @param nowNanos the latest time that it was told
+ * @param nowNanos the latest time of any input
  * @since 0.1
  */
 public record Snapshot(

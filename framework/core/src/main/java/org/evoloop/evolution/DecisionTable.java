@@ -361,7 +361,7 @@ public final class DecisionTable {
      * Under which guards {@code trigger} comes: those of the new model, else, when the device may have taken it by itself,
      * those of the original.
      *
-     * @param trigger an event without guards, as a monitor tells it
+     * @param trigger an event without guards, as a monitor reports it
      * @param holds whether the condition of this text holds now; false for one that cannot be asked
      * @return what to {@link #decide} on; {@code trigger} itself where no guard is drawn for it
      */

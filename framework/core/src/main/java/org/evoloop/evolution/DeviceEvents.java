@@ -74,7 +74,7 @@ public record DeviceEvents(
         return spontaneous.contains(trigger) && !sendable.contains(trigger);
     }
 
-    /** The events of {@code original} that nobody sends and that are not declared to be the device's own either. */
+    /** The events of {@code original} that no component sends and that are not declared spontaneous either. */
     public Set<Event> unsendable(StateMachine original) {
         Set<Event> left = new LinkedHashSet<>(original.triggers());
         left.removeAll(sendable);

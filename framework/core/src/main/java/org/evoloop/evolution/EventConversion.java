@@ -75,7 +75,7 @@ final class EventConversion {
         return known == null ? new Target(state, List.of(), null) : known;
     }
 
-    /** Whether {@code trigger} is an event of the device that nobody sends and that is not declared to be its own. */
+    /** Whether {@code trigger} is an event of the device that no component sends and that is not declared spontaneous. */
     boolean isUnsendable(Event trigger) {
         return unsendable.contains(trigger);
     }

@@ -75,7 +75,7 @@ public record ModelPair(StateMachine original, StateMachine evolved) {
         if (!problems.isEmpty()) {
             throw new ModelException("the models '" + original.name() + "' and '" + evolved.name()
                     + "' are not an evolution: " + String.join("; ", problems)
-                    + ". Keep what the device has and add to it: names must be equal, capital letters included");
+                    + ". The new model must keep every state and event of the device; names are case-sensitive");
         }
     }
 

@@ -16,7 +16,7 @@ public enum Source {
     TIMER,
     /** A new function that runs on this computer. */
     FUNCTION,
-    /** Whoever looks after the converter. */
+    /** The person who operates the converter. */
     OWNER;
 
     /** Whether somebody outside operated a control; all else is internal to the evolved system. */

@@ -9,7 +9,7 @@ import org.jspecify.annotations.Nullable;
 /**
  * A queue of a fixed capacity, first come first served; what finds it full is lost.
  *
- * <p>Threading: as {@link Intake}; monitors that tell more than there is room for must not hold up the threads that make
+ * <p>Threading: as {@link Intake}; monitors that report more than there is room for must not hold up the threads that make
  * room, so {@link #atOnce} takes no lock.
  */
 final class Backlog<O> implements Intake<O> {

@@ -23,7 +23,7 @@ public record ComponentStatus(
         WAITING,
         /** It works on an occurrence. */
         WORKING,
-        /** It was told to stop and has not; exchange it. */
+        /** It was interrupted and has not returned; exchange it. */
         STUCK,
         /** No thread calls it, or none any more. */
         ENDED

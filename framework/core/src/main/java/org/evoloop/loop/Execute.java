@@ -30,7 +30,7 @@ public abstract non-sealed class Execute<P> extends Component {
     /**
      * Carries out {@code plan}; its effect has happened when this returns.
      *
-     * @throws InterruptedException if the thread is told to stop while it waits
+     * @throws InterruptedException if the thread is interrupted while it waits
      * @throws Exception any failure: it is reported, and this occurrence ends here
      */
     protected abstract void execute(P plan) throws Exception;

@@ -25,7 +25,7 @@ public interface Intake<O> {
     }
 
     /**
-     * An answer that needs no lock, for monitors that tell more than there is room for; null if there is none. Called from
+     * An answer that needs no lock, for monitors that report more than there is room for; null if there is none. Called from
      * any thread.
      */
     default @Nullable Admission atOnce(O occurrence) {

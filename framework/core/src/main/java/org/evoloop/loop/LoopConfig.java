@@ -68,7 +68,7 @@ public final class LoopConfig {
         return new LoopConfig(name, clock, queueCapacity, limit, joinLimit, waiting, threading);
     }
 
-    /** The same with another limit for threads that were told to stop, in real time. */
+    /** The same with another limit for threads that were interrupted, in real time. */
     public LoopConfig withJoinLimit(Duration limit) {
         return new LoopConfig(name, clock, queueCapacity, stepLimit, limit, waiting, threading);
     }
@@ -83,7 +83,7 @@ public final class LoopConfig {
         return new LoopConfig(name, clock, queueCapacity, stepLimit, joinLimit, waiting, model);
     }
 
-    /** The same without threads: whoever calls {@link MapeLoop#observe} and {@link MapeLoop#step} drives it. */
+    /** The same without threads: the caller of {@link MapeLoop#observe} and {@link MapeLoop#step} drives it. */
     public LoopConfig withoutThreads() {
         return withThreading(ThreadingModel.CALLER);
     }
@@ -141,7 +141,7 @@ public final class LoopConfig {
         return stepLimit;
     }
 
-    /** How long to wait for a thread that was told to stop, 1 ms to 1 min, in real time. */
+    /** How long to wait for a thread that was interrupted, 1 ms to 1 min, in real time. */
     public Duration joinLimit() {
         return joinLimit;
     }

@@ -15,7 +15,7 @@ public interface LoopListener<O> {
 
     /**
      * A component did not return in time, or was exchanged before it did: what it was working on has ended for the loop.
-     * Whether it still had its effect on the world outside, nobody knows.
+     * It is unknown whether it still had its effect on the world outside.
      */
     default void givenUp(Failure<O> failure) {
         failed(failure);

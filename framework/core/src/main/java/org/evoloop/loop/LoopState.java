@@ -24,6 +24,6 @@ public enum LoopState {
     STOPPED,
     /** The loop is open. */
     RUNNING,
-    /** All threads have been told to end; nothing can be started again. */
+    /** All threads have been asked to end; nothing can be started again. */
     EXITED
 }

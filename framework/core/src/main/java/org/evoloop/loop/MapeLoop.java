@@ -16,7 +16,7 @@ import org.slf4j.LoggerFactory;
  * #close closed}, that of a component alone from when it is added until it is removed; {@link #start} and {@link #stop} open
  * and close the loop as often as one likes.
  *
- * <p>An occurrence that a monitor tells waits in a bounded queue. One occurrence at a time goes through analyze, plan and
+ * <p>An occurrence that a monitor reports waits in a bounded queue. One occurrence at a time goes through analyze, plan and
  * execute; the next one is taken when the last execute component has returned. Components may be added, removed and
  * exchanged at any time: that happens between two occurrences, and one that does not come to its end is given up.
  *
@@ -202,7 +202,7 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
         build(LoopState.STOPPED);
     }
 
-    /** The same, and opens the loop before any monitor is asked, so that nothing of what one tells is refused. */
+    /** The same, and opens the loop before any monitor is called, so that no reported event is refused. */
     public void buildAndStart() {
         build(LoopState.RUNNING);
     }
@@ -305,13 +305,13 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
         }
     }
 
-    /** Queues an occurrence as if a monitor had told it; false if it was refused or dropped. */
+    /** Queues an occurrence as if a monitor had reported it; false if it was refused or dropped. */
     public boolean offer(O occurrence) {
         return sequencer.offer(requireNonNull(occurrence, "the occurrence is null"));
     }
 
     /**
-     * Queues what a monitor of this loop has to tell, on the caller's thread instead of the monitor's.
+     * Queues what a monitor of this loop reports, on the caller's thread instead of the monitor's.
      *
      * @return false if that has to be left to the monitor: the loop has no threads or is not built yet, or the monitor
      *     is not part of it
@@ -334,7 +334,7 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
     }
 
     /**
-     * Asks one monitor once and queues what it tells, on the caller's thread: the step of a monitor in a loop without
+     * Calls one monitor once and queues what it reports, on the caller's thread: the step of a monitor in a loop without
      * threads.
      *
      * @throws IllegalStateException if the loop has threads

@@ -3,11 +3,11 @@ package org.evoloop.loop;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Superclass of monitors: they wait for something to occur and tell it. A loop may have several; what one of them tells
+ * Superclass of monitors: they wait for something to occur and report it. A loop may have several; what one of them reports
  * stays in order.
  *
  * <p>Threading: {@link #getEvent} is called again and again on the monitor's own thread, from when the loop is built. It is
- * called while the loop is closed, too: what the monitor tells then is refused, and so cannot be taken for news when the
+ * called while the loop is closed, too: what the monitor reports then is refused, and so cannot be taken for news when the
  * loop opens.
  *
  * @param <O> an occurrence, what {@link Analyze} takes
@@ -33,9 +33,9 @@ public abstract non-sealed class Monitor<O> extends Component {
     /**
      * Waits for the next occurrence.
      *
-     * @return what occurred, or null if nothing did for now; a monitor that has nothing to tell should wait rather than
+     * @return what occurred, or null if nothing did for now; a monitor that has nothing to report should wait rather than
      *     return null at once
-     * @throws InterruptedException if the thread is told to stop while it waits; that is never an error
+     * @throws InterruptedException if the thread is interrupted while it waits; that is never an error
      * @throws Exception any failure: it is reported and counted, and the monitor is called again after a pause that
      *     grows from 0.1 s to 5 s while it keeps failing
      */

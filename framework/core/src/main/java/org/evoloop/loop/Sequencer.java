@@ -36,7 +36,7 @@ final class Sequencer<O> {
     private @Nullable O occurrence;
     private volatile @Nullable StageWorker<?> busy;
 
-    /** What came to an analyze component that is stuck; told when the lock has been given back. */
+    /** What came to an analyze component that is stuck; reported after the lock was released. */
     private @Nullable Failure<O> refused;
 
     Sequencer(LoopConfig config, LoopListener<O> listener, Intake<O> intake, LoopLock lock) {

@@ -120,7 +120,7 @@ class ConverterBuildTest {
                         + "Condition 2: state Off is missing in the new model; "
                         + "Condition 2: state Spot is missing in the new model; "
                         + "the new model starts in Idle, the device in Off. "
-                        + "Keep what the device has and add to it: names must be equal, capital letters included");
+                        + "The new model must keep every state and event of the device; names are case-sensitive");
     }
 
     @Test
@@ -156,7 +156,7 @@ class ConverterBuildTest {
                                         + "device",
                                 "new state Move has no function: register one in registerNewFunctions, "
                                         + "NewFunction.none() if nothing has to run",
-                                "the device cannot become what 'new' asks for:",
+                                "the model 'new' cannot be carried out:",
                                 "  Device can send Max, which is not an event of the original model 'original'; there is "
                                         + "Clean, Spot, endSpot",
                                 "  Panel names as the device's own Dock, which is not an event of the original model "

@@ -85,7 +85,7 @@ class DevicesOwnTest {
     void anEventThatNobodySendsAndNobodyDeclaresIsRefusedOnceByBuild() {
         assertThatThrownBy(() -> build(DEVICE, new Remote("Remote"), new Sender("Infrared", "power")))
                 .isInstanceOf(ModelException.class)
-                .hasMessage("the device cannot become what 'new' asks for:\n  " + NOBODYS.formatted("temp-up") + "\n  "
+                .hasMessage("the model 'new' cannot be carried out:\n  " + NOBODYS.formatted("temp-up") + "\n  "
                         + NOBODYS.formatted("cooled"));
     }
 

@@ -233,7 +233,7 @@ class ExchangeUnderWayTest {
                     + "that can be sent take it there (sendable: Clean)";
             assertThatThrownBy(() -> robot.converter.remove("Spotter"))
                     .isInstanceOf(ModelException.class)
-                    .hasMessageStartingWith("the device cannot become what 'new' asks for:\n  ")
+                    .hasMessageStartingWith("the model 'new' cannot be carried out:\n  ")
                     .hasMessageContaining(noWay);
             assertThatThrownBy(() ->
                             robot.converter.exchange("Spotter", robot.new Device("Other", Set.of("Clean"), step -> {})))

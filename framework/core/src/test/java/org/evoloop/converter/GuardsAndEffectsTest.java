@@ -315,7 +315,7 @@ class GuardsAndEffectsTest {
                                 "effect blink is bound, but the new model does not draw it",
                                 "a cost is given to Dance, which is not an event of the original model; there is press",
                                 "Hall is not to be passed, but is not a state of the original model; there is Off, On",
-                                "the device cannot become what 'new' asks for:",
+                                "the model 'new' cannot be carried out:",
                                 "  effect beep of the new model is not bound: call effect in registerNewFunctions"));
     }
 

@@ -32,7 +32,7 @@ import picocli.CommandLine.Spec;
 /** Checks an evolution before it runs. */
 @Command(
         name = "check",
-        description = "Checks an evolution by the rules that docs/models.md lists; exit status 1 if one is broken.",
+        description = "Checks a pair of models by the rules in docs/models.md; exit status 1 if a rule is broken.",
         mixinStandardHelpOptions = true)
 @SuppressWarnings("NullAway.Init") // picocli sets the fields
 final class CheckCommand implements Callable<Integer> {
@@ -52,8 +52,9 @@ final class CheckCommand implements Callable<Integer> {
     @Option(
             names = "--format",
             defaultValue = "TEXT",
-            description = "One of ${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE}); svg draws the ways that lead to"
-                    + " findings.")
+            description =
+                    "One of ${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE}); svg draws the events that lead to"
+                            + " each finding.")
     private Format format;
 
     @Mixin

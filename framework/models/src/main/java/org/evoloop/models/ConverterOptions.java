@@ -20,28 +20,28 @@ final class ConverterOptions {
             names = "--functions",
             split = ",",
             paramLabel = "STATE",
-            description = "New states for which a function is registered; judged only if given.")
+            description = "New states that have a registered function; checked only if given.")
     private @Nullable List<String> functions;
 
     @Option(
             names = "--raised",
             split = ",",
             paramLabel = "EVENT",
-            description = "Events that monitors and functions raise; judged only if given.")
+            description = "Events that monitors and functions raise; checked only if given.")
     private @Nullable List<String> raised;
 
     @Option(
             names = "--guards",
             split = ",",
             paramLabel = "GUARD",
-            description = "Guards that something is bound to; judged only if given.")
+            description = "Guards that are bound to code; checked only if given.")
     private @Nullable List<String> guards;
 
     @Option(
             names = "--effects",
             split = ",",
             paramLabel = "EFFECT",
-            description = "Effects that something is bound to; judged only if given.")
+            description = "Effects that are bound to code; checked only if given.")
     private @Nullable List<String> effects;
 
     /**

@@ -20,8 +20,8 @@ final class DeviceOptions {
             split = ",",
             paramLabel = "EVENT",
             description =
-                    "Events that can be sent to the device, with commas between; unless told otherwise all events of"
-                            + " the original model but time triggers and those that the device takes of its own accord.")
+                    "Events that can be sent to the device, separated by commas (default: all events of the original"
+                            + " model except time triggers and those that the device takes by itself).")
     private List<String> sendable = List.of();
 
     @Option(
@@ -29,21 +29,21 @@ final class DeviceOptions {
             split = ",",
             paramLabel = "EVENT",
             description =
-                    "Events that the device takes of its own accord, such as that it has finished, or those of its"
-                            + " buttons; they cannot be sent unless --sendable names them too.")
+                    "Events that the device takes by itself, for example when it has finished or when its own buttons"
+                            + " are pressed; they cannot be sent unless --sendable lists them as well.")
     private List<String> spontaneous = List.of();
 
     @Option(
             names = "--cost",
             paramLabel = "EVENT=N",
-            description = "Makes ways avoid an event: the way with the least sum is taken (1 unless told otherwise).")
+            description = "Cost of sending EVENT (default 1); plans minimise the total cost.")
     private Map<String, Integer> costs = Map.of();
 
     @Option(
             names = "--do-not-pass",
             split = ",",
             paramLabel = "STATE",
-            description = "States of the device through which no way may lead.")
+            description = "States of the device that no path may pass through.")
     private List<String> doNotPass = List.of();
 
     /** What passes between converter and device. @throws IllegalArgumentException for a name that the model lacks */

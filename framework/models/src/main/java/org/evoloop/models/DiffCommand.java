@@ -16,7 +16,7 @@ import picocli.CommandLine.Spec;
 /** Two models side by side. */
 @Command(
         name = "diff",
-        description = "Says what a new model keeps, adds, reroutes and removes.",
+        description = "Shows what a new model keeps, adds, reroutes and removes.",
         mixinStandardHelpOptions = true)
 @SuppressWarnings("NullAway.Init") // picocli sets the fields
 final class DiffCommand implements Callable<Integer> {

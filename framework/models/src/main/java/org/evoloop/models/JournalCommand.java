@@ -8,7 +8,7 @@ import picocli.CommandLine.Spec;
 /** Looks into a converter's journal. */
 @Command(
         name = "journal",
-        description = "Looks into the journal that a converter keeps with --journal DIR, also while it is in use.",
+        description = "Reads the journal that a converter keeps with --journal DIR, also while the converter runs.",
         subcommands = {
             JournalShowCommand.class,
             JournalVerifyCommand.class,
@@ -25,6 +25,6 @@ final class JournalCommand implements Runnable {
     public void run() {
         throw new ParameterException(
                 spec.commandLine(),
-                "say what to do: " + String.join(", ", spec.subcommands().keySet()));
+                "name a command: " + String.join(", ", spec.subcommands().keySet()));
     }
 }

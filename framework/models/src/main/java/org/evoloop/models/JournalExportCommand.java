@@ -76,7 +76,8 @@ final class JournalExportCommand implements Callable<Integer> {
 
     private IllegalArgumentException cannotBeWritten(Exception why) {
         return new IllegalArgumentException(
-                output + " cannot be written: " + why.getMessage() + "; name a file in a directory with room", why);
+                output + " cannot be written: " + why.getMessage() + "; name a file in a directory with free space",
+                why);
     }
 
     private void writeJson(JournalFiles files) throws IOException {
@@ -95,7 +96,7 @@ final class JournalExportCommand implements Callable<Integer> {
             });
             to.print("\n]}\n");
             if (to.checkError()) {
-                throw new IOException("there is no room");
+                throw new IOException("no space left");
             }
         }
     }

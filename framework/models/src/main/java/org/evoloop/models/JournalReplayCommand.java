@@ -19,9 +19,8 @@ import picocli.CommandLine.Spec;
 /** A journal's events, told to other models. */
 @Command(
         name = "replay",
-        description =
-                "Tells other models what the converter was told, and lists where they would have decided otherwise: what"
-                        + " became of the event then, and what would have.",
+        description = "Gives the converter's inputs to other models, and lists each event that these would have handled"
+                + " differently, with its outcome then and now.",
         footer = {"", "Exit status: 1 if a property of the other models is broken, or the journal is damaged."},
         mixinStandardHelpOptions = true)
 @SuppressWarnings("NullAway.Init") // picocli sets the fields
@@ -46,14 +45,14 @@ final class JournalReplayCommand implements Callable<Integer> {
             names = "--original",
             required = true,
             paramLabel = "ORIGINAL",
-            description = "What the device does: FILE#NAME.")
+            description = "The model of the device: FILE#NAME.")
     private String original;
 
     @Option(
             names = "--new",
             required = true,
             paramLabel = "NEW",
-            description = "The new model that is tried on the events: FILE#NAME.")
+            description = "The new model to try on the events: FILE#NAME.")
     private String evolved;
 
     @Option(

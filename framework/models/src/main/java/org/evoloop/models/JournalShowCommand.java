@@ -22,9 +22,8 @@ import picocli.CommandLine.Spec;
 /** The records, one line each. */
 @Command(
         name = "show",
-        description =
-                "Prints the records, one line each: the time of day, the monotonic clock in seconds, what the converter was"
-                        + " told, where both models were then, which events came to their end, and doubts.",
+        description = "Prints the records, one line each: the time of day, the monotonic clock in seconds, the"
+                + " converter's input, the states of both models after it, which events ended, and doubts.",
         mixinStandardHelpOptions = true)
 @SuppressWarnings("NullAway.Init") // picocli sets the fields
 final class JournalShowCommand implements Callable<Integer> {
@@ -37,13 +36,13 @@ final class JournalShowCommand implements Callable<Integer> {
     @Option(
             names = "--from",
             paramLabel = "TIME",
-            description = "Nothing before this: 2026-11-23T10:15 in local time, or with Z at its end in UTC.")
+            description = "Skips earlier records; local time such as 2026-11-23T10:15, or UTC with a final Z.")
     private @Nullable String from;
 
-    @Option(names = "--to", paramLabel = "TIME", description = "Nothing from this time on.")
+    @Option(names = "--to", paramLabel = "TIME", description = "Skips records from this time on.")
     private @Nullable String to;
 
-    @Option(names = "--last", paramLabel = "N", description = "Only the last N of them, from 1 on.")
+    @Option(names = "--last", paramLabel = "N", description = "Prints only the last N records.")
     private @Nullable Integer last;
 
     @Option(names = "--json", description = "Prints each record as JSON, one line each.")
@@ -55,7 +54,7 @@ final class JournalShowCommand implements Callable<Integer> {
         Instant end = time("--to", to, Instant.MAX);
         Integer count = last;
         if (count != null && count < 1) {
-            throw new IllegalArgumentException("--last is " + count + "; allowed is 1 and more");
+            throw new IllegalArgumentException("--last is " + count + "; it must be at least 1");
         }
         return journal.examine(spec, files -> show(files, first, end, count == null ? Integer.MAX_VALUE : count));
     }

@@ -13,8 +13,8 @@ import picocli.CommandLine.Spec;
 @Command(
         name = "verify",
         description =
-                "Reads everything and says whether it is sound; exit status 1 if it is damaged: then the file, the place"
-                        + " in it and the remedy are told.",
+                "Reads the whole journal and checks it; exit status 1 if it is damaged: then prints the file, the place"
+                        + " in it and the remedy.",
         mixinStandardHelpOptions = true)
 @SuppressWarnings("NullAway.Init") // picocli sets the fields
 final class JournalVerifyCommand implements Callable<Integer> {

@@ -34,7 +34,7 @@ public final class Main {
         if (commandLine.getOut().checkError()) {
             commandLine
                     .getErr()
-                    .println("error: standard output: the result could not be written in full; make room where it goes,"
+                    .println("error: standard output: the result could not be written in full; free some space there,"
                             + " or write it elsewhere");
             return status == CommandLine.ExitCode.OK ? CommandLine.ExitCode.SOFTWARE : status;
         }

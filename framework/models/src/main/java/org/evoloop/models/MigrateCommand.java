@@ -22,8 +22,7 @@ import picocli.CommandLine.Spec;
 /** What a swap of models would do. */
 @Command(
         name = "migrate",
-        description =
-                "Says what becomes of each pair of states when another new model takes the place of a running one.",
+        description = "Shows what becomes of each pair of states when another new model replaces the running one.",
         footer = {"", "Exit status: 1 if a swap is impossible in a pair of states."},
         mixinStandardHelpOptions = true)
 @SuppressWarnings("NullAway.Init") // picocli sets the fields
@@ -44,29 +43,29 @@ final class MigrateCommand implements Callable<Integer> {
     @Mixin
     private DeviceOptions device;
 
-    @Parameters(index = "0", paramLabel = "OLD_NEW", description = "The new model that runs: FILE#NAME.")
+    @Parameters(index = "0", paramLabel = "OLD_NEW", description = "The new model that is running: FILE#NAME.")
     private String running;
 
-    @Parameters(index = "1", paramLabel = "NEW_NEW", description = "The new model that is to run: FILE#NAME.")
+    @Parameters(index = "1", paramLabel = "NEW_NEW", description = "The new model that will replace it: FILE#NAME.")
     private String next;
 
     @Option(
             names = "--original",
             required = true,
             paramLabel = "ORIGINAL",
-            description = "What the device does: FILE#NAME.")
+            description = "The model of the device: FILE#NAME.")
     private String original;
 
     @Option(
             names = "--to-original",
             paramLabel = "ORIGINAL",
-            description = "What the device does from then on: FILE#NAME (default: the same).")
+            description = "The next model of the device: FILE#NAME (default: the same).")
     private @Nullable String nextOriginal;
 
     @Option(
             names = "--mapping",
             paramLabel = "FILE",
-            description = "What becomes of states, timers and functions that do not go by their names.")
+            description = "Rules for states, timers and functions whose names differ.")
     private @Nullable Path mapping;
 
     @Option(

@@ -8,7 +8,8 @@ import picocli.CommandLine.Spec;
 /** The tool; all it does it does in its subcommands. */
 @Command(
         name = "models",
-        description = "Shows state machines, checks an evolution before it runs, and starts a converter's project.",
+        description =
+                "Shows state machines, checks a pair of models before it runs, and creates a converter's project.",
         subcommands = {
             ShowCommand.class,
             CheckCommand.class,
@@ -29,7 +30,7 @@ final class ModelsCommand implements Runnable {
     public void run() {
         throw new ParameterException(
                 spec.commandLine(),
-                "say what to do: "
+                "name a command: "
                         + String.join(", ", spec.subcommands().keySet().stream().toList()));
     }
 }

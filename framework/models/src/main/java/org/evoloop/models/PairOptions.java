@@ -26,9 +26,9 @@ final class PairOptions {
             names = "--on-failure",
             paramLabel = "EVENT[@STATE]=CHOICE",
             description =
-                    "What follows when a step of a plan for EVENT fails, in STATE of the new model or in all: back"
-                            + " (the device is sent back to where the plan began), other-way (the event goes on by another way)"
-                            + " or stay, as where nothing is said.")
+                    "What to do when a step of a path for EVENT fails, in STATE of the new model or in all states: back"
+                            + " (send the device back to where the path began), other-way (continue by another path) or"
+                            + " stay (the default).")
     private Map<String, String> onFailure = Map.of();
 
     ModelReference original() {

@@ -12,7 +12,7 @@ final class PairParameters {
     @Mixin
     private ReadingOptions reading;
 
-    @Parameters(index = "0", paramLabel = "ORIGINAL", description = "What the device does: FILE#NAME.")
+    @Parameters(index = "0", paramLabel = "ORIGINAL", description = "The model of the device: FILE#NAME.")
     private String original;
 
     @Parameters(index = "1", paramLabel = "NEW", description = "What its owner wants: FILE#NAME.")

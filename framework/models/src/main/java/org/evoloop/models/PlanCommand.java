@@ -19,7 +19,7 @@ import picocli.CommandLine.Spec;
 @Command(
         name = "plan",
         description =
-                "Says how each transition of the new model comes about, in each pair of states that can be reached.",
+                "Shows how each transition of the new model will be carried out, in each reachable pair of states.",
         mixinStandardHelpOptions = true)
 @SuppressWarnings("NullAway.Init") // picocli sets the fields
 final class PlanCommand implements Callable<Integer> {
@@ -43,9 +43,8 @@ final class PlanCommand implements Callable<Integer> {
 
     @Option(
             names = "--bypass",
-            description =
-                    "Says instead what the controller's events do that are passed on to the device unchanged, while"
-                            + " the converter is down.")
+            description = "Shows instead what the device does with the controller's events if they are passed on to it"
+                    + " unchanged while the converter is down.")
     private boolean bypass;
 
     @Override

@@ -15,10 +15,8 @@ final class PropertiesFile {
     @Option(
             names = "--properties",
             paramLabel = "FILE",
-            description = "Properties of the evolution (default: the file beside NEW that is called like it, or like "
-                    + "it and the machine, and ends in " + PropertyFile.ENDING + ", if there is one; for a.xml#b a.b"
-                    + PropertyFile.ENDING
-                    + " or else a" + PropertyFile.ENDING + ").")
+            description = "Properties of the new model (default: for a.xml#b, the file a.b" + PropertyFile.ENDING
+                    + " or else a" + PropertyFile.ENDING + " beside it, if there is one).")
     private @Nullable Path given;
 
     /** The one that was named, else the one that belongs beside {@code evolved}, which need not be there. */

@@ -11,7 +11,7 @@ final class ReadingOptions {
             names = "--time-unit",
             paramLabel = "ms|s",
             description =
-                    "Unit of time triggers that have a number without one, such as after(2); unless given, those are"
+                    "Unit of time triggers that are numbers without a unit, such as after(2); by default these are"
                             + " refused.")
     private @Nullable String timeUnit;
 

@@ -23,7 +23,7 @@ import picocli.CommandLine.Spec;
 /** A converter's project to begin with. */
 @Command(
         name = "scaffold",
-        description = "Starts the Maven project of a converter, which builds, is tested and runs at once.",
+        description = "Creates the Maven project of a converter, which builds, passes its tests and runs at once.",
         mixinStandardHelpOptions = true)
 @SuppressWarnings("NullAway.Init") // picocli sets the fields
 final class ScaffoldCommand implements Callable<Integer> {
@@ -46,8 +46,8 @@ final class ScaffoldCommand implements Callable<Integer> {
     @Option(
             names = "--update",
             description =
-                    "Brings the project in DIR up to date with the models; what its owner wrote is kept, and what is"
-                            + " new is told.")
+                    "Brings the project in DIR up to date with the models; keeps what you wrote, and prints what is"
+                            + " new.")
     private boolean update;
 
     @Mixin
@@ -66,7 +66,7 @@ final class ScaffoldCommand implements Callable<Integer> {
             spec.commandLine()
                     .getErr()
                     .print(FindingsText.write(errors, List.of(), List.of(), options.drawings(pair)::place));
-            spec.commandLine().getErr().println("error: no converter of this pair could run; mend the models first");
+            spec.commandLine().getErr().println("error: no converter of this pair could run; fix the models first");
             return 1;
         }
         List<String> report = Scaffold.write(new Scaffold.Request(

@@ -20,14 +20,14 @@ final class TextFile {
      */
     static String read(Path file, String what) throws IOException {
         if (Files.exists(file) && !Files.isRegularFile(file)) {
-            throw new ModelException(file + ": is no file; name a file of " + what);
+            throw new ModelException(file + ": is not a file; name a file of " + what);
         }
         try {
             return Files.readString(file);
         } catch (NoSuchFileException missing) {
             throw new ModelException(file + ": does not exist; correct the path", missing);
         } catch (CharacterCodingException notText) {
-            throw new ModelException(file + ": holds bytes that are no text in UTF-8; save it in UTF-8", notText);
+            throw new ModelException(file + ": contains bytes that are not UTF-8; save it in UTF-8", notText);
         }
     }
 }

@@ -28,7 +28,7 @@ class BadInputTest {
 
     @Test
     void sayingNothingIsAnsweredWithWhatThereIs() {
-        assertRefused(Tool.run(), "say what to do", "show", "check", "diff", "plan", "migrate", "flatten", "scaffold");
+        assertRefused(Tool.run(), "name a command", "show", "check", "diff", "plan", "migrate", "flatten", "scaffold");
     }
 
     @Test
@@ -81,7 +81,7 @@ class BadInputTest {
         Path bytes = Files.write(directory.resolve("bytes.txt"), new byte[] {'a', (byte) 0xff});
         assertRefused(
                 Tool.run("check", ORIGINAL, NEW, "--properties", missing.toString()), "missing.txt: does not exist");
-        assertRefused(Tool.run("check", ORIGINAL, NEW, "--properties", directory.toString()), "is no file");
+        assertRefused(Tool.run("check", ORIGINAL, NEW, "--properties", directory.toString()), "is not a file");
         assertRefused(Tool.run("check", ORIGINAL, NEW, "--properties", bytes.toString()), "bytes.txt", "UTF-8");
     }
 
@@ -95,7 +95,7 @@ class BadInputTest {
 
         assertRefused(Tool.run("show", pipe.toString()), "pipe.xml: is a pipe or a device");
         assertRefused(Tool.run("show", "/dev/zero"), "/dev/zero: is a pipe or a device");
-        assertRefused(Tool.run("check", ORIGINAL, NEW, "--properties", pipe.toString()), "pipe.xml: is no file");
+        assertRefused(Tool.run("check", ORIGINAL, NEW, "--properties", pipe.toString()), "pipe.xml: is not a file");
     }
 
     @Test
@@ -158,7 +158,7 @@ class BadInputTest {
 
         assertThat(refused.status()).isEqualTo(1);
         assertThat(refused.out()).isEmpty();
-        assertThat(refused.err()).contains("condition-1", "condition-2", "mend:", "mend the models first");
+        assertThat(refused.err()).contains("condition-1", "condition-2", "fix:", "fix the models first");
         assertThat(directory.resolve("lamp")).doesNotExist();
     }
 

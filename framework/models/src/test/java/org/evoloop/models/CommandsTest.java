@@ -105,7 +105,7 @@ class CommandsTest {
     @Test
     void planTellsHowEachTransitionComesAbout() {
         assertThat(good("plan", ORIGINAL, NEW, "--spontaneous", "endSpot").lines())
-                .contains("assumed: the converter can send Clean, Spot; the device takes endSpot of its own accord")
+                .contains("assumed: the converter can send Clean, Spot; the device takes endSpot by itself")
                 .contains("(Off, Off)  Off --Clean--> On:  same event Clean")
                 .contains("(On, On)  On --Spot--> Move:  new function Move")
                 .contains("(Spot, Spot)  Spot --endSpot--> On:  the device has done it")

@@ -278,6 +278,6 @@ class JournalCommandTest {
         assertThat(wrong.err()).startsWith("error: " + none + " is no journal");
         assertThat(Tool.run("journal").status()).isEqualTo(2);
         assertThat(Tool.run("journal", "show", directory(), "--last", "0").err())
-                .isEqualTo("error: --last is 0; allowed is 1 and more\n");
+                .isEqualTo("error: --last is 0; it must be at least 1\n");
     }
 }

@@ -55,7 +55,7 @@ class TimeUnitTest {
         Tool run = Tool.run("flatten", "--time-unit", "fortnights", model);
 
         assertThat(run.status()).isEqualTo(2);
-        assertThat(run.err()).contains("'fortnights' is no unit of time triggers; give ms or s");
+        assertThat(run.err()).contains("'fortnights' is not a unit of time triggers; give ms or s");
     }
 
     @Test

@@ -45,6 +45,6 @@ public final class ModelFiles {
                 .orElseThrow(() -> new ModelException("no file " + file + " in "
                         + String.join(
                                 " or ", directories.stream().map(Path::toString).toList())
-                        + "; start where it is, or tell where with -D" + HOME + "=DIRECTORY"));
+                        + "; start the program in its directory, or name that with -D" + HOME + "=DIRECTORY"));
     }
 }

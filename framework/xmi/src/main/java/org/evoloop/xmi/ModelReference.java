@@ -37,7 +37,7 @@ public record ModelReference(Path file, Optional<String> machine, Optional<Chron
             case "s" -> ChronoUnit.SECONDS;
             default ->
                 throw new ModelException(
-                        "--time-unit: '" + abbreviation + "' is no unit of time triggers; give ms or s");
+                        "--time-unit: '" + abbreviation + "' is not a unit of time triggers; give ms or s");
         };
     }
 

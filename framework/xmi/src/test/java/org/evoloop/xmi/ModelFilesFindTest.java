@@ -55,6 +55,6 @@ class ModelFilesFindTest {
         assertThatThrownBy(() -> ModelFiles.find("models/none.xml", ModelFilesFindTest.class))
                 .isInstanceOf(ModelException.class)
                 .hasMessage("no file models/none.xml in " + WORKING_DIRECTORY + " or " + BESIDE_THE_CLASSES + " or "
-                        + home + "; start where it is, or tell where with -Devoloop.home=DIRECTORY");
+                        + home + "; start the program in its directory, or name that with -Devoloop.home=DIRECTORY");
     }
 }

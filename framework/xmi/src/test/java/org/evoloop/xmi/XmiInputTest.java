@@ -39,10 +39,10 @@ class XmiInputTest {
                 "<XMI a='&lol;'/>                     | is damaged or not XML, ",
                 "<?xml version='1.0' encoding='NONE'?><XMI/> | is in the unknown encoding NONE: save it in UTF-8",
                 "<?xml version='1.0' encoding='UTF-16'?><XMI/> | is damaged or not XML, ",
-                "<?xml version='1.0' encoding='UTF-32'?><XMI/> | holds bytes that are no text in the encoding it announces",
-                "<!DOCTYPE XMI><XMI/>                 | holds a DOCTYPE, which is not read for safety (line 1): remove it",
-                "<!DOCTYPE XMI SYSTEM 'file:///etc/passwd'><XMI/> | holds a DOCTYPE",
-                "<!DOCTYPE XMI [<!ENTITY a 'b'>]><XMI>&a;</XMI> | holds a DOCTYPE",
+                "<?xml version='1.0' encoding='UTF-32'?><XMI/> | contains bytes that are invalid in its declared encoding",
+                "<!DOCTYPE XMI><XMI/>                 | contains a DOCTYPE, which is refused for security reasons (line 1): remove it",
+                "<!DOCTYPE XMI SYSTEM 'file:///etc/passwd'><XMI/> | contains a DOCTYPE",
+                "<!DOCTYPE XMI [<!ENTITY a 'b'>]><XMI>&a;</XMI> | contains a DOCTYPE",
                 "PK\u0003\u0004 rest                  | is a zip archive, such as an Astah project (.asta), not XML: open it in Astah",
                 "<html xmlns='urn:x' version='1.0'/> | found root element '{urn:x}html' of version '1.0', which is not supported",
                 "<html/>                              | use XMI 1.1 from Astah (Tools > XML Input & Output > Save as XML Project) or UML 1.x",
@@ -65,7 +65,7 @@ class XmiInputTest {
 
         assertRefused(cut, "is damaged or not XML, ");
         assertRefused(cut, "(line 14): export it again");
-        assertRefused(wrong, "holds bytes that are no text in the encoding it announces (line ");
+        assertRefused(wrong, "contains bytes that are invalid in its declared encoding (line ");
     }
 
     @Test
@@ -75,7 +75,7 @@ class XmiInputTest {
         Path secret = Files.writeString(directory.resolve("secret.xml"), HEAD);
         Files.setPosixFilePermissions(secret, PosixFilePermissions.fromString("---------"));
         Assumptions.assumeFalse(Files.isReadable(secret), "the superuser may read everything");
-        assertRefused(secret, "may not be read; give yourself the right to read it");
+        assertRefused(secret, "cannot be read: permission denied; grant read permission");
     }
 
     @Test

@@ -40,7 +40,7 @@ final class AssumptionParser {
         this.formulas = formulas;
     }
 
-    /** What {@code words} tell of time; empty if they are no assumption. */
+    /** What {@code words} say about time; empty if they are not an assumption. */
     Optional<Assumption> assumption(List<Word> words) {
         boolean isGap =
                 words.size() > 3 && words.get(0).is("at") && words.get(1).is("least");

@@ -41,7 +41,7 @@ final class PropertyText {
      * What is written.
      *
      * @param file for messages
-     * @throws ModelException naming file, line and mend of everything that cannot be understood
+     * @throws ModelException naming file, line and remedy for everything that cannot be understood
      */
     static PropertyText parse(String file, String text, ModelPair pair) {
         PropertyText reader = new PropertyText(file, pair);

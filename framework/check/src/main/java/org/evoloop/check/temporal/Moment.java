@@ -8,7 +8,7 @@ import org.evoloop.statemachine.StateMachine;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What can be told of a running converter between two events.
+ * What is known of a running converter between two events.
  *
  * <p>Threading: immutable.
  *

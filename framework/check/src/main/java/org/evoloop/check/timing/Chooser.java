@@ -5,7 +5,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 
-/** Answers questions that nobody can answer beforehand, such as whether a guard holds, in every possible way. */
+/** Answers questions that are open beforehand, such as whether a guard holds, in every possible way. */
 final class Chooser {
     private final List<Boolean> answers = new ArrayList<>();
     private final Map<String, Boolean> given = new HashMap<>();

@@ -27,7 +27,7 @@ public final class TimeWatch implements Sentry {
     private final TimeForm[] forms;
     private final TimeMonitor[] monitors;
 
-    /** What has been violated and was not told. */
+    /** Violations that were not reported yet. */
     private final boolean[] violated;
 
     private final Map<Configuration, int[]> lasting = new HashMap<>();

@@ -18,7 +18,7 @@ import org.evoloop.evolution.Values;
 import org.evoloop.statemachine.Event;
 import org.jspecify.annotations.Nullable;
 
-/** A core is told one thing, and all that follows in the same instant is carried out. */
+/** Gives a core one input, and carries out all that follows in the same instant. */
 final class Turnover implements Outputs {
     private final Rules rules;
     private final Core core;

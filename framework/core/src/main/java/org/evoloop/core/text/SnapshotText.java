@@ -6,7 +6,7 @@ import org.evoloop.core.Snapshot;
 /**
  * Snapshots as text: one thing in a line, words and numbers bare, names in quotes. The same snapshot gives the same text.
  *
- * <p>States and transitions are told by their names and looked up again, so that a text outlives the models' objects, and
+ * <p>States and transitions are written by name and looked up again, so that a text outlives the models' objects, and
  * models that were changed meanwhile are noticed where that matters. Texts of another version are refused.
  *
  * <p>Threading: thread-safe.
@@ -28,7 +28,7 @@ public final class SnapshotText {
     }
 
     /**
-     * The snapshot that a text tells of.
+     * The snapshot that a text describes.
      *
      * @param rules whose models have the states and transitions that are named
      * @throws SnapshotException if it is no such text, of another version, or names what the models do not have

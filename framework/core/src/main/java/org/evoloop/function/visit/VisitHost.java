@@ -21,23 +21,23 @@ public interface VisitHost {
     boolean accepts(Visit visit, Event event);
 
     /**
-     * Refuses an event that nobody could hear.
+     * Refuses an event that neither model knows.
      *
-     * @throws IllegalArgumentException if neither model knows the event; the message tells the nearest names
+     * @throws IllegalArgumentException if neither model knows the event; the message suggests the most similar names
      */
     void requireKnown(Event event);
 
     /**
      * Queues an event that the visit raises; waits while the queue is full.
      *
-     * @throws InterruptedException if the thread is told to stop while it waits
+     * @throws InterruptedException if the thread is interrupted while it waits
      */
     void raise(Visit visit, Event event) throws InterruptedException;
 
     /**
      * Queues an event that the device shall do; waits while the queue is full.
      *
-     * @throws InterruptedException if the thread is told to stop while it waits
+     * @throws InterruptedException if the thread is interrupted while it waits
      */
     void send(Visit visit, Event event) throws InterruptedException;
 

@@ -10,7 +10,7 @@ enum Palette {
     REROUTED(Tone.REROUTED, "#a85b00", "#fff1dc", "2", "7 4", "rerouted: where it leads now"),
     FORMER(Tone.FORMER, "#aaa", "#f6f6f6", "1.2", "", "rerouted: where it led before"),
     REMOVED(Tone.REMOVED, "#b3261e", "#fdecea", "1.5", "", "removed"),
-    MARKED(Tone.MARKED, "#a3159a", "#fbe6fa", "3", "", "on the way of the counter-example"),
+    MARKED(Tone.MARKED, "#a3159a", "#fbe6fa", "3", "", "on the path of the counterexample"),
     SENDING(Tone.SENDING, "#a85b00", "#fff1dc", "2", "", "kept by sending events"),
     WAITING(Tone.WAITING, "#0b62a8", "#e4f0fb", "2", "", "the swap waits until it is left"),
     STUCK(Tone.STUCK, "#b3261e", "#fdecea", "3", "", "no swap is possible in it"),

@@ -59,7 +59,7 @@ public final class BypassText {
             parts.add("the function of " + at.evolved() + " does not run");
         }
         if (!timers.isEmpty()) {
-            parts.add("nobody waits for " + timers);
+            parts.add("no timer runs for " + timers);
         }
         return String.join(", ", parts) + ": the device stays in " + at.original();
     }

@@ -18,7 +18,7 @@ public final class PlanText {
         List<String> lines = new ArrayList<>();
         lines.add("plan from " + plan.pair().original() + " to " + plan.pair().evolved());
         lines.add("assumed: the converter can send " + names(plan.device().sendable()) + "; the device takes "
-                + names(plan.device().spontaneous()) + " of its own accord");
+                + names(plan.device().spontaneous()) + " by itself");
         if (!plan.device().doNotPass().isEmpty()) {
             lines.add("not to be passed: "
                     + plan.device().doNotPass().stream()

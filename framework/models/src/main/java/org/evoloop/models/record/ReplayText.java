@@ -31,7 +31,7 @@ public final class ReplayText {
                     + ", in " + each.where());
         }
         for (Property each : result.open()) {
-            lines.add("open: " + called(each, file) + ", since the journal ends before what must come has come");
+            lines.add("open: " + called(each, file) + ", since the journal ends before the required event came");
         }
         lines.add(sum(result, file));
         return String.join("\n", lines) + "\n";

@@ -106,7 +106,7 @@ final class ProjectDirectory {
                 report.add("updated   " + path);
             }
         } else if (changed && !Arrays.equals(Files.readAllBytes(target), now)) {
-            report.add("kept      " + path + ", which was changed; what is new in it:");
+            report.add("kept      " + path + ", which you changed; the new lines in it:");
             differences(generated(path), new String(now, StandardCharsets.UTF_8));
         }
     }
@@ -131,7 +131,7 @@ final class ProjectDirectory {
         for (String path : before) {
             Files.delete(generated.resolve(path));
             if (Files.exists(directory.resolve(path))) {
-                report.add("unneeded  " + path + "; remove it when nothing of yours needs it");
+                report.add("unneeded  " + path + "; remove it if your code does not need it");
             }
         }
     }

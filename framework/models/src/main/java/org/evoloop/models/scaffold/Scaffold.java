@@ -72,8 +72,8 @@ public final class Scaffold {
                 && !javaPackage.equals("java");
         if (!good) {
             throw new IllegalArgumentException("--package: " + javaPackage
-                    + " is no name for a Java package; write words of ASCII letters and digits with dots between, none of"
-                    + " them a word of the language, such as com.example.lamp");
+                    + " is not a valid Java package name; write ASCII letters and digits, with dots between the parts and no"
+                    + " Java keyword, such as com.example.lamp");
         }
     }
 

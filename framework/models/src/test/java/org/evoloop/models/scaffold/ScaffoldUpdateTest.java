@@ -131,7 +131,7 @@ class ScaffoldUpdateTest {
         aNewState();
 
         assertThat(update())
-                .contains("kept      " + SOURCES + "KnowledgeState.java, which was changed; what is new in it:\n"
+                .contains("kept      " + SOURCES + "KnowledgeState.java, which you changed; the new lines in it:\n"
                         + "  + function(\"赤い\", new StateFunction2());\n")
                 .contains("left out  " + SOURCES + "MonitorEvent.java, which was removed\n")
                 .doesNotContain(SOURCES + "StateFunction.java");
@@ -145,7 +145,7 @@ class ScaffoldUpdateTest {
         write(SOURCES + "StateFunction.java", "mine");
         model("new", lamp("new").event("dim"));
 
-        assertThat(update()).contains("unneeded  " + SOURCES + "StateFunction.java; remove it when ");
+        assertThat(update()).contains("unneeded  " + SOURCES + "StateFunction.java; remove it if ");
         assertThat(project.resolve(SOURCES + "StateFunction.java")).hasContent("mine");
         assertThat(update()).isEqualTo("nothing is new\n");
     }

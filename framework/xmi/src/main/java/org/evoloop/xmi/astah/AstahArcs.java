@@ -83,8 +83,9 @@ final class AstahArcs {
         if (key == null && definedIds.contains(ids.get(0))) {
             problems.add(
                     transition.line,
-                    "the " + role + " of transition " + transition.label() + " is no state but the element with the id "
-                            + Problems.quote(ids.get(0)) + "; draw it from state to state");
+                    "the " + role + " of transition " + transition.label()
+                            + " is not a state but the element with the id " + Problems.quote(ids.get(0))
+                            + "; draw it from state to state");
         }
         return key == null ? "" : key;
     }

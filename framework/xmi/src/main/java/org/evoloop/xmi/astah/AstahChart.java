@@ -263,7 +263,7 @@ final class AstahChart {
             refusal = "is linked to " + (references.isEmpty() ? "no" : "the unknown") + " state machine"
                     + (id.isEmpty() ? "" : " " + Problems.quote(id)) + "; link it to one of this file";
         } else if (including.contains(id)) {
-            refusal = "includes state machine " + included.machine().label() + ", which includes it; end the circle";
+            refusal = "includes state machine " + included.machine().label() + ", which includes it; break the cycle";
         } else if (including.size() == MAX_INCLUSIONS) {
             refusal = "is the last of " + MAX_INCLUSIONS + " machines, each in another; include fewer of them";
         }

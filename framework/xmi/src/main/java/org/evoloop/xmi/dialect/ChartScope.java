@@ -98,7 +98,7 @@ public final class ChartScope<M extends UmlElement> {
             problems.add(
                     state.line(),
                     "submachine state " + state.label() + " holds state machine " + submachine.label()
-                            + ", which holds this state; end the cycle");
+                            + ", which contains this state; break the cycle");
             return Optional.empty();
         }
         ChartScope<M> scope = new ChartScope<>(submachine, key(state.id()) + "/", List.copyOf(outer), vertices);

@@ -16,7 +16,7 @@ public record TransitionEnd(String transition, String role) {
 
     /** That the end is something else: {@code what}, with its kind and label. */
     public String noVertex(String what) {
-        return "the " + role + " of transition " + transition + " is no vertex of this state machine but " + what
+        return "the " + role + " of transition " + transition + " is not a vertex of this state machine but " + what
                 + "; draw it from state to state";
     }
 }

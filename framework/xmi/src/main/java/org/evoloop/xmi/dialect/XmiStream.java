@@ -68,7 +68,7 @@ public final class XmiStream extends StreamReaderDelegate implements AutoCloseab
         } catch (NoSuchFileException missing) {
             throw new ModelException(file + ": does not exist; correct the path", missing);
         } catch (AccessDeniedException denied) {
-            throw new ModelException(file + ": may not be read; give yourself the right to read it", denied);
+            throw new ModelException(file + ": cannot be read: permission denied; grant read permission", denied);
         } catch (IOException unreadable) {
             throw new ModelException(file + ": cannot be read (" + unreadable.getMessage() + ")", unreadable);
         }
@@ -195,7 +195,7 @@ public final class XmiStream extends StreamReaderDelegate implements AutoCloseab
             switch (event) {
                 case START_ELEMENT -> startElement();
                 case END_ELEMENT -> depth--;
-                case DTD -> throw refuse("holds a DOCTYPE, which is not read for safety", "remove it");
+                case DTD -> throw refuse("contains a DOCTYPE, which is refused for security reasons", "remove it");
                 case PROCESSING_INSTRUCTION -> name(getPITarget());
                 default -> {}
             }
@@ -251,7 +251,7 @@ public final class XmiStream extends StreamReaderDelegate implements AutoCloseab
         // The parser's own text starts with the position, which the message gives anyway.
         if (nested instanceof CharacterCodingException) {
             return new ModelException(
-                    message("holds bytes that are no text in the encoding it announces", line, "save it in UTF-8"),
+                    message("contains bytes that are invalid in its declared encoding", line, "save it in UTF-8"),
                     cause);
         }
         String text = String.valueOf(nested == null ? cause.getMessage() : nested.getMessage());

@@ -241,8 +241,7 @@ final class ScxmlArcs {
     private void never(XmlNode transition, Supplier<String> label) {
         problems.note(
                 transition.line(),
-                label.get()
-                        + " is never taken, since earlier ones always take its events, and is passed over; remove it");
+                label.get() + " is never taken, since earlier ones always take its events, and is ignored; remove it");
     }
 
     private void requireLasting(

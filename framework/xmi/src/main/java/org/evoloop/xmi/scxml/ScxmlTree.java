@@ -121,7 +121,8 @@ final class ScxmlTree {
                 found = found.isEmpty() ? List.of(target) : joined(found, target);
             } else {
                 problems.add(
-                        line, what.get() + " leads to " + Problems.quote(id) + ", which is no state; correct the id");
+                        line,
+                        what.get() + " leads to " + Problems.quote(id) + ", which is not a state; correct the id");
             }
         }
         return found;

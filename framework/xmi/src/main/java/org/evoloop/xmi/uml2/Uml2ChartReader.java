@@ -175,7 +175,7 @@ final class Uml2ChartReader {
                 problems.note(
                         rule.line(),
                         "constraint " + rule.label() + " of " + owner.type() + " " + owner.label()
-                                + " is no guard and is passed over; make it the guard of a transition if it should be one");
+                                + " is not a guard and is ignored; make it the guard of a transition if it should be one");
             }
         }
     }

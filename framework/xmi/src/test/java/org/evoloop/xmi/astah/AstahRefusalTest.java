@@ -44,7 +44,7 @@ class AstahRefusalTest {
             delimiter = '|',
             value = {
                 "on | gone | go    | reference to the unknown id 'gone' of transition 'go'; ",
-                "on | t    | go    | the target of transition 'go' (id 'x') is no state but the element with the id 't'; ",
+                "on | t    | go    | the target of transition 'go' (id 'x') is not a state but the element with the id 't'; ",
                 "on | i    | go    | (line 20, id x) ends in an initial pseudostate; end it in a state",
             })
     void shouldRefuseAMalformedTransition(String source, String target, String event, String problem) {

@@ -6,7 +6,7 @@ import org.evoloop.xmi.ChartText;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** What has no place in a chart is named, with its line and the mend. */
+/** What has no place in a chart is named, with its line and the remedy. */
 class ScxmlRefusalTest {
 
     @ParameterizedTest
@@ -18,9 +18,9 @@ class ScxmlRefusalTest {
                 "<state id='a' src='b.xml'/>                     | attribute src of state 'a' is not supported; remove it",
                 "<state id='a'><transitoin/></state>             | element transitoin in state 'a' is not supported; remove it",
                 "<state id='a'><x:t xmlns:x='urn:x'/></state>    | element t in state 'a' is not supported; remove it",
-                "<state id='a'><transition event='e' target='b'/></state> | transition of state 'a' leads to 'b', which is no state; correct the id",
+                "<state id='a'><transition event='e' target='b'/></state> | transition of state 'a' leads to 'b', which is not a state; correct the id",
                 "<state id='a'><transition evnet='e' target='a'/></state> | attribute evnet of transition of state 'a' is not supported",
-                "<state id='a' initial='c'><state id='b'/></state>        | initial leads to 'c', which is no state",
+                "<state id='a' initial='c'><state id='b'/></state>        | initial leads to 'c', which is not a state",
                 "<state id='a'><initial/><state id='b'/></state>          | initial of state 'a' is not one transition; write one",
                 "<state id='a'><transition/></state>             | transition of state 'a' has no event and leads nowhere",
                 "<state id='a'><state id='b'/><transition target='b'/></state> | transition of state 'a' has no event and leads out of a composite state",

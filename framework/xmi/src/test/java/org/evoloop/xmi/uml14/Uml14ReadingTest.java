@@ -185,7 +185,7 @@ class Uml14ReadingTest {
                 "<UML:Pseudostate xmi.id='a' kind='odd'/>     | pseudostate '' (id 'a') is of the unknown kind 'odd'",
                 "<UML:SimpleState xmi.id='a' name='A'><UML:State.odd/></UML:SimpleState> | element State.odd of SimpleState 'A' (id 'a') is not supported; remove it",
                 "<UML:SimpleState xmi.id='a' name='A' odd='1'/> | attribute odd of SimpleState 'A' (id 'a') is not supported; remove it",
-                "<UML:SubmachineState xmi.id='a' name='A' submachine='m'/> | holds state machine 'm' (id 'm'), which holds this state; end the cycle",
+                "<UML:SubmachineState xmi.id='a' name='A' submachine='m'/> | holds state machine 'm' (id 'm'), which contains this state; break the cycle",
                 "<UML:SubmachineState xmi.id='a' name='A' submachine='no'/> | submachine of SubmachineState 'A' (id 'a') refers to the unknown id 'no'",
                 "<UML:CompositeState xmi.id='a' name='A' isConcurrent='true'><UML:CompositeState.subvertex><UML:SimpleState xmi.id='b' name='B'/></UML:CompositeState.subvertex></UML:CompositeState>"
                         + " | SimpleState 'B' (id 'b') stands directly in the concurrent state 'A' (id 'a')",

@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** What has no place in a chart is named, with its line and the mend. */
+/** What has no place in a chart is named, with its line and the remedy. */
 class Uml2RefusalTest {
 
     @ParameterizedTest
@@ -28,7 +28,7 @@ class Uml2RefusalTest {
                 "<subvertex xmi:type='uml:State' xmi:id='a' name='A' redefinedState='b'/>"
                         + " | attribute redefinedState of State 'A' (id 'a') is not supported; remove it",
                 "<subvertex xmi:type='uml:State' xmi:id='a' name='A' submachine='m'/>"
-                        + " | submachine state 'A' (id 'a') holds state machine 'M' (id 'm'), which holds this state; end the cycle",
+                        + " | submachine state 'A' (id 'a') holds state machine 'M' (id 'm'), which contains this state; break the cycle",
                 "<subvertex xmi:type='uml:State' xmi:id='a' name='A' submachine='no'/>"
                         + " | submachine of State 'A' (id 'a') refers to the unknown id 'no'",
                 "<subvertex xmi:type='uml:State' xmi:id='a' name='A'><submachine href='other.uml#s'/></subvertex>"
@@ -74,7 +74,7 @@ class Uml2RefusalTest {
             delimiter = '|',
             value = {
                 "target='no'  | target of Transition '' (id 't') refers to the unknown id 'no'; export the model again",
-                "target='m'   | the target of transition '' (id 't') is no vertex of this state machine but the StateMachine 'M' (id 'm')",
+                "target='m'   | the target of transition '' (id 't') is not a vertex of this state machine but the StateMachine 'M' (id 'm')",
                 "''           | transition '' (id 't') has no target; draw it from one state to one state",
             })
     void shouldRefuseATransitionToNowhere(String target, String problem) {

@@ -93,7 +93,7 @@ class Uml2SilentLossTest {
         assertThat(machine.notes())
                 .singleElement()
                 .asString()
-                .contains("constraint 'C' (id 'c') of Transition '' (id 't') is no guard and is passed over");
+                .contains("constraint 'C' (id 'c') of Transition '' (id 't') is not a guard and is ignored");
     }
 
     @Test

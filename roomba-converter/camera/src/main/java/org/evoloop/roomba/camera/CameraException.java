@@ -1,7 +1,7 @@
 package org.evoloop.roomba.camera;
 
 /**
- * A camera, OpenCV or a file for them cannot be used; the message says which, why, and the mend.
+ * A camera, OpenCV or a file for them cannot be used; the message says which, why, and how to fix it.
  *
  * @since 0.1
  */

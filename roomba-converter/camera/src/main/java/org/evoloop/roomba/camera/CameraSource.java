@@ -70,7 +70,7 @@ public record CameraSource(Kind kind, String text) {
         return kind == Kind.DEVICE || kind == Kind.URL || kind == Kind.SIMULATED;
     }
 
-    /** Why it cannot be opened, as far as the file system tells, with the mend. */
+    /** Why it cannot be opened, as far as the file system tells, with the remedy. */
     public Optional<String> obstacle() {
         if (kind != Kind.DEVICE && kind != Kind.FILE) {
             return Optional.empty();

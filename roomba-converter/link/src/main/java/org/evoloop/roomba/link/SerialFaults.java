@@ -90,7 +90,7 @@ final class SerialFaults {
         return new LinkException(
                 Fault.NOT_READING,
                 settings + " took no more bytes for " + settings.sendLimitMillis()
-                        + " ms; check that what is at the other end is running");
+                        + " ms; check that the device at the other end is running");
     }
 
     static LinkException closed(SerialSettings settings) {

@@ -104,7 +104,7 @@ public final class SerialSettings {
 
     private static void requirePositive(String name, int value) {
         if (value <= 0) {
-            throw new IllegalArgumentException(name + " is " + value + " and must be above 0");
+            throw new IllegalArgumentException(name + " is " + value + " and must be greater than 0");
         }
     }
 }

@@ -142,7 +142,7 @@ class SerialLossTest {
             Link link = open(listener, 200);
             assertThatThrownBy(() -> link.send(TOO_MUCH))
                     .hasMessage("serial port " + path + " at 4000000 baud took no more bytes for 200 ms;"
-                            + " check that what is at the other end is running");
+                            + " check that the device at the other end is running");
             assertThat(listener.awaitLost().fault()).isEqualTo(Fault.NOT_READING);
             assertFault(Fault.NOT_READING, () -> link.send(new byte[1]));
             link.close();

@@ -168,7 +168,7 @@ final class Control {
         } else if (command != null) {
             confirm(command);
         } else {
-            // Whatever it was left alone for, it does not do it.
+            // Still under control though it was released, and at rest: it is on.
             on |= engaged && !wanted && framesWith % SpotWatch.QUIET_FRAMES == 0 && estimate.isAtRest();
         }
         return on;

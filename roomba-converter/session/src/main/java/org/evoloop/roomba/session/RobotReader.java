@@ -321,8 +321,8 @@ final class RobotReader implements ConnectionOwner {
             return "";
         }
         return 2 * framer.headerlessChecksums() > framer.badChecksums()
-                ? "frames come, but their checksum leaves out the header byte, as the Roomba 500's specification has it and "
-                        + "no robot is known to do. A simulated robot does with --checksum spec500: start it without"
+                ? "frames come, but their checksum leaves out the header byte, as the Roomba 500's specification says "
+                        + "but no known robot does. A simulated robot does so with --checksum spec500: start it without"
                 : "frames come, but their checksum never fits: the cable or its adapter changes bytes. Try another one";
     }
 

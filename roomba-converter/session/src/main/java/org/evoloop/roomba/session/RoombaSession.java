@@ -172,8 +172,8 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
      */
     public void send(Command command) {
         if (control.isRegaining()) {
-            throw new RobotException(connection.description()
-                    + ": the robot has just come back into sight; try again when it is under control");
+            throw new RobotException(
+                    connection.description() + ": the robot has just reconnected; try again when it is under control");
         }
         reader.sending(command);
         synchronized (sending) {

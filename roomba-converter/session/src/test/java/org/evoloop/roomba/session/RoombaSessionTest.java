@@ -158,7 +158,7 @@ class RoombaSessionTest {
         assertThat(cables.heard()).isEqualTo(bytes(SAFE, STOP));
         assertThatThrownBy(() -> session.send(new Command.Spot()))
                 .isInstanceOf(RobotException.class)
-                .hasMessageContaining("has just come back into sight");
+                .hasMessageContaining("has just reconnected");
         told.clear();
         frames(2, CONTROLLED);
         assertThat(told).containsExactly("seen ON");

@@ -88,7 +88,7 @@ public final class Pty implements AutoCloseable {
         }
         Optional<Path> living = livingTarget(symlink);
         if (living.isPresent()) {
-            throw new IOException(symlink + " is the port of a simulator that lives, " + living.get()
+            throw new IOException(symlink + " is the port of a running simulator, " + living.get()
                     + "; end that one or choose another path");
         }
         return make(symlink);
@@ -116,7 +116,8 @@ public final class Pty implements AutoCloseable {
 
     private static Pty make(@Nullable Path symlink) throws IOException {
         if (!Platform.isLinux()) {
-            throw new IOException("pseudo-terminals are made on Linux only, this is " + System.getProperty("os.name"));
+            throw new IOException(
+                    "pseudo-terminals are supported on Linux only; this is " + System.getProperty("os.name"));
         }
         NativeLibraries.loadJna();
         int master = LibC.check(

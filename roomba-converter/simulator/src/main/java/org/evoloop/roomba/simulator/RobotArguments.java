@@ -95,7 +95,7 @@ final class RobotArguments {
 
     @Option(
             names = "--sleepy",
-            description = "Asleep, only its CLEAN button and the dock wake the robot; else opening the port does too.")
+            description = "Only its CLEAN button and the dock wake a sleeping robot (default: opening the port, too).")
     private boolean sleepy;
 
     @Option(

@@ -38,7 +38,7 @@ import picocli.CommandLine.Spec;
         description = "Runs a simulated Roomba at a pseudo-terminal.",
         footer = {
             "",
-            "Standard input takes a command a line, and standard output answers each:",
+            "The standard input takes one command per line; the standard output answers each:",
             "  press clean|spot|dock [MILLIS]   presses a button",
             "  lift, set-down                   holds the robot in the air, and sets it down",
             "  place X Y HEADING                carries it elsewhere",
@@ -49,23 +49,23 @@ import picocli.CommandLine.Spec;
             "  camera stall, camera resume      holds its pictures back, and sends them again",
             "  camera unplug, camera replug     pulls the camera's cable, and plugs it in again",
             "  camera damage P                  damages this part of its pictures, 0 to 1",
-            "  state                            tells its true state in JSON",
-            "  help, quit                       the end of standard input quits, too",
+            "  state                            prints its true state in JSON",
+            "  help, quit                       the end of the standard input quits, too",
             "",
-            "A room file has a thing on each line, in mm and in degrees counterclockwise",
+            "A room file has one object per line, in mm and in degrees counterclockwise",
             "from the x axis; # begins a comment:",
             "  wall X Y X Y               walls around a rectangle, by two corners",
             "  wall X Y X Y X Y ...       walls around a polygon",
             "  obstacle X Y X Y ...       something solid, a rectangle or polygon likewise",
             "  cliff X Y X Y ...          where there is no floor, likewise",
-            "  dock X Y HEADING           where a docked robot stands and looks;",
+            "  dock X Y HEADING           where a docked robot stands and its heading;",
             "                             the dock itself is 176 mm ahead",
-            "  start X Y HEADING          where it begins (default: the dock, else 0 0 0)",
+            "  start X Y HEADING          where it starts (default: the dock, else 0 0 0)",
             "  marker X Y HEADING [ID [SIDE [HEIGHT]]] [solid]",
             "                             an upright tag of 4x4_50 (default: 0, 150, 150),",
-            "                             its middle HEIGHT above X Y; it looks to HEADING;",
+            "                             its middle HEIGHT above X Y; it faces HEADING;",
             "                             a solid one is an obstacle as wide as its board",
-            "A wall or an obstacle may end with its looks: color RRGGBB height MM"
+            "A wall or an obstacle may end with its appearance: color RRGGBB height MM"
         },
         mixinStandardHelpOptions = true)
 public final class SimulatorCommand implements Callable<Integer> {
@@ -86,12 +86,12 @@ public final class SimulatorCommand implements Callable<Integer> {
             names = "--speed",
             paramLabel = "N",
             defaultValue = "1",
-            description = "How many times faster than real time the robot lives (default: ${DEFAULT-VALUE}).")
+            description = "The speed of the simulation relative to real time (default: ${DEFAULT-VALUE}).")
     private double speed;
 
     @Option(
             names = "--keep-running",
-            description = "Goes on when standard input ends, as it does for a service or with </dev/null; "
+            description = "Keeps running when the standard input ends, as in a service or with </dev/null; "
                     + "SIGTERM ends it.")
     private boolean keepRunning;
 

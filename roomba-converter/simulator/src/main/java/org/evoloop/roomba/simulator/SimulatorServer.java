@@ -152,7 +152,7 @@ public final class SimulatorServer implements Cable, AutoCloseable {
             long nowNanos = clock.nanoTime();
             long waitNanos = dueNanos - nowNanos;
             if (waitNanos < -LONGEST_LAG_NANOS) {
-                LOG.warn("the simulator was {} ms late and gives them up", -waitNanos / NANOS_PER_MILLI);
+                LOG.warn("the simulator fell {} ms behind; skipping ahead", -waitNanos / NANOS_PER_MILLI);
                 dueNanos = nowNanos;
             }
             if (waitNanos <= 0) {

@@ -127,7 +127,7 @@ public final class WorldCommands {
                 requireCount(command, arguments, 0, 0);
                 return act(command);
             }
-            default -> throw new IllegalArgumentException("'" + command + "' is no command; there are " + HELP);
+            default -> throw new IllegalArgumentException("'" + command + "' is not a command; there are " + HELP);
         }
         return OK;
     }
@@ -171,7 +171,7 @@ public final class WorldCommands {
                 .filter(button -> button.name().toLowerCase(Locale.ROOT).equals(name))
                 .findFirst()
                 .orElseThrow(() ->
-                        new IllegalArgumentException("'" + name + "' is no button, there are clean, spot and dock"));
+                        new IllegalArgumentException("'" + name + "' is not a button; there are clean, spot and dock"));
     }
 
     private static int millis(String text) {

@@ -54,7 +54,7 @@ class SimulatorCommandTest {
                 .containsExactly(
                         "ready " + link,
                         "ok",
-                        "error: 'nonsense' is no command; there are " + new WorldCommands(ANY_ROBOT).execute("help"),
+                        "error: 'nonsense' is not a command; there are " + new WorldCommands(ANY_ROBOT).execute("help"),
                         "ok");
         assertThat(errors.toString()).isEmpty();
         assertThat(exitCode).isZero();
@@ -135,7 +135,7 @@ class SimulatorCommandTest {
                     .isEqualTo(2);
             assertThat(errors.toString().lines().findFirst())
                     .contains("cannot start the simulator: the camera's port " + port
-                            + " cannot be had (Address already in use); choose another, or 0 for any that is free");
+                            + " cannot be used (Address already in use); choose another, or 0 for any that is free");
         }
         assertThat(folder).isEmptyDirectory();
     }
@@ -164,7 +164,7 @@ class SimulatorCommandTest {
             Path port = Files.readSymbolicLink(link);
             assertThat(run("quit\n", "--link", link.toString())).isEqualTo(2);
             assertThat(errors.toString().lines().findFirst())
-                    .contains("cannot start the simulator: " + link + " is the port of a simulator that lives, " + port
+                    .contains("cannot start the simulator: " + link + " is the port of a running simulator, " + port
                             + "; end that one or choose another path");
             assertThat(Files.readSymbolicLink(link)).isEqualTo(port);
             assertThat(living.robot().state().timeMillis()).isNotNegative();

@@ -95,7 +95,7 @@ class WorldCommandsTest {
     @CsvSource(
             delimiter = '#',
             value = {
-                "''              # error: '' is no command; there are press clean|spot|dock [MILLIS]; lift; set-down;"
+                "''              # error: '' is not a command; there are press clean|spot|dock [MILLIS]; lift; set-down;"
                         + " place X Y HEADING; dock; undock; unplug; replug; move-marker X Y HEADING; cover-marker;"
                         + " uncover-marker; camera stall|resume|unplug|replug|damage P; state; help; quit",
                 "lift it         # error: the command is 'lift'",
@@ -106,7 +106,7 @@ class WorldCommandsTest {
                 "undock          # error: the robot is not on a dock",
                 "unplug          # error: this robot has no cable",
                 "press           # error: the command is 'press clean|spot|dock [MILLIS]'",
-                "press clock     # error: 'clock' is no button, there are clean, spot and dock",
+                "press clock     # error: 'clock' is not a button; there are clean, spot and dock",
                 "press clean 0   # error: MILLIS is '0'; allowed is 1 to 60000 ms",
                 "press clean 1e9 # error: MILLIS is '1e9'; allowed is 1 to 60000 ms",
                 "camera stall    # error: this robot has no camera",

@@ -176,7 +176,7 @@ public final class Connection {
                 ended = true;
             } catch (Throwable failure) {
                 // Not even an Error may end the reading here, or nobody would give the link back.
-                LOG.error("{}: something that came could not be dealt with", link.description(), failure);
+                LOG.error("{}: received data could not be handled", link.description(), failure);
             }
         }
         seeLoss(link, plugging);

@@ -65,7 +65,7 @@ final class ConnectionThread {
             try {
                 work.run();
             } catch (RuntimeException failure) {
-                LOG.error("the connection's own work failed", failure);
+                LOG.error("a task of the connection failed", failure);
             }
         }
     }

@@ -26,7 +26,7 @@ import org.jspecify.annotations.Nullable;
  *   wall     X Y  X Y  X Y ...   # or a polygon by its corners
  *   obstacle X Y  X Y  ...       # something solid, a rectangle or a polygon likewise
  *   cliff    X Y  X Y  ...       # where there is no floor, likewise
- *   dock     X Y HEADING         # where a docked robot stands and looks; the dock itself is 176 mm ahead
+ *   dock     X Y HEADING         # where a docked robot stands and its heading; the dock itself is 176 mm ahead
  *   start    X Y HEADING         # where it begins; if not told, on the dock, or without one at 0 0 0
  *   marker   X Y HEADING         # an upright tag of 4x4_50 with id 0 and 150 mm wide, its middle 150 mm above X Y
  *   marker   X Y HEADING ID SIDE HEIGHT   # one of any kind; the last of these may be left out

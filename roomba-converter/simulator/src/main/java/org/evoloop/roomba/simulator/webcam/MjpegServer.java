@@ -72,7 +72,7 @@ final class MjpegServer implements AutoCloseable {
             server = HttpServer.create(new InetSocketAddress(InetAddress.getLoopbackAddress(), port), 0);
         } catch (BindException taken) {
             throw new IOException(
-                    "the camera's port " + port + " cannot be had (" + taken.getMessage()
+                    "the camera's port " + port + " cannot be used (" + taken.getMessage()
                             + "); choose another, or 0 for any that is free",
                     taken);
         }
@@ -163,7 +163,7 @@ final class MjpegServer implements AutoCloseable {
     private void watch(HttpExchange exchange, Show show) throws IOException {
         try {
             if (clients.incrementAndGet() > MOST_CLIENTS) {
-                sendText(exchange, BUSY, "text/plain", MOST_CLIENTS + " clients are all that this camera serves\n");
+                sendText(exchange, BUSY, "text/plain", MOST_CLIENTS + " clients is the most that this camera serves\n");
             } else {
                 show.run();
             }

@@ -369,7 +369,7 @@ class WebcamTest {
         assertThatThrownBy(() -> Webcam.start(CAMERA.withPort(taken)))
                 .isInstanceOf(IOException.class)
                 .hasMessage("the camera's port " + taken
-                        + " cannot be had (Address already in use); choose another, or 0 for any that is free");
+                        + " cannot be used (Address already in use); choose another, or 0 for any that is free");
         assertThatThrownBy(() -> CAMERA.withPort(65_536)).hasMessage("camera port is 65536; allowed is 0 to 65535");
         assertThatThrownBy(() -> CAMERA.withFramesPerSecond(61))
                 .hasMessage("camera frames per second are 61.0; allowed is 0.1 to 60");
