@@ -235,7 +235,7 @@ KNOWN = [
     Known("./evoloop bench", why_not="takes 15 to 20 minutes; --quick does the same with fewer rounds"),
     typed("./evoloop bench --quick", slow=True, shows="decision"),
     Known("./evoloop bench --only ring", run="./evoloop bench --quick --only ring", slow=True),
-    typed("./evoloop bench --quick --only ring,running,device", slow=True, shows="button to command"),
+    typed("./evoloop bench --quick --only ring,running,loading", slow=True, shows="button to command"),
     Known("./evoloop bench --json FILE", run="./evoloop bench --quick --only loading --json rows.json", slow=True),
     Known(
         "./evoloop bench --json benchmarks/results/2026-11-22.json",
