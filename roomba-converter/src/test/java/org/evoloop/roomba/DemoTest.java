@@ -56,7 +56,7 @@ class DemoTest {
     private static List<String> said(Program.Result result) {
         return result.err()
                 .lines()
-                .filter(line -> !line.contains(" WARN  the simulator was "))
+                .filter(line -> !line.contains(" WARN  the simulator fell "))
                 .filter(line -> !line.contains(" WARN  the state of the device is in doubt: "))
                 .toList();
     }

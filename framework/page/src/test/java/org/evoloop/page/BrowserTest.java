@@ -144,7 +144,7 @@ class BrowserTest {
         lit("On", "On");
         browser.evaluate("document.getElementById('component').value = 'Robot'");
         click("Exchange");
-        browser.await("document.getElementById('answer').innerText.includes('is in the place of Robot')");
+        browser.await("document.getElementById('answer').innerText.includes('has replaced Robot')");
     }
 
     @Test
