@@ -315,7 +315,7 @@ class SimulatorServerTest {
             assertThatThrownBy(() -> SimulatorServer.start(
                             port(), RobotOptions.defaults(), clock, 1, state -> {}, Optional.of(taken)))
                     .isInstanceOf(IOException.class)
-                    .hasMessageContaining("cannot be had");
+                    .hasMessageContaining("cannot be used");
         }
         assertThat(folder).isEmptyDirectory();
     }
