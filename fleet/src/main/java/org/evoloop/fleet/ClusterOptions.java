@@ -1,5 +1,9 @@
 package org.evoloop.fleet;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;
@@ -52,6 +56,15 @@ final class ClusterOptions {
     /** The fleet's name. */
     String fleet() {
         return fleet;
+    }
+
+    /** @throws FleetException if there is no such file */
+    static String text(Path file) throws IOException {
+        try {
+            return Files.readString(file);
+        } catch (NoSuchFileException e) {
+            throw new FleetException("there is no file " + file);
+        }
     }
 
     /** @throws FleetException if the fleet's topics are not as they have to be */

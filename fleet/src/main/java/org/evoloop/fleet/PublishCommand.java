@@ -1,8 +1,6 @@
 package org.evoloop.fleet;
 
 import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -73,15 +71,9 @@ final class PublishCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException, InterruptedException {
-        String text;
-        try {
-            text = Files.readString(file);
-        } catch (NoSuchFileException e) {
-            throw new FleetException("there is no file " + file);
-        }
         byte[] record = new ModelRecord(
                         String.valueOf(file.getFileName()),
-                        text,
+                        ClusterOptions.text(file),
                         original,
                         evolved,
                         timers.stream().map(PublishCommand::timer).toList(),

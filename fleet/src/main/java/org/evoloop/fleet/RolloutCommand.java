@@ -1,12 +1,9 @@
 package org.evoloop.fleet;
 
 import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.Map;
 import java.util.concurrent.Callable;
-import org.evoloop.fleet.stream.FleetException;
 import org.evoloop.fleet.wire.Rollout;
 import org.evoloop.fleet.wire.Topic;
 import org.jspecify.annotations.Nullable;
@@ -80,12 +77,7 @@ final class RolloutCommand implements Callable<Integer> {
             }
         }
         Path file = mapping;
-        String text;
-        try {
-            text = file == null ? "" : Files.readString(file);
-        } catch (NoSuchFileException e) {
-            throw new FleetException("there is no file " + file);
-        }
+        String text = file == null ? "" : ClusterOptions.text(file);
         if (from.equals(to)) {
             throw new IllegalArgumentException("--from and --to are both " + from + "; name the models that take over");
         }

@@ -22,7 +22,7 @@ final class Clock {
         return settings.isWallClock();
     }
 
-    /** {@code millis}, or now if that is later. */
+    /** {@code millis}, or now if that is earlier, in nanoseconds. */
     long atMost(long millis) {
         return Wire.nanos(Math.min(millis, nowMillis()));
     }

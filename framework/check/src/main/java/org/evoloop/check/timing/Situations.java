@@ -8,9 +8,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import org.evoloop.check.timing.Situation.Branch;
+import org.evoloop.core.Core;
 import org.evoloop.core.Rules;
 import org.evoloop.core.Snapshot;
-import org.evoloop.core.Tally;
 import org.evoloop.statemachine.Event;
 
 /**
@@ -39,19 +39,7 @@ final class Situations {
 
     /** The ways in which a converter can be opened. */
     List<Branch> opening() {
-        Snapshot closed = new Snapshot(
-                false,
-                rules.table().models().initial(),
-                null,
-                0,
-                0,
-                new Snapshot.OpenVisit(0, true, null, Map.of()),
-                List.of(),
-                false,
-                false,
-                null,
-                new Tally(0, 0, 0, 0, 0, 0, 0, 0, 0),
-                0);
+        Snapshot closed = new Core(rules, output -> {}).snapshot();
         return ways(chooser -> new Turnover(rules, closed, slow, chooser).open());
     }
 
