@@ -5,8 +5,8 @@ import org.evoloop.core.Output;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What has to be done in one turn, in order. The next turn continues with the same agenda, unless the turn was taken
- * away from a thread: that thread keeps the old agenda, which is over.
+ * The directives to carry out in one turn, in order. The next turn continues with the same agenda. A thread whose turn
+ * was taken away keeps the old agenda, which is closed.
  *
  * <p>Threading: only the thread that has the turn adds and removes directives, so no lock is needed for each
  * directive.
@@ -19,7 +19,7 @@ final class Agenda {
     private long turn = NOBODY;
     private volatile boolean over;
 
-    /** The number of the occurrence that has its turn. */
+    /** The number of the occurrence in progress. */
     long turn() {
         return turn;
     }
@@ -32,17 +32,17 @@ final class Agenda {
         directives.add(directive);
     }
 
-    /** What has to be done next, which is off the agenda then; null if there is nothing, or the turn was taken away. */
+    /** Removes and returns the next directive; null if there is none, or the turn was taken away. */
     Output.@Nullable Directive poll() {
         return over ? null : directives.poll();
     }
 
-    /** What has to be done next; null if there is nothing. */
+    /** The next directive, which stays on the agenda; null if there is none. */
     Output.@Nullable Directive peek() {
         return directives.peek();
     }
 
-    /** Puts back what was polled last: another component has to do it. */
+    /** Puts back the directive that was polled last, for another component to carry out. */
     void handBack(Output.Directive directive) {
         directives.addFirst(directive);
     }

@@ -4,12 +4,12 @@ import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;
 
 /**
- * What an occurrence was found to mean: what {@link EventAnalyze} hands to {@link EventPlan}.
+ * The result of analyzing an occurrence, which {@link EventAnalyze} hands to {@link EventPlan}.
  *
  * <p>Threading: immutable.
  *
- * @param occurrence the one that was analyzed
- * @param decision made in the states in which device and evolved system were then
+ * @param occurrence the analyzed occurrence
+ * @param decision the decision, made for the states of device and evolved system at that moment
  * @since 0.1
  */
 public record Analysis(Occurrence occurrence, Decision decision) {}

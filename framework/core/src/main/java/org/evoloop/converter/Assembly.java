@@ -20,7 +20,7 @@ import org.evoloop.statemachine.Names;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The components of a converter by name, and what they can do together with its models.
+ * The components of a converter by name, and the decisions that they can carry out.
  *
  * <p>Threading: guarded by its converter.
  */
@@ -41,7 +41,7 @@ final class Assembly {
         return changed;
     }
 
-    /** A copy in which {@code next} stands in for the component {@code name}. */
+    /** A copy in which {@code next} replaces the component {@code name}. */
     Assembly with(String name, Component next) {
         Assembly changed = new Assembly();
         for (Component component : all()) {
@@ -50,7 +50,7 @@ final class Assembly {
         return changed;
     }
 
-    /** The component {@code name}, which there must be. */
+    /** The component {@code name}, which must exist. */
     Component require(String name) {
         return Objects.requireNonNull(components.get(name));
     }
@@ -94,7 +94,7 @@ final class Assembly {
     }
 
     /**
-     * The same after what was registered with {@code knowledge} has been checked.
+     * As {@link #decisions}, but first checks what was registered with {@code knowledge}.
      *
      * @param leftOver see {@link StateKnowledge#problems}
      * @throws ModelException if something does not fit; the message lists all problems
@@ -117,7 +117,7 @@ final class Assembly {
     /**
      * The decisions that these components can carry out.
      *
-     * @throws ModelException if there is a decision that they cannot, or they send events that the device does not have
+     * @throws ModelException if they cannot carry out some decision, or send events that the device does not have
      */
     DecisionTable decisions(StateKnowledge knowledge) {
         ModelPair pair = knowledge.models();
@@ -158,10 +158,10 @@ final class Assembly {
     }
 
     /**
-     * The events that a component has named.
+     * The events that a component names.
      *
-     * @param who the method that has
-     * @throws ModelException if it has named none at all, or one without a name
+     * @param who the method that returned {@code names}, for messages
+     * @throws ModelException if {@code names} is null or contains a blank name
      */
     static Set<Event> named(String who, @Nullable Set<String> names) {
         if (names == null) {

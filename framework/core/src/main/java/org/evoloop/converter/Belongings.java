@@ -10,8 +10,8 @@ import java.util.WeakHashMap;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What belongs to one converter and must not belong to another: its components and its clock until it is closed, its
- * knowledge for good, since that has moved on.
+ * What one converter owns and no other may use: its components and its clock until it is closed, its knowledge for
+ * good, since that has left its initial states.
  *
  * <p>Threading: thread-safe.
  */
@@ -29,7 +29,7 @@ final class Belongings {
     /**
      * Takes {@code thing}.
      *
-     * @throws IllegalStateException if it belongs to a converter already
+     * @throws IllegalStateException if a converter owns it already
      */
     void take(Object thing, String name) {
         List<String> problems = new ArrayList<>();
@@ -59,7 +59,7 @@ final class Belongings {
         }
     }
 
-    /** @param kept what still belongs to this converter afterwards; null if nothing does */
+    /** @param kept what this converter still owns afterwards; null for nothing */
     void giveBackAll(@Nullable Object kept) {
         synchronized (OWNERS) {
             for (Object thing : own) {

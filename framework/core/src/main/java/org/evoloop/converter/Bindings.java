@@ -25,7 +25,7 @@ import org.evoloop.statemachine.Transition;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What the names in the models stand for, and which ways through the device's states are welcome.
+ * The code behind the guards and effects of the models, and the costs of paths through the device's states.
  *
  * <p>Threading: filled before the converter is built, read from any thread after.
  */
@@ -65,7 +65,7 @@ final class Bindings implements Predicate<String> {
         doNotPass.add(new State(state));
     }
 
-    /** Returns what was said before. */
+    /** Returns the previous setting. */
     @Nullable
     OnFailure onFailure(String state, String event, OnFailure then) {
         Map<String, OnFailure> inState = onFailure.computeIfAbsent(new State(state), first -> new LinkedHashMap<>());
@@ -89,14 +89,16 @@ final class Bindings implements Predicate<String> {
         return condition != null && (watch == null ? condition.test(values) : watch.test(condition, values));
     }
 
-    /** From now on guards are watched: what they throw is counted, and one that hangs is not asked again until it returns. */
+    /**
+     * Starts watching guards: exceptions are counted, and a guard that hangs is not evaluated again until it returns.
+     */
     void watch(LoopConfig config, FailureLog failures) {
         for (String text : guards.keySet()) {
             watches.put(text, new GuardWatch(text, config, failures));
         }
     }
 
-    /** The guards that are being asked now. */
+    /** The guards that are being evaluated now. */
     List<String> asked() {
         List<String> asked = new ArrayList<>();
         for (Map.Entry<String, GuardWatch> watch : watches.entrySet()) {
@@ -116,7 +118,7 @@ final class Bindings implements Predicate<String> {
         effect.run(values);
     }
 
-    /** The same with the ways that are welcome and the guards that can be asked. */
+    /** {@code device} with the costs of paths and the guards that are bound. */
     DeviceEvents refine(DeviceEvents device) {
         return device.withCosts(costs)
                 .withDoNotPass(doNotPass)
@@ -124,7 +126,7 @@ final class Bindings implements Predicate<String> {
                 .withOnFailure(onFailure);
     }
 
-    /** What is wrong with what was bound, a line each; see {@link StateKnowledge#problems}. */
+    /** Problems with the bindings, a line each; see {@link StateKnowledge#problems}. */
     List<String> problems(boolean leftOver) {
         List<String> problems = new ArrayList<>(leftOver ? leftOver() : List.of());
         for (String text : pair.evolved().guards()) {
@@ -185,7 +187,7 @@ final class Bindings implements Predicate<String> {
         return false;
     }
 
-    /** Effects that decisions of {@code table} need and nothing is bound to, a line each. */
+    /** Effects that decisions of {@code table} need but that are not bound, a line each. */
     List<String> unboundEffects(DecisionTable table) {
         List<String> unbound = new ArrayList<>();
         for (String text : table.effects()) {

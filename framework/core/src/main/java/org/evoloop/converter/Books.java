@@ -9,7 +9,7 @@ import org.evoloop.loop.LoopConfig;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The records of what a converter does, and its listeners.
+ * The records of a converter's activity, and its listeners.
  *
  * <p>Threading: as it stands with each of them.
  */
@@ -31,7 +31,7 @@ record Books(
                 listeners);
     }
 
-    /** An occurrence has come to its end. */
+    /** Records an occurrence that has ended. */
     void record(
             Occurrence occurrence,
             Configuration before,
@@ -44,7 +44,7 @@ record Books(
         listeners.ended(history);
     }
 
-    /** What the converter is told is not kept any more. */
+    /** The journal no longer records the converter's inputs. */
     void journalFailed(Exception cause) {
         failures.warn(cause.getMessage() + ". Until then controllers' events are refused and nothing is sent");
         listeners.failed(new Failure<>("journal", "write", 0, null, cause));

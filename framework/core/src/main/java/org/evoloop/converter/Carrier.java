@@ -15,8 +15,8 @@ import org.evoloop.statemachine.State;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Carries out what the core asks for: on the threads of the execute components, one at a time, and for what belongs to no
- * occurrence on the thread of whoever opens, closes or gives up.
+ * Carries out the core's directives: on the threads of the execute components, one at a time; those that belong to no
+ * occurrence on the thread that opens, closes or gives up.
  */
 final class Carrier {
     private final CoreDriver driver;
@@ -25,10 +25,10 @@ final class Carrier {
     private final Books books;
     private volatile List<EventExecute> executes = List.of();
 
-    /** Those of the loop, in the order in which they are asked. */
+    /** The loop's execute components, in the order in which they are tried. */
     private volatile List<Execute<ChangePlan>> senders = List.of();
 
-    /** Whether the execute component that returned last has left something to another one. */
+    /** Whether the execute component that returned last left a directive for another one. */
     private volatile boolean handedBack;
 
     private volatile String runningEffect = "";
@@ -40,7 +40,7 @@ final class Carrier {
         this.books = books;
     }
 
-    /** From now on these send. */
+    /** Replaces the execute components. */
     void use(List<EventExecute> present) {
         executes = List.copyOf(present);
     }
@@ -49,14 +49,14 @@ final class Carrier {
         return executes;
     }
 
-    /** What they can send. */
+    /** The events that they can send. */
     Set<Event> sendable() {
         return executes().stream()
                 .flatMap(execute -> execute.events().stream())
                 .collect(Collectors.toUnmodifiableSet());
     }
 
-    /** Which execute component goes on with {@code plan}; null if it has been carried out. */
+    /** The execute component that continues {@code plan}; null if it has been carried out. */
     @Nullable
     Execute<ChangePlan> next(ChangePlan plan, List<Execute<ChangePlan>> inOrder, @Nullable Execute<ChangePlan> last) {
         senders = inOrder;
@@ -72,7 +72,7 @@ final class Carrier {
     }
 
     private static @Nullable Event firstToSend(ChangePlan plan) {
-        // By index, here and on: an iterator would be garbage in every event.
+        // By index, here and below: an iterator would be garbage in every event.
         for (int index = 0; index < plan.steps().size(); index++) {
             Step step = plan.steps().get(index);
             if (!step.byDevice()) {
@@ -95,7 +95,7 @@ final class Carrier {
         return execute instanceof EventExecute sender && sender.events().contains(event);
     }
 
-    /** Carries {@code plan} out as far as {@code execute} can. */
+    /** Carries out {@code plan} as far as {@code execute} can. */
     void carryOut(ChangePlan plan, EventExecute execute) throws Exception {
         Agenda agenda = driver.takeUp(plan);
         handedBack = false;
@@ -171,7 +171,7 @@ final class Carrier {
         }
     }
 
-    /** Returns what went wrong; the device has obeyed, so nothing keeps the other effects from being run. */
+    /** Returns what went wrong. The device has already obeyed, so the other effects are still run. */
     private String run(String effect, Occurrence occurrence, EventExecute execute) throws InterruptedException {
         runningEffect = effect;
         WorkEvent work = WorkEvent.begun();
@@ -195,7 +195,7 @@ final class Carrier {
         return runningEffect;
     }
 
-    /** Carries out what belongs to no occurrence in progress: visits begin or end. */
+    /** Carries out directives that belong to no occurrence, such as the beginning and end of visits. */
     void carryOut() {
         Agenda agenda = driver.agenda();
         for (Output.Directive next = agenda.poll(); next != null; next = agenda.poll()) {

@@ -5,8 +5,8 @@ import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.BooleanSupplier;
 
 /**
- * Lets one change of a converter happen after the other. What the converter itself calls must not wait here for somebody who
- * waits for it: while the converter is being closed, or its thread is told to end, its change is refused.
+ * Serialises changes of a converter. Code that the converter calls must not wait here for a thread that waits for it:
+ * its change is refused while the converter is being closed or the calling thread is asked to end.
  *
  * <p>Threading: thread-safe.
  */
@@ -21,8 +21,8 @@ final class ChangeLock {
 
     /**
      * @param name the converter's
-     * @param fromLoop whether the caller is a component, for which every change waits
-     * @param fromWithin whether the caller is anything that the converter calls
+     * @param fromLoop whether the caller is a component; every change waits for components
+     * @param fromWithin whether the caller is any code that the converter calls
      */
     ChangeLock(String name, BooleanSupplier fromLoop, BooleanSupplier fromWithin) {
         this.name = name;
@@ -44,7 +44,7 @@ final class ChangeLock {
         runAndRelease(change);
     }
 
-    /** Waits for a change that is under way, whoever calls, and keeps those out that wait for their turn. */
+    /** Waits for a change in progress, whoever calls, and refuses the changes that wait for their turn. */
     void close(Runnable closing) {
         this.closing = true;
         lock.lock();

@@ -10,7 +10,7 @@ import org.evoloop.loop.LoopConfig;
 import org.jspecify.annotations.Nullable;
 
 /**
- * How a converter is built of what was added to it.
+ * Builds a converter from what was added to it.
  *
  * <p>Threading: guarded by its converter.
  */
@@ -26,7 +26,7 @@ final class Construction {
     }
 
     /**
-     * Adds what need not be said, and takes all of it.
+     * Adds the defaults, and takes ownership of everything.
      *
      * @throws IllegalStateException if something is missing, or belongs to another converter
      */
@@ -65,9 +65,10 @@ final class Construction {
     }
 
     /**
-     * What the converter knew when its process ended: {@code built}, or knowledge of the models to which it had evolved.
+     * The knowledge with which the previous process ended: {@code built}, or that of the models to which it had
+     * evolved.
      *
-     * @throws IllegalStateException if it had evolved, and it was not said how knowledge is made
+     * @throws IllegalStateException if it had evolved and no knowledge factory was added
      */
     StateKnowledge present(
             StateKnowledge built,
@@ -96,8 +97,8 @@ final class Construction {
     /**
      * Checks everything, and gives every component its thread.
      *
-     * @param evolved whether the models are others than those for which the code was written
-     * @param shell made of the decisions
+     * @param evolved whether the models differ from those for which the code was written
+     * @param shell makes the shell from the decisions
      */
     ConverterShell build(StateKnowledge known, boolean evolved, Function<DecisionTable, ConverterShell> shell) {
         DecisionTable table = assembly.compile(known, !evolved);

@@ -14,8 +14,8 @@ import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What keeps a converter's inputs, so that a converter of the same models can go on where another process has ended; see
- * {@link SystemEventConverter#journal}.
+ * Records a converter's inputs, so that a converter of the same models can continue where the previous process ended;
+ * see {@link SystemEventConverter#journal}.
  *
  * <p>Threading: belongs to one converter, which calls it one call at a time.
  *
@@ -23,15 +23,18 @@ import org.jspecify.annotations.Nullable;
  */
 public interface ConverterJournal {
 
-    /** Who hears again what a core has said. */
+    /** Receives the replayed outputs of a core. */
     interface Past extends Outputs {
-        /** From now on {@code time} tells when that was, and {@code nanos} the same on the clock of the occurrences. */
+        /**
+         * Sets how the outputs that follow are dated: by {@code time}, and by {@code nanos} on the clock of the
+         * occurrences.
+         */
         void at(Supplier<Instant> time, LongSupplier nanos);
     }
 
     /**
-     * The models to which a converter has evolved that was built with {@code models}, and whose journal this is; null if it
-     * has not. Called before it is opened.
+     * The models to which the converter of this journal, built with {@code models}, has evolved; null if it has not.
+     * Called before the journal is opened.
      *
      * @throws RuntimeException if it cannot be read; the message says why and what to do
      */
@@ -39,46 +42,46 @@ public interface ConverterJournal {
     ModelPair evolvedFrom(ModelPair models);
 
     /**
-     * Opens it for one converter.
+     * Opens this journal for one converter.
      *
-     * @param rules of the converter that opens it
-     * @param clock whose times the answer has
-     * @param past hears what the core said in the part of the past that is looked through
-     * @return where the converter stood; null if nothing has been kept yet
-     * @throws RuntimeException if it cannot be gone on with; the message says why and what to do
+     * @param rules the rules of that converter
+     * @param clock the clock of the times in the result
+     * @param past receives the core's outputs from the part of the journal that is read
+     * @return the converter's last state; null if nothing has been recorded yet
+     * @throws RuntimeException if it cannot be continued; the message says why and what to do
      */
     @Nullable
     Snapshot open(Rules rules, Clock clock, Past past);
 
     /**
-     * Begins to record the inputs of {@code core}.
+     * Starts recording the inputs of {@code core}.
      *
-     * @param failed hears that nothing is kept any more, and why
-     * @return takes the inputs from now on, and passes them to {@code core} once they are recorded. While nothing can be kept, it
-     *     refuses the events of controllers, and throws instead of announcing a step or an effect
+     * @param failed is told the cause when recording has stopped
+     * @return receives the inputs from now on, and passes them to {@code core} once they are recorded. While recording
+     *     is impossible, it refuses the events of controllers, and throws instead of announcing a step or an effect
      * @throws RuntimeException if it cannot be written; the message says why and what to do
      */
     Inputs keep(Core core, Consumer<Exception> failed);
 
     /**
-     * Other models are about to take over: what can be written beforehand is written, so that they need not wait for it.
-     * Nothing counts of it unless they do.
+     * Called when other models are about to take over: writes in advance what can be written, so that the takeover need
+     * not wait for it. It has no effect unless they do take over.
      *
-     * @param rules by which the converter goes then
+     * @param rules the converter's rules after the takeover
      * @throws RuntimeException if it cannot be written; the message says why and what to do
      */
     void prepare(Rules rules);
 
     /**
-     * Tells again all that is kept, the oldest first; takes some seconds if that is much. May be called on any thread, also
-     * while inputs are being kept.
+     * Replays the whole journal, oldest entry first; takes some seconds if it is large. May be called on any thread,
+     * also while inputs are being recorded.
      *
-     * @param rules of the converter that keeps it
-     * @param past hears what the core said
+     * @param rules the rules of this journal's converter
+     * @param past receives the core's outputs
      * @throws RuntimeException if it cannot be read; the message says why and what to do
      */
     void retell(Rules rules, Past past);
 
-    /** Nothing more is kept. Idempotent. */
+    /** Stops recording. Idempotent. */
     void close();
 }

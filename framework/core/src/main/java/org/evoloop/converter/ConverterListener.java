@@ -6,7 +6,7 @@ import org.evoloop.evolution.Occurrence;
 import org.evoloop.loop.Failure;
 
 /**
- * Hears what a converter does, see {@link SystemEventConverter#addListener}.
+ * Is notified of what a converter does, see {@link SystemEventConverter#addListener}.
  *
  * <p>Threading: called on one thread of the converter that does nothing else, one call at a time and in the order in which
  * things happened; in a converter without threads on the thread that takes the steps. One that throws is logged.
@@ -16,12 +16,11 @@ import org.evoloop.loop.Failure;
 public interface ConverterListener {
 
     /**
-     * What an occurrence meant was decided so long after it had been observed: the conversion time. Told right before {@link
-     * #ended}.
+     * The conversion time of an occurrence, from its observation to its decision. Called right before {@link #ended}.
      */
     default void converted(Duration waited) {}
 
-    /** An occurrence has come to its end, and this is what became of it. */
+    /** An occurrence has ended with this result. */
     default void ended(HistoryEntry entry) {}
 
     /** The current states have changed. */

@@ -25,16 +25,19 @@ import org.evoloop.loop.MapeLoop;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What stands around the core of a converter that runs: the loop that brings its inputs, those who carry its directives
- * out, and the books that are kept of what it says.
+ * Everything around the core of a running converter: the loop that brings its inputs, the components that carry out its
+ * directives, and the records of its outputs.
  *
  * <p>Threading: the loop calls it for one event at a time.
  */
 final class ConverterShell implements LoopListener<Occurrence> {
-    /** So long the event in the loop may keep everything else waiting before other models are tried again. */
+    /**
+     * How long a takeover attempt may wait for the event in the loop, holding up all others, before it gives up and
+     * tries later.
+     */
     private static final Duration LONGEST_WAIT = Duration.ofSeconds(1);
 
-    /** A component that refuses so many events in a row by a rule of its own is hardly meant to. */
+    /** A component that refuses this many events in a row is probably faulty. */
     private static final int MOST_NULLS = 50;
 
     private final LoopConfig config;
@@ -46,7 +49,7 @@ final class ConverterShell implements LoopListener<Occurrence> {
     final Carrier carrier;
     final Hooks hooks;
 
-    /** Whether it was opened, and has not let go of the device since. */
+    /** Whether it was opened and has not released the device since. */
     private volatile boolean holdsDevice;
 
     ConverterShell(
@@ -84,17 +87,17 @@ final class ConverterShell implements LoopListener<Occurrence> {
         adopted.attach(driver);
     }
 
-    /** What it knows at present. */
+    /** Its present knowledge. */
     StateKnowledge knowledge() {
         return knowledge.get();
     }
 
     /**
-     * Another knowledge takes over.
+     * Lets other knowledge take over.
      *
-     * @param idle for how long nothing must have happened
+     * @param idle how long nothing must have happened before
      * @param monitors that report events by name
-     * @throws EvolutionException if something keeps it from that now
+     * @throws EvolutionException if that is not possible now
      */
     Evolution.Result evolve(Swap swap, StateKnowledge next, Duration idle, List<EventMonitor> monitors) {
         AtomicReference<Evolution.@Nullable Result> result = new AtomicReference<>();
@@ -108,9 +111,9 @@ final class ConverterShell implements LoopListener<Occurrence> {
     }
 
     /**
-     * Another knowledge is told the same from now on.
+     * Starts a shadow.
      *
-     * @throws EvolutionException if something keeps it from that now
+     * @throws EvolutionException if that is not possible now
      */
     void shadow(Swap swap, Probation.Watches watches) {
         AtomicBoolean begun = new AtomicBoolean();
@@ -134,7 +137,7 @@ final class ConverterShell implements LoopListener<Occurrence> {
         return Evolution.Result.of(evolved, Duration.ofNanos(config.clock().nanoTime() - begun));
     }
 
-    /** Adds a component, which learns what it belongs to. */
+    /** Adds a component and attaches it. */
     void join(Component component) {
         attach(component);
         if (component instanceof EventMonitor monitor) {
@@ -148,7 +151,7 @@ final class ConverterShell implements LoopListener<Occurrence> {
         }
     }
 
-    /** Tells a component what it belongs to. */
+    /** Attaches a component to this converter. */
     void attach(Component component) {
         if (component instanceof EventMonitor monitor) {
             monitor.attach(config, loop, knowledge.get().eventNames(), driver::holding);
@@ -167,7 +170,7 @@ final class ConverterShell implements LoopListener<Occurrence> {
         carrier.use(present);
     }
 
-    /** Opens the loop, after every execute component has seen to what the device needs in the current state. */
+    /** Opens the loop, after every execute component has prepared the device for the current state. */
     void start() {
         holdsDevice = true;
         for (EventExecute execute : carrier.executes()) {
@@ -177,12 +180,12 @@ final class ConverterShell implements LoopListener<Occurrence> {
         loop.start(carrier::carryOut);
     }
 
-    /** Whether it has to let go of the device before it is at rest. */
+    /** Whether it still has to release the device. */
     boolean holdsDevice() {
         return holdsDevice;
     }
 
-    /** Whether the caller is a component, a function or the clock, for which nobody must wait who was called by them. */
+    /** Whether the caller is a component, a function or the clock. Code called by one of these must not wait for it. */
     boolean ownsCurrentThread() {
         return loop.ownsCurrentThread()
                 || visits.ownsCurrentThread()
@@ -190,7 +193,7 @@ final class ConverterShell implements LoopListener<Occurrence> {
                 || config.clock().ownsCurrentThread();
     }
 
-    /** Ends the current visit and lets go of the device; the loop is closed. */
+    /** Ends the current visit and releases the device; the loop is closed. */
     void release() {
         driver.release();
         // The function may take the join limit to end, and then its endings run.
@@ -256,7 +259,7 @@ final class ConverterShell implements LoopListener<Occurrence> {
      *
      * @param evolution see {@link ConverterStatus#evolution}
      * @param link the connection to the device, if one was registered
-     * @param closedAt when the loop was closed last
+     * @param closedAt when the loop was last closed
      */
     ConverterStatus status(String evolution, @Nullable DeviceLink link, Instant closedAt) {
         Optional<Instant> closed = loop.state() == LoopState.RUNNING ? Optional.empty() : Optional.of(closedAt);
@@ -300,7 +303,7 @@ final class ConverterShell implements LoopListener<Occurrence> {
         }
     }
 
-    /** Names what a component that does not return was calling. */
+    /** Counts a failure of the code that an unresponsive component was calling. */
     private void blame(Failure<Occurrence> failure) {
         for (String guard : knowledge.bindings().asked()) {
             books.failures().fault("guard [" + guard + "]", failure);
@@ -311,7 +314,7 @@ final class ConverterShell implements LoopListener<Occurrence> {
         }
     }
 
-    /** @param unknown whether it is unknown if a step that was being sent had its effect */
+    /** @param unknown whether it is uncertain if the step being sent had its effect */
     private void ends(Failure<Occurrence> failure, boolean unknown) {
         report(failure);
         if (failure.occurrence() != null) {

@@ -20,17 +20,17 @@ import org.jspecify.annotations.Nullable;
  * @param name the converter's name
  * @param loop the state of the loop's lifecycle
  * @param states the current states of both models
- * @param evolution which models took over from which while it ran, as long as a way leads back, or as its journal says;
- *     else empty
- * @param shadow what other models would have done beside those that run; empty if there are none
+ * @param evolution which models took over from which while it ran or, by its journal, before; empty if none did or the
+ *     way back is gone
+ * @param shadow the report of the shadow; empty if there is none
  * @param doubt why the record of the device's state may be wrong; empty if it is certain
- * @param lastKnownSince since when these are only the last states that are known, because the loop is closed or the
- *     device cannot be reached; empty while they are kept up to date
- * @param queue what waits and what was lost
- * @param events what became of the events so far
+ * @param lastKnownSince since when the states are only the last known ones, because the loop is closed or the device
+ *     cannot be reached; empty while they are up to date
+ * @param queue how many events wait and how many were lost
+ * @param events the outcomes of the events so far
  * @param conversionTime how long conversions take
  * @param components every component and its thread
- * @param function the new function that runs
+ * @param function the running new function
  * @param faults guards, effects, functions, tasks and listeners that have failed
  * @param link the connection to the device; null if no link was registered
  * @since 0.1
@@ -51,14 +51,14 @@ public record ConverterStatus(
         List<Fault> faults,
         @Nullable LinkStatus link) {
 
-    /** How many events had which outcome, see {@link org.evoloop.core.Outcome}. */
+    /** The number of events by outcome, see {@link org.evoloop.core.Outcome}. */
     public record EventCounts(long handled, long ignored, long stale, long failed) {}
 
     /**
-     * Time from an event being observed to its execution beginning, in nanoseconds of the converter's clock, over the
-     * last events.
+     * Time from the observation of an event to the start of its execution, in nanoseconds of the converter's clock,
+     * over the last events.
      *
-     * @param events how many events these figures are of, 0 to 1024
+     * @param events the number of events behind these figures, 0 to 1024
      */
     public record ConversionTime(int events, long lastNanos, long medianNanos, long percentile99Nanos) {}
 
@@ -67,14 +67,14 @@ public record ConverterStatus(
      *
      * @param state the state, empty if the device does the work
      * @param thread the thread, empty if it has returned or has none
-     * @param progress how far it is, in its own words; empty if it says nothing
-     * @param readings the same in numbers
+     * @param progress its progress, in its own words; empty if it reports none
+     * @param readings its progress in numbers
      */
     public record RunningFunction(String state, String thread, String progress, List<Reading> readings) {
         /** No function runs. */
         public static final RunningFunction NONE = new RunningFunction("", "", "", List.of());
 
-        /** How far it is, in words and numbers; empty if it says nothing. */
+        /** Its progress, in words and numbers; empty if it reports none. */
         public String describe() {
             return Stream.concat(
                             Stream.of(progress).filter(text -> !text.isEmpty()),
@@ -84,9 +84,9 @@ public record ConverterStatus(
     }
 
     /**
-     * What is no component and has failed.
+     * A part that is not a component and has failed.
      *
-     * @param part which it is, such as {@code guard [full]} or {@code function Move}
+     * @param part names it, such as {@code guard [full]} or {@code function Move}
      * @param failures how often
      * @param lastFailure the message of the last failure
      */
@@ -95,7 +95,7 @@ public record ConverterStatus(
     /**
      * The connection, see {@link DeviceLink}.
      *
-     * @param readings of the device now; none while it cannot be reached, whatever it reported before
+     * @param readings the device's current readings; none while it cannot be reached, whatever it reported before
      */
     public record LinkStatus(boolean up, String text, List<Reading> readings) {
         /** Leaves out readings that may no longer hold. */

@@ -28,15 +28,15 @@ import org.jspecify.annotations.Nullable;
 /**
  * Gives the core its inputs, one at a time, and passes its directives to the thread that carries the occurrence in progress.
  *
- * <p>Threading: thread-safe. Its lock is held for as long as the core and its outputs take, which is short; nothing
- * of a user runs under it. A thread that holds the loop's lock may take this one, never the other way round.
+ * <p>Threading: thread-safe. Its lock is held for as long as the core and its outputs take, which is short; no user
+ * code runs under it. A thread that holds the loop's lock may take this one, never the other way round.
  */
 final class CoreDriver implements Intake<Occurrence> {
     private static final long WAIT_MILLIS = 5;
 
     private final Core core;
 
-    /** The core, or what keeps its inputs on their way there. */
+    /** The core, or the journal that records inputs on their way to it. */
     private final Inputs inputs;
 
     private final Clock clock;
@@ -48,15 +48,15 @@ final class CoreDriver implements Intake<Occurrence> {
 
     private volatile Rules rules;
 
-    /** Other models that get the same inputs; null if there are none. */
+    /** The shadow, which gets the same inputs; null if there is none. */
     private @Nullable ShadowCore shadow;
 
-    /** When an event came to its end last. */
+    /** When an event last ended. */
     private long endedNanos;
 
     private long ends;
 
-    /** @param leaving how far the function is that is about to be left, in words; empty if there is none */
+    /** @param leaving the progress of the function that is about to be left, in words; empty if there is none */
     CoreDriver(
             Rules rules,
             Clock clock,
@@ -134,7 +134,7 @@ final class CoreDriver implements Intake<Occurrence> {
         notifyAll();
     }
 
-    /** Models begin to be watched. */
+    /** Starts watching the models. */
     synchronized void watch() {
         watchman.begin(rules.table().models(), core.at());
     }
@@ -166,7 +166,7 @@ final class CoreDriver implements Intake<Occurrence> {
 
     // Analyze
 
-    /** What {@code occurrence} means now; null if it is no longer in progress. */
+    /** The decision for {@code occurrence} now; null if it is no longer in progress. */
     @Nullable
     Decision decide(Occurrence occurrence) {
         Pending pending;
@@ -191,9 +191,9 @@ final class CoreDriver implements Intake<Occurrence> {
     // Execute
 
     /**
-     * Takes up a plan, if that was not done yet.
+     * Begins a plan, unless it has begun.
      *
-     * @return what has to be done for it
+     * @return the directives of the plan
      * @throws IllegalStateException if it is a plan for another occurrence than that in progress
      */
     synchronized Agenda takeUp(ChangePlan plan) {
@@ -209,7 +209,7 @@ final class CoreDriver implements Intake<Occurrence> {
         return agenda;
     }
 
-    /** What has to be done next for {@code plan}; null if there is nothing. Called by the thread whose turn it is. */
+    /** The next directive of {@code plan}; null if there is none. Called by the thread whose turn it is. */
     synchronized Output.@Nullable Directive toDo(ChangePlan plan) {
         Pending pending = outputs.begun;
         boolean hasTurn = pending != null
@@ -218,12 +218,15 @@ final class CoreDriver implements Intake<Occurrence> {
         return hasTurn ? outputs.agenda.peek() : null;
     }
 
-    /** What has to be done in the turn of whoever opens or closes the converter, or ends what somebody else has begun. */
+    /** The directives for the thread that opens or closes the converter, or ends what another thread has begun. */
     synchronized Agenda agenda() {
         return outputs.agenda;
     }
 
-    /** Announces that {@code execute} is about to send a step; false if it must not, since the device has left its place. */
+    /**
+     * Announces that {@code execute} is about to send a step; false if it must not, since the device has left the
+     * step's source.
+     */
     synchronized boolean announce(long number, EventExecute execute) {
         inputs.sending(number);
         boolean may = core.maySend(number);
@@ -234,8 +237,8 @@ final class CoreDriver implements Intake<Occurrence> {
     }
 
     /**
-     * The step that {@code execute} was sending has had its effect. Only the first call for a step counts; the second waits
-     * for it, since its consequences must be known before the plan continues.
+     * The step that {@code execute} was sending has had its effect. Only the first call for a step counts; a second
+     * call waits for the first, since the plan cannot continue before its consequences are known.
      *
      * @param inOrder see {@link Input.Sent}
      */
@@ -262,12 +265,12 @@ final class CoreDriver implements Intake<Occurrence> {
         inputs.located(number, state, clock.nanoTime());
     }
 
-    // What goes wrong, and what goes on beside the loop
+    // Failures, and what happens outside the loop
 
     /**
-     * The occurrence in progress has failed; what follows from that is the turn of whoever calls.
+     * The occurrence in progress has failed; the caller's turn carries out what follows.
      *
-     * @param unknown whether it is unknown if a step that was being sent had its effect
+     * @param unknown whether it is uncertain if the step being sent had its effect
      */
     synchronized void failed(String reason, boolean unknown) {
         Pending pending = outputs.begun;
@@ -296,7 +299,7 @@ final class CoreDriver implements Intake<Occurrence> {
         inputs.changed(rules, clock.nanoTime());
     }
 
-    /** Other models are about to take over; takes as long as it takes. */
+    /** Prepares the journal for other models; may take long. */
     void prepare(Rules next) {
         if (journal != null) {
             journal.prepare(next);
@@ -304,10 +307,10 @@ final class CoreDriver implements Intake<Occurrence> {
     }
 
     /**
-     * Other models take over; nothing is in the loop. What has to be done then is on the agenda.
+     * Lets other models take over while nothing is in the loop. What has to be done then is on the agenda.
      *
-     * @param idle for how long nothing must have happened
-     * @throws EvolutionException if something keeps them from that; nothing has changed
+     * @param idle how long nothing must have happened before
+     * @throws EvolutionException if that is not possible; nothing has changed
      */
     synchronized Output.Evolved evolve(Swap swap, StateKnowledge next, Duration idle) {
         Duration quiet = Duration.ofNanos(clock.nanoTime() - endedNanos);
@@ -334,9 +337,9 @@ final class CoreDriver implements Intake<Occurrence> {
     // Shadow
 
     /**
-     * Other models get the same inputs from now on; nothing is in the loop.
+     * Starts a shadow while nothing is in the loop.
      *
-     * @throws EvolutionException if they have no place for where the system is
+     * @throws EvolutionException if its models have no state for where the system is
      */
     synchronized void shadow(Swap swap, Probation.Watches watches) {
         requirePossible(swap);
@@ -356,17 +359,17 @@ final class CoreDriver implements Intake<Occurrence> {
         outputs.shadow = null;
     }
 
-    /** How the shadow stands; null if there is none. */
+    /** The shadow's report; null if there is none. */
     synchronized @Nullable ShadowReport shadowReport() {
         return shadow == null ? null : shadow.report();
     }
 
-    /** How many ended events are in the history. */
+    /** The number of ended events in the history. */
     synchronized long recorded() {
         return books.history().number();
     }
 
-    /** Waits until an event has come to its end, for {@code millis} at most. */
+    /** Waits until an event has ended, for at most {@code millis}. */
     synchronized void awaitEnded(long millis) throws InterruptedException {
         long before = ends;
         for (long waited = 0; ends == before && waited < millis; waited += WAIT_MILLIS) {
@@ -374,7 +377,7 @@ final class CoreDriver implements Intake<Occurrence> {
         }
     }
 
-    /** Which guards of the original model hold now. */
+    /** The guards of the original model that hold now. */
     Set<String> holding() {
         Set<String> drawn = rules.table().models().original().guards();
         if (drawn.isEmpty()) {
@@ -389,7 +392,7 @@ final class CoreDriver implements Intake<Occurrence> {
         return holding;
     }
 
-    /** A guard that fails does not hold: what the device has done is reported all the same. */
+    /** A guard that throws counts as false: the device's action is reported all the same. */
     private boolean holds(String text) {
         try {
             return knowledge.bindings().test(text);
@@ -410,12 +413,12 @@ final class CoreDriver implements Intake<Occurrence> {
         return books.history().entries();
     }
 
-    /** How many ended events are in the history. */
+    /** The number of ended events in the history. */
     private static long ended(Tally tally) {
         return tally.handled() + tally.ignored() + tally.stale() + tally.failed() + tally.dropped();
     }
 
-    /** The last {@code count}; what is not remembered is read from the journal, while events go on. */
+    /** The last {@code count} entries; those that are not in memory are read from the journal, while events go on. */
     List<HistoryEntry> history(int count) {
         ConverterJournal kept = journal;
         synchronized (this) {
@@ -436,7 +439,7 @@ final class CoreDriver implements Intake<Occurrence> {
         return books.latency().summary();
     }
 
-    /** Why the record may be wrong; empty if it is sure. */
+    /** Why the record may be wrong; empty if it is certain. */
     synchronized String doubt() {
         return core.doubt();
     }

@@ -17,21 +17,22 @@ import org.evoloop.statemachine.Event;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What the core has said: directives wait on the agenda until somebody carries them out, notices go into the books.
+ * Receives the core's outputs: directives wait on the agenda until a thread carries them out, notices go into the
+ * records.
  *
- * <p>Threading: guarded by the lock of its {@link CoreDriver}; where the system stands may be read without.
+ * <p>Threading: guarded by the lock of its {@link CoreDriver}; {@link #at} may be called without it.
  */
 final class CoreOutputs implements Outputs {
     Agenda agenda = new Agenda();
 
-    /** What had its turn last; null if nothing had. */
+    /** The occurrence that had its turn last; null if none had. */
     @Nullable
     Pending begun;
 
-    /** What became of what was offered last. */
+    /** The admission of the last occurrence offered. */
     Admission admission = Admission.TAKEN;
 
-    /** Also learns how each event is handled; null if there is none. */
+    /** Also receives the outputs; null if there is no shadow. */
     @Nullable
     Outputs shadow;
 
@@ -42,10 +43,10 @@ final class CoreOutputs implements Outputs {
     private volatile Configuration at;
     private Output.@Nullable Evolved evolution;
 
-    /** What came last, if neither model knows it. */
+    /** The last event, if neither model knows it. */
     private @Nullable Event unknown;
 
-    /** @param leaving how far the function is that is about to be left, in words; empty if there is none */
+    /** @param leaving the progress of the function that is about to be left, in words; empty if there is none */
     CoreOutputs(
             Configuration at, CurrentKnowledge knowledge, Books books, Supplier<String> leaving, Watchman watchman) {
         this.watchman = watchman;
@@ -72,7 +73,7 @@ final class CoreOutputs implements Outputs {
 
     @Override
     public void leave() {
-        // Before it is carried out, since what ends the stay may come to its own end first.
+        // Recorded before it is carried out, since the event that ends the visit may end first.
         books.history().leaving(leaving.get());
         agenda.add(Output.LEAVE);
     }
@@ -98,7 +99,7 @@ final class CoreOutputs implements Outputs {
 
     @Override
     public void queued(Occurrence occurrence) {
-        // It counts as taken unless something else is said.
+        // It counts as taken unless another notice says otherwise.
         books.flight().observed(occurrence, "queued");
     }
 
@@ -152,7 +153,7 @@ final class CoreOutputs implements Outputs {
         evolution = new Output.Evolved(occurrence, before, fate);
     }
 
-    /** How other models took over last; they must have. */
+    /** The last takeover; there must have been one. */
     Output.Evolved evolution() {
         return Objects.requireNonNull(evolution);
     }
@@ -191,7 +192,7 @@ final class CoreOutputs implements Outputs {
         }
     }
 
-    /** An event that neither model knows is logged once, and again only after a different one came. */
+    /** An event that neither model knows is logged once, and again only after a different one. */
     private void warnOfUnknown(Occurrence.Heard heard, Outcome outcome, String detail) {
         if (outcome == Outcome.HANDLED || knowledge.get().eventNames().knows(heard.event())) {
             unknown = null;

@@ -5,7 +5,7 @@ import org.evoloop.loop.Component;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Which components a converter has, and how they change, also while it runs.
+ * The components of a converter, and how they change, also while it runs.
  *
  * <p>Threading: guarded by its converter.
  */
@@ -55,7 +55,7 @@ final class Crewing {
         present = changed;
     }
 
-    /** Takes {@code component} for {@code change}; gives it back if that is refused. */
+    /** Takes ownership of {@code component} for {@code change}; gives it back if that is refused. */
     private void taking(Component component, Runnable change) {
         belongings.take(component, component.name());
         try {

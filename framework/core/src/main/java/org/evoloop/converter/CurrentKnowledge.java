@@ -1,7 +1,7 @@
 package org.evoloop.converter;
 
 /**
- * What a converter knows at present: another knowledge takes over between two events.
+ * The present knowledge of a converter: other knowledge takes over between two events.
  *
  * <p>Threading: thread-safe; while an event is in the loop it stays the same.
  */

@@ -6,7 +6,7 @@ import java.util.Optional;
 import org.evoloop.function.Reading;
 
 /**
- * What is to be known of the connection to a device.
+ * The state of the connection to a device.
  *
  * <p>Threading: called from any thread; must not wait.
  *
@@ -17,16 +17,19 @@ public interface DeviceLink {
     /** Whether the device can be reached now. */
     boolean isUp();
 
-    /** Since when nothing has been heard of the device, by the time of day; empty while it can be reached, or if not known. */
+    /** The time of day since which the device has been silent; empty while it can be reached, or if unknown. */
     default Optional<Instant> downSince() {
         return Optional.empty();
     }
 
-    /** What is known of the device now, such as its battery; empty if nothing is, or while the device cannot be reached. */
+    /**
+     * Current readings of the device, such as its battery; empty if there are none, or while the device cannot be
+     * reached.
+     */
     default List<Reading> readings() {
         return List.of();
     }
 
-    /** One line for people: where it is connected, how it is, what is wrong. */
+    /** One line for people: where the device is connected, its condition, and any problem. */
     String describe();
 }

@@ -13,17 +13,17 @@ import org.evoloop.evolution.Values;
 public interface Effect {
 
     /**
-     * Does it; returns when it is done.
+     * Runs the effect; returns when it is done.
      *
      * @throws InterruptedException if the thread is interrupted meanwhile
      * @throws Exception any failure: it is reported, and the event has failed although the transition is taken
      */
     void run() throws Exception;
 
-    /** One that looks at what the event carries. */
+    /** An effect that uses the event's values. */
     @FunctionalInterface
     interface OfEvent {
-        /** Does it; see {@link Effect#run}. */
+        /** Runs the effect; see {@link Effect#run}. */
         void run(Values values) throws Exception;
     }
 }

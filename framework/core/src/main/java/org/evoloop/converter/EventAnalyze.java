@@ -7,8 +7,8 @@ import org.evoloop.loop.Analyze;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Finds out what an occurrence means in the current states: not acceptable, an existing function, or a new function. A
- * converter has one by default. Extend it to watch decisions, to refine them, or to refuse events by a rule of your
+ * Decides what an occurrence means in the current states: not acceptable, an existing function, or a new function. A
+ * converter has one by default. Extend it to observe decisions, to refine them, or to refuse events by a rule of your
  * own: a child lock, say, refuses the controller's events at night.
  *
  * <pre>{@code
@@ -19,17 +19,18 @@ import org.jspecify.annotations.Nullable;
  * }
  * }</pre>
  *
- * <p>A fact, which the device has acted on, can be refused too; then the record of the device has followed it all the same.
+ * <p>A fact, on which the device has already acted, can be refused too; the record of the device follows it all the
+ * same.
  *
  * @since 0.1
  */
 public class EventAnalyze extends Analyze<Occurrence, Analysis> {
     private volatile @Nullable CoreDriver driver;
 
-    /** A component that is called like its class. */
+    /** A component named after its class. */
     public EventAnalyze() {}
 
-    /** @param name what the console calls it, unique within a converter */
+    /** @param name its name in the console, unique within a converter */
     public EventAnalyze(String name) {
         super(name);
     }
@@ -48,7 +49,7 @@ public class EventAnalyze extends Analyze<Occurrence, Analysis> {
         return decision == null ? null : new Analysis(occurrence, decision);
     }
 
-    /** Where device and evolved system are. @throws IllegalStateException if this is not part of a converter */
+    /** The states of device and evolved system. @throws IllegalStateException if this is not part of a converter */
     protected final Configuration configuration() {
         CoreDriver attached = driver;
         if (attached == null) {

@@ -29,15 +29,15 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
     private volatile @Nullable MapeLoop<Occurrence, ?, ?> loop;
     private volatile Supplier<Set<String>> guards = Set::of;
 
-    /** A monitor with the name of its class. */
+    /** A monitor named after its class. */
     protected EventMonitor() {}
 
-    /** @param name what the console calls it, unique within a converter */
+    /** @param name its name in the console, unique within a converter */
     protected EventMonitor(String name) {
         super(name);
     }
 
-    /** @param holding which guards of the original model hold now */
+    /** @param holding supplies the guards of the original model that hold now */
     final void attach(
             LoopConfig loopConfig, MapeLoop<Occurrence, ?, ?> joined, EventNames names, Supplier<Set<String>> holding) {
         eventNames = names;
@@ -47,7 +47,7 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
         attached(names, loopConfig.clock());
     }
 
-    /** From now on it reports events by these names. */
+    /** Sets the names by which it reports events. */
     final void tellBy(EventNames names) {
         eventNames = names;
     }
@@ -55,22 +55,22 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
     /** @throws IllegalArgumentException if it reports an event that is not among {@code names} */
     void requireKnown(EventNames names) {}
 
-    /** It has become part of a converter, whose time {@code clock} is. */
+    /** Called when it becomes part of a converter with this clock. */
     void attached(EventNames names, Clock clock) {}
 
-    /** Whether the converter that it was part of has been closed, or goes on without it. */
+    /** Whether its converter has been closed, or continues without it. */
     final boolean isDetached() {
         MapeLoop<Occurrence, ?, ?> joined = loop;
         return joined != null && (joined.state() == LoopState.EXITED || !joined.has(this));
     }
 
-    /** Tells the loop on the caller's thread; false if {@link #getEvent} has to, on the monitor's. */
+    /** Reports to the loop on the caller's thread; false if {@link #getEvent} has to, on the monitor's thread. */
     final boolean tell(Occurrence occurrence) {
         MapeLoop<Occurrence, ?, ?> joined = loop;
         return joined != null && joined.tell(this, occurrence);
     }
 
-    /** Whether a thread of the converter asks this monitor now, and the caller is none that the loop waits for. */
+    /** Whether a thread of the converter serves this monitor now, and the loop does not wait for the caller. */
     final boolean isServed() {
         MapeLoop<Occurrence, ?, ?> joined = loop;
         return joined != null
@@ -81,7 +81,7 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
                 && !joined.ownsCurrentThread();
     }
 
-    /** Whether it belonged to a converter that has been built, and does not any more. */
+    /** Whether it has been removed from a converter that was built. */
     final boolean hasLeft() {
         MapeLoop<Occurrence, ?, ?> joined = loop;
         return joined != null && joined.state() != LoopState.NEW && !joined.has(this);
@@ -98,7 +98,7 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
     }
 
     /**
-     * Refuses {@code pressed} if neither model knows it, and while nothing is converted.
+     * Refuses {@code pressed} if neither model knows it, or while the converter is not running.
      *
      * @throws IllegalArgumentException if neither model knows the event
      * @throws IllegalStateException if the converter is not running
@@ -129,20 +129,20 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
     }
 
     /**
-     * Events that the device takes by itself: those that it alone can take, such as that it has finished, and those that
-     * can be sent too, such as those of its own buttons. Time triggers of the original model, and what that itself
-     * declares, need not be named.
+     * Events that the device takes by itself: those that only the device can raise, such as that it has finished, and
+     * those that can also be sent, such as those of its own buttons. Time triggers of the original model, and events
+     * that it declares to be the device's own, need not be listed.
      */
     protected Set<String> spontaneousEvents() {
         return Set.of();
     }
 
-    /** A control of the controller was operated; the device knows nothing of it. */
+    /** A control of the controller was operated; the device does not know of it. */
     protected final Occurrence fromController(String event) {
         return fromController(event, Values.NONE);
     }
 
-    /** The same, carrying {@code values}. */
+    /** As {@link #fromController(String)}, for an event with {@code values}. */
     protected final Occurrence fromController(String event, Values values) {
         return occurrence(event, values, Source.CONTROLLER, false);
     }
@@ -161,15 +161,15 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
         return fromDevice(event, Values.NONE);
     }
 
-    /** The same, carrying {@code values}. */
+    /** As {@link #fromDevice(String)}, for an event with {@code values}. */
     protected final Occurrence fromDevice(String event, Values values) {
         return occurrence(event, values, Source.DEVICE, true);
     }
 
     /**
      * The device was found in {@code state} of its model, whatever the converter believed: after the connection was
-     * lost, or when it has done what its model does not know. This has no effect if the state is already known, or if
-     * the device has been sent an event since.
+     * lost, or when the device did something that its model does not describe. This has no effect if the state is
+     * already known, or if the device has been sent an event since.
      */
     protected final Occurrence foundIn(String state) {
         return new Occurrence.Found(new State(state), nanoTime());

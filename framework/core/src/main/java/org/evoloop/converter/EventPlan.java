@@ -4,16 +4,16 @@ import org.evoloop.loop.Plan;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Turns an analysis into the list of events to send and at most one new function to start. A converter has one without
- * being told; extend it to watch plans.
+ * Turns an analysis into the list of events to send and at most one new function to start. A converter has one by
+ * default; extend it to observe plans.
  *
  * @since 0.1
  */
 public class EventPlan extends Plan<Analysis, ChangePlan> {
-    /** A component that is called like its class. */
+    /** A component named after its class. */
     public EventPlan() {}
 
-    /** @param name what the console calls it, unique within a converter */
+    /** @param name its name in the console, unique within a converter */
     public EventPlan(String name) {
         super(name);
     }

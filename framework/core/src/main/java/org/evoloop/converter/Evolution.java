@@ -12,14 +12,14 @@ import org.evoloop.migration.Fate;
 import org.evoloop.migration.Mapping;
 
 /**
- * What a running converter is to evolve to, see {@link SystemEventConverter#evolve}.
+ * The models to which a running converter is to evolve, and how; see {@link SystemEventConverter#evolve}.
  *
  * <p>Threading: immutable.
  *
  * @since 0.1
  */
 public final class Evolution {
-    /** How long it is tried unless something else is said. */
+    /** The default deadline. */
     public static final Duration USUAL_DEADLINE = Duration.ofSeconds(30);
 
     private final StateKnowledge next;
@@ -30,14 +30,14 @@ public final class Evolution {
     private final boolean wayBack;
 
     /**
-     * What became of the current states.
+     * The result of an evolution.
      *
      * @param model the name of the present new model
-     * @param before in terms of the models before
-     * @param after in terms of the present ones, once {@code steps} have been sent
-     * @param steps what is sent to the device so that both models can stand together
-     * @param carried what became of the timers and the function of the new model's state
-     * @param pause how long no event could begin; what ends and begins with the models is part of it
+     * @param before the states before, in terms of the old models
+     * @param after the states once {@code steps} have been sent, in terms of the present models
+     * @param steps the steps sent to the device so that the states of both models are a reachable pair
+     * @param carried how the timers and the function of the new model's state were carried over
+     * @param pause how long no event could begin, including what ends and begins with the models
      */
     public record Result(
             String model,
@@ -80,32 +80,32 @@ public final class Evolution {
         return duration;
     }
 
-    /** Everything goes by name, within {@link #USUAL_DEADLINE}, without probation. */
+    /** An evolution to {@code next} that maps everything by name, within {@link #USUAL_DEADLINE}, without probation. */
     public static Evolution to(StateKnowledge next) {
         return new Evolution(next, Mapping.byName(), USUAL_DEADLINE, Duration.ZERO, Probation.NONE, true);
     }
 
-    /** The same with states, timers and functions that do not go by their names. */
+    /** A copy with this mapping for states, timers and functions that are not mapped by name. */
     public Evolution withMapping(Mapping names) {
         return new Evolution(next, names, deadline, idle, probation, wayBack);
     }
 
-    /** The same within this time. */
+    /** A copy with this deadline. */
     public Evolution withDeadline(Duration time) {
         return new Evolution(next, mapping, time, idle, probation, wayBack);
     }
 
-    /** The same as soon as nothing has happened for this time. */
+    /** A copy that takes over as soon as nothing has happened for this time. */
     public Evolution whenIdle(Duration time) {
         return new Evolution(next, mapping, deadline, time, probation, wayBack);
     }
 
-    /** The same, which is rolled back if anything goes wrong during {@code time}. */
+    /** A copy that is rolled back if anything goes wrong during the probation {@code time}. */
     public Evolution withProbation(Probation time) {
         return new Evolution(next, mapping, deadline, idle, time, wayBack);
     }
 
-    /** The same, also if no way leads back to the present models from some of the next ones' states. */
+    /** A copy that is also allowed if some states of the next models have no way back to the present ones. */
     public Evolution withoutWayBack() {
         return new Evolution(next, mapping, deadline, idle, probation, false);
     }

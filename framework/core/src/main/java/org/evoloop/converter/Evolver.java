@@ -14,13 +14,15 @@ import org.evoloop.statemachine.ModelException;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Puts other models in while a converter runs. Everything is checked and compiled beforehand; then it is tried between two
- * events, again after each event, until it is possible or its time is over.
+ * Replaces the models of a running converter. Everything is checked and compiled beforehand; then the takeover is tried
+ * between two events, again after each event, until it succeeds or the deadline passes.
  *
  * <p>Threading: thread-safe; the converter may be changed by others while it waits.
  */
 final class Evolver {
-    /** Nobody says when a stopped converter is started, or another clock has gone on: it is looked at so often. */
+    /**
+     * The polling interval: there is no signal for the start of a stopped converter, or for another clock's progress.
+     */
     private static final long LOOK_MILLIS = 20;
 
     private final LoopConfig config;
@@ -28,17 +30,17 @@ final class Evolver {
     private final Belongings belongings;
     private final Supplier<Assembly> assembly;
 
-    /** Guarded by {@code changes}, as all that is changed here. */
+    /** Guarded by {@code changes}, like everything that changes here. */
     private volatile @Nullable WayBack wayBack;
 
     private volatile @Nullable Trial trial;
 
     private volatile @Nullable Shadow shadow;
 
-    /** From which models it had evolved before its process was started, by what it was built with. */
+    /** The way back from an evolution of the previous process, as the models with which the converter was built. */
     private volatile @Nullable WayBack resumed;
 
-    /** What leads back to the models before. */
+    /** The way back to the previous models. */
     private record WayBack(StateKnowledge from, StateKnowledge to, Mapping mapping) {
         /** For messages. */
         String tookOver() {
@@ -47,7 +49,7 @@ final class Evolver {
         }
     }
 
-    /** What has been checked and compiled, as long as the converter has this knowledge and these components. */
+    /** The checked and compiled takeover; valid as long as the converter has this knowledge and these components. */
     private record Prepared(StateKnowledge present, Assembly components, Swap swap) {}
 
     Evolver(LoopConfig config, ChangeLock changes, Belongings belongings, Supplier<Assembly> assembly) {
@@ -100,7 +102,7 @@ final class Evolver {
         return begun;
     }
 
-    /** The one that has not ended; null if there is none. */
+    /** The present shadow; null if there is none. */
     @Nullable
     Shadow shadow() {
         return shadow;
@@ -124,7 +126,7 @@ final class Evolver {
         });
     }
 
-    /** @param adopted the knowledge that has taken over, if any has */
+    /** @param adopted the knowledge that has taken over; null if none has */
     private void forgetShadow(@Nullable StateKnowledge adopted) {
         Shadow ended = shadow;
         shadow = null;
@@ -133,7 +135,7 @@ final class Evolver {
         }
     }
 
-    /** @param back whether it leads back, which is the end of it */
+    /** @param back whether this is a rollback, which has no way back itself */
     private Evolution.Result evolve(ConverterShell shell, Evolution evolution, boolean back) {
         long begun = config.clock().nanoTime();
         Attempt attempt = new Attempt(shell, evolution, back);
@@ -160,7 +162,7 @@ final class Evolver {
         }
     }
 
-    /** Checks everything, and compiles what the next models make of each event. */
+    /** Checks everything, and compiles the next models' decisions. */
     private Prepared compile(ConverterShell shell, Evolution evolution, boolean back) {
         StateKnowledge next = evolution.next();
         StateKnowledge present = shell.knowledge();
@@ -189,7 +191,7 @@ final class Evolver {
         }
     }
 
-    /** One try, in its turn among all changes. */
+    /** One attempt, serialised with all other changes. */
     private final class Attempt implements Runnable {
         private final ConverterShell shell;
         private final Evolution evolution;
@@ -249,12 +251,12 @@ final class Evolver {
         }
     }
 
-    /** The converter goes on with other models than those with which it was built: its journal says so. */
+    /** By its journal, the converter continues with other models than those with which it was built. */
     void resumed(StateKnowledge built, StateKnowledge present) {
         resumed = built == present ? null : new WayBack(present, built, Mapping.byName());
     }
 
-    /** Which models took over from which, for people, as long as that is known; else empty. */
+    /** Describes which models took over from which; empty if that is not known any more. */
     String describe(StateKnowledge present) {
         WayBack back = wayBack;
         Trial running = trial;

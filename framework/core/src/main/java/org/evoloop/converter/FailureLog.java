@@ -16,9 +16,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Logs failures and warnings so that nothing that happens again and again can flood the log: of equal ones the first, the second,
- * the fourth, the eighth, and so on; of all together {@value #MOST_LINES} in {@value #INTERVAL_SECONDS} s, and how many more
- * there were. Counts the failures of what is no component.
+ * Logs failures and warnings without flooding the log: of equal ones the first, the second, the fourth, the eighth, and
+ * so on; of all together {@value #MOST_LINES} in {@value #INTERVAL_SECONDS} s, and how many more there were. Counts the
+ * failures of parts that are not components.
  *
  * <p>Threading: thread-safe.
  */
@@ -38,7 +38,7 @@ final class FailureLog {
     private int lines;
     private long leftOut;
 
-    /** @param config its clock is the time of intervals */
+    /** @param config its clock measures the intervals */
     FailureLog(LoopConfig config) {
         this.clock = config.clock();
         this.threads = config.threads();
@@ -59,7 +59,10 @@ final class FailureLog {
         }
     }
 
-    /** The same of {@code part}, such as {@code guard [full]}, which is no component and has no failures of its own. */
+    /**
+     * Logs and counts a failure of {@code part}, such as {@code guard [full]}, which is not a component and has no
+     * count of its own.
+     */
     void fault(String part, Failure<?> failure) {
         String last = failure.toString();
         synchronized (this) {
@@ -71,15 +74,15 @@ final class FailureLog {
         log(failure);
     }
 
-    /** What is no component and has failed, in the order of the first time. */
+    /** The parts that are not components and have failed, in the order of their first failures. */
     synchronized List<ConverterStatus.Fault> faults() {
         return new ArrayList<>(faults.values());
     }
 
     /**
-     * The same for what is no failure of a component.
+     * Logs a warning that is not a component's failure.
      *
-     * @param what the same text each time that the same happens
+     * @param what the same text each time the same thing happens
      */
     void warn(String what) {
         warn(what, count(what));
@@ -91,7 +94,9 @@ final class FailureLog {
         }
     }
 
-    /** The same for callers that hold a lock: it never blocks, so no thread waits behind that lock for a slow log. */
+    /**
+     * As {@link #warn}, for callers that hold a lock: it never blocks, so no thread waits at that lock for a slow log.
+     */
     void warnSoon(String what) {
         long count = count(what);
         if (!isDue(count)) {
@@ -135,7 +140,7 @@ final class FailureLog {
         return Long.bitCount(count) == 1 && mayLog();
     }
 
-    /** A stack trace helps the author of a component, but not a user who has unplugged the device. */
+    /** A stack trace helps the author of a component, but not a user who unplugged the device. */
     private static boolean isBug(Throwable cause) {
         return cause.getClass().getName().startsWith("java.")
                 && (cause instanceof RuntimeException || cause instanceof Error);

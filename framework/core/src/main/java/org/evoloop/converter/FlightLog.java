@@ -31,7 +31,7 @@ final class FlightLog {
         ObservedEvent.record(converter, occurrence, admission);
     }
 
-    /** {@code occurrence} has its turn; one that was overtaken may have it again. */
+    /** {@code occurrence} has its turn; an overtaken one may have it again. */
     void begun(Occurrence occurrence) {
         if (inTheLoop != occurrence) {
             inTheLoop = occurrence;
@@ -45,7 +45,7 @@ final class FlightLog {
         }
     }
 
-    /** Of one that never had its turn, too. */
+    /** Also called for an occurrence that never had its turn. */
     void ended(Occurrence occurrence, Configuration before, Configuration after, Outcome outcome, String detail) {
         boolean hadItsTurn = inTheLoop == occurrence;
         ConversionEvent event = hadItsTurn ? conversion : ConversionEvent.begun();

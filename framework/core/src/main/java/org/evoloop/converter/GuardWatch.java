@@ -8,8 +8,8 @@ import org.evoloop.loop.LoopConfig;
 import org.evoloop.time.Clock;
 
 /**
- * One guard: what it throws is counted, and while it hangs nobody else is sent into it. Those who report what the device does ask
- * guards on their own threads, and each of them would hang as well.
+ * Watches one guard: counts its exceptions, and keeps other threads out while it hangs. Monitors of the device evaluate
+ * guards on their own threads, and each of them would hang too.
  *
  * <p>Threading: thread-safe.
  */
@@ -20,7 +20,7 @@ final class GuardWatch {
     private final FailureLog failures;
     private final AtomicInteger asked = new AtomicInteger();
 
-    /** When it was last seen to return, or was first asked by one of those who are asking it. */
+    /** When a call last returned, or the first of the present calls began. */
     private volatile long movedNanos;
 
     GuardWatch(String text, LoopConfig config, FailureLog failures) {
@@ -30,12 +30,12 @@ final class GuardWatch {
         this.failures = failures;
     }
 
-    /** Whether somebody is asking it now. */
+    /** Whether it is being evaluated now. */
     boolean isAsked() {
         return asked.get() > 0;
     }
 
-    /** @throws IllegalStateException if it hangs in another thread, for longer than a step may take */
+    /** @throws IllegalStateException if it has hung in another thread for longer than the step limit */
     boolean test(Predicate<Values> condition, Values values) {
         long now = clock.nanoTime();
         if (isAsked() && now - movedNanos > limitNanos) {

@@ -12,7 +12,7 @@ import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The last events and what became of them, {@value #SIZE} unless more are wanted.
+ * The last events and their outcomes, {@value #SIZE} by default.
  *
  * <p>Threading: guarded by the lock of the {@link CoreDriver}.
  */
@@ -24,10 +24,10 @@ final class History {
     private final int size;
     private long recorded;
 
-    /** How many were recorded by others before the first. */
+    /** How many events were recorded elsewhere before the first one here. */
     private long before;
 
-    /** Where the event that is about to end has left a function. */
+    /** The progress of the function that the event about to end has left. */
     private volatile String leaving = "";
 
     History(Clock clock) {
@@ -41,15 +41,15 @@ final class History {
         this.lines = new HistoryLine[size];
     }
 
-    /** The last one that was recorded is so many-th of all that there have ever been. */
+    /** Sets the number of the last recorded event. */
     void countOn(long number) {
         before = Math.max(0, number - recorded);
     }
 
     /**
-     * Records an event that has come to its end.
+     * Records an event that has ended.
      *
-     * @param decision what it was found to mean, which gives the detail; null if {@code detail} does
+     * @param decision its decision, which gives the detail; null if {@code detail} gives it
      */
     void record(
             Occurrence occurrence,
@@ -58,22 +58,25 @@ final class History {
             Outcome outcome,
             @Nullable Decision decision,
             String detail) {
-        // A stay that ended otherwise, as by a stop, is none of this event's.
+        // This event did not end a visit that ended for another reason, such as a stop.
         String left = before.evolved().equals(after.evolved()) ? "" : leaving;
         leaving = "";
         record(clock.wallTime(), clock.nanoTime(), occurrence, before, after, outcome, decision, detail, left);
     }
 
-    /** The event whose turn it is leaves a function, {@code where} in words. Called by the thread that carries that event. */
+    /**
+     * The event in progress leaves a function whose progress is {@code where}. Called by the thread that carries out
+     * that event.
+     */
     void leaving(String where) {
         leaving = where;
     }
 
     /**
-     * The same of one that came to its end at {@code time}.
+     * Records an event that ended at {@code time}.
      *
-     * @param nanos the same on the clock by which it was observed
-     * @param left where it left a function; empty if it left none, or that is not known
+     * @param nanos the same time on the clock of its observation
+     * @param left the progress of the function that it left; empty if it left none, or that is unknown
      */
     void record(
             Instant time,
@@ -95,17 +98,17 @@ final class History {
         line.set(recorded, time, took, occurrence, before, after, outcome, decision, detail, left);
     }
 
-    /** How many there have been. */
+    /** The number of events so far. */
     long number() {
         return before + recorded;
     }
 
-    /** The last one that was recorded. */
+    /** The last recorded event. */
     HistoryEntry last() {
         return Objects.requireNonNull(lines[(int) ((recorded - 1) % size)]).toEntry(before);
     }
 
-    /** Whether {@code count} are there, or all that there have been. */
+    /** Whether {@code count} entries are in memory, or all that there have been. */
     boolean reaches(int count) {
         return count <= Math.min(recorded, size) || before + recorded <= Math.min(recorded, size);
     }

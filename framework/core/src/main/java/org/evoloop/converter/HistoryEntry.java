@@ -9,21 +9,21 @@ import org.evoloop.evolution.Occurrence;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One event and what became of it.
+ * One event and its outcome.
  *
  * <p>Threading: immutable.
  *
  * @param number counts the events of a converter, from 1
- * @param at when it came to its end
+ * @param at when it ended
  * @param occurrence the event
- * @param before where the system stood
- * @param after where it stands
- * @param outcome what became of the event
- * @param detail the events sent, the function started, or why nothing happened; and how far a function was that it
- *     ended, if that said so
- * @param decision what it was found to mean: the transition of the new model and the steps planned for the device; null if it
- *     did not come so far
- * @param took from when it was observed to its end
+ * @param before the states before it
+ * @param after the states after it
+ * @param outcome its outcome
+ * @param detail the events sent, the function started, or why nothing happened; and the progress of a function that it
+ *     ended, if reported
+ * @param decision its decision: the transition of the new model and the steps planned for the device; null if it was
+ *     not decided
+ * @param took the time from its observation to its end
  * @since 0.1
  */
 public record HistoryEntry(

@@ -13,7 +13,7 @@ import org.evoloop.evolution.Step;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A line of the {@link History}: used again and again, and put into words only when somebody asks.
+ * A reusable line of the {@link History}, formatted only on demand.
  *
  * <p>Threading: guarded by its history.
  */
@@ -52,7 +52,7 @@ final class HistoryLine {
         left = newLeft;
     }
 
-    /** @param earlier how many there were before those that its history counts */
+    /** @param earlier how many events came before those that its history counts */
     HistoryEntry toEntry(long earlier) {
         Decision decided = decision;
         String told = detail.isEmpty() && decided != null ? detail(decided) : detail;

@@ -8,8 +8,8 @@ import org.evoloop.time.OwnedThread;
 import org.evoloop.time.Threads;
 
 /**
- * Calls what a component wants to do while the converter is opened or closed, for a while at most: on a thread that can be
- * left to itself.
+ * Calls a component's hooks while the converter is opened or closed, within a time limit: on a thread that can be
+ * abandoned.
  *
  * <p>Threading: {@link #call} by one thread at a time.
  */
@@ -19,7 +19,7 @@ final class Hooks {
     private final LoopConfig config;
     private final BooleanSupplier closing;
 
-    /** @param closing whether nobody waits longer than the join limit any more */
+    /** @param closing whether no wait may exceed the join limit any more */
     Hooks(LoopConfig config, BooleanSupplier closing) {
         this.config = config;
         this.closing = closing;

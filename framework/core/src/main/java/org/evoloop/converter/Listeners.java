@@ -52,7 +52,7 @@ final class Listeners {
         }
     }
 
-    /** The thread ends with the last one. */
+    /** The thread ends when the last one is removed. */
     synchronized void remove(ConverterListener listener) {
         all.remove(listener);
         Thread telling = thread;
@@ -105,7 +105,7 @@ final class Listeners {
         }
     }
 
-    /** The listeners are told with its end: waking their thread would delay the command. */
+    /** The listeners learn of it when the occurrence ends: waking their thread now would delay the command. */
     void converted(long nanos) {
         waitedNanos = nanos;
     }
@@ -113,7 +113,7 @@ final class Listeners {
     void ended(History history) {
         if (!all.isEmpty()) {
             HistoryEntry entry = history.last();
-            // What is dropped meanwhile was not decided.
+            // An occurrence dropped meanwhile was not decided.
             long waited = entry.decision() == null ? NOT_CONVERTED : waitedNanos;
             tell(listener -> {
                 if (waited != NOT_CONVERTED) {
@@ -153,7 +153,7 @@ final class Listeners {
         return OwnedThread.isCurrentOf(this);
     }
 
-    /** Makes the calls that still wait, and ends the thread. Idempotent; not for a listener to call. */
+    /** Makes the waiting calls and ends the thread. Idempotent; a listener must not call it. */
     void close() {
         Thread telling;
         synchronized (this) {

@@ -11,7 +11,8 @@ import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A monitor that looks once a period, written as a function that returns the name of an event, or null if there is none.
+ * A monitor that polls once a period, written as a function that returns the name of an event, or null if there is
+ * none.
  *
  * <pre>{@code
  * converter.addMonitor(PollingMonitor.ofController("Remote", Duration.ofMillis(50), () -> receiver.poll()));
@@ -46,21 +47,21 @@ public final class PollingMonitor extends EventMonitor {
     }
 
     /**
-     * Looks at the controller.
+     * A monitor that polls a controller.
      *
-     * @param name what the console calls it, unique within a converter
-     * @param period between two looks, more than 0
+     * @param name its name in the console, unique within a converter
+     * @param period the time between two polls, more than 0
      */
     public static PollingMonitor ofController(String name, Duration period, Sensor<String> look) {
         return new PollingMonitor(name, period, false, Set.of(), look);
     }
 
     /**
-     * Looks at what the device does by itself.
+     * A monitor that polls the device for what it does by itself.
      *
-     * @param name what the console calls it, unique within a converter
-     * @param period between two looks, more than 0
-     * @param events all that {@code look} may return
+     * @param name its name in the console, unique within a converter
+     * @param period the time between two polls, more than 0
+     * @param events all events that {@code look} may return
      */
     public static PollingMonitor ofDevice(String name, Duration period, Set<String> events, Sensor<String> look) {
         return new PollingMonitor(name, period, true, events, look);

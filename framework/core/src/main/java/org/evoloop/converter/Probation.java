@@ -7,40 +7,41 @@ import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.DecisionTable;
 
 /**
- * How long other models are on trial after they have taken over. The models before them come back if meanwhile an event
- * fails, the record of the device is in doubt, the device is found elsewhere than the record says, or a watch reports a violation.
+ * How long other models are on trial after they have taken over. The previous models come back if meanwhile an event
+ * fails, the record of the device is in doubt, the device is found in another state than the record says, or a watch
+ * reports a violation.
  *
  * <p>Threading: immutable.
  *
- * @param time after which the trial is over; 0 for no end by time
- * @param events after which it is over; 0 for no end by their number
- * @param watches what else is looked at
+ * @param time how long the trial lasts; 0 for no limit in time
+ * @param events how many events the trial lasts; 0 for no limit in their number
+ * @param watches further checks
  * @since 0.1
  */
 public record Probation(Duration time, long events, Watches watches) {
     /** No trial. */
     public static final Probation NONE = new Probation(Duration.ZERO, 0, (table, from) -> entry -> "");
 
-    /** Begins to watch. */
+    /** Creates watches. */
     @FunctionalInterface
     public interface Watches {
         /**
          * The models have taken over.
          *
-         * @param table what they make of events
-         * @param from where device and evolved system are
+         * @param table their decisions
+         * @param from the states of device and evolved system
          */
         Watch begin(DecisionTable table, Configuration from);
     }
 
     /**
-     * Looks at each event that has come to its end.
+     * Checks each event that has ended.
      *
      * <p>Threading: called as a {@link ConverterListener} is.
      */
     @FunctionalInterface
     public interface Watch {
-        /** Why the models before have to come back, for people; empty if they need not. */
+        /** Why the previous models have to come back, for people; empty if they need not. */
         String faultIn(HistoryEntry entry);
     }
 
@@ -58,12 +59,12 @@ public record Probation(Duration time, long events, Watches watches) {
         return new Probation(time, 0, NONE.watches());
     }
 
-    /** A trial of so many events. */
+    /** A trial of this number of events. */
     public static Probation of(long events) {
         return new Probation(Duration.ZERO, events, NONE.watches());
     }
 
-    /** The same, looked at by these, too. */
+    /** A copy with these checks, too. */
     public Probation watchedBy(Watches others) {
         return new Probation(time, events, others);
     }

@@ -14,9 +14,9 @@ import org.slf4j.LoggerFactory;
 /**
  * A monitor whose events come from other threads: a console, a driver's callback, a web server.
  *
- * <p>Threading: {@link #push} and {@link #press} may be called from any thread and do not wait for events to be converted.
- * Once the loop has been built they pass events to it directly, since the monitor's own thread would have to be woken
- * first; what one thread pushes stays in order.
+ * <p>Threading: {@link #push} and {@link #press} may be called from any thread and do not wait for events to be
+ * converted. Once the loop has been built, they pass events to it directly, since the monitor's own thread would have
+ * to be woken first; events pushed by one thread stay in order.
  *
  * @since 0.1
  */
@@ -27,16 +27,16 @@ public class PushMonitor extends EventMonitor {
 
     private final BlockingQueue<Occurrence> pushed = new LinkedBlockingQueue<>();
 
-    /** How many occurrences the monitor's own thread has yet to report; none may overtake them. */
+    /** How many occurrences the monitor's own thread still has to report; none may overtake them. */
     private final AtomicInteger behind = new AtomicInteger();
 
     private boolean telling;
     private boolean losing;
 
-    /** A monitor with the name of its class. */
+    /** A monitor named after its class. */
     public PushMonitor() {}
 
-    /** @param name what the console calls it, unique within a converter */
+    /** @param name its name in the console, unique within a converter */
     public PushMonitor(String name) {
         super(name);
     }
@@ -45,14 +45,13 @@ public class PushMonitor extends EventMonitor {
      * A control of the controller was operated.
      *
      * @throws IllegalArgumentException if neither model knows the event; the message lists the most similar names
-     * @throws IllegalStateException if the converter is not running, or this monitor is not part of one: the press is
-     *     refused
+     * @throws IllegalStateException if the converter is not running, or this monitor is not part of one
      */
     public final void press(String event) {
         press(event, Values.NONE);
     }
 
-    /** The same, carrying {@code values}. */
+    /** As {@link #press(String)}, for an event with {@code values}. */
     public final void press(String event, Values values) {
         Occurrence pressed = fromController(event, values);
         requireHeard(pressed);
@@ -60,13 +59,14 @@ public class PushMonitor extends EventMonitor {
     }
 
     /**
-     * Reports an occurrence. While the converter is stopped it is refused, and counted by {@code status}. Until the converter is
-     * built, the last {@value #MOST_KEPT} are kept, and a warning tells when more are lost; when this monitor has been taken out of a converter, none is.
+     * Reports an occurrence. While the converter is stopped it is refused, and counted by {@code status}. Until the
+     * converter is built, the last {@value #MOST_KEPT} are kept, and the loss of earlier ones is logged; after this
+     * monitor has been removed from a converter, none is kept.
      */
     protected final void push(Occurrence occurrence) {
         Objects.requireNonNull(occurrence, "the occurrence is null");
         while (behind.get() > 0 && isServed()) {
-            // What was pushed before the converter was built comes first; the monitor's thread is reporting it.
+            // Occurrences pushed before the converter was built come first; the monitor's thread is reporting them.
             LockSupport.parkNanos(this, LOOK_NANOS);
         }
         if (behind.get() > 0 || !tell(occurrence)) {
@@ -83,7 +83,8 @@ public class PushMonitor extends EventMonitor {
                 return;
             }
             if (pushed.size() >= MOST_KEPT) {
-                // Whoever steps a converter without threads may be slow, but loses nothing that the converter can take.
+                // The caller that steps a converter without threads may be slow, but loses nothing that the converter
+                // can take.
                 Occurrence oldest = pushed.poll();
                 if (oldest != null) {
                     behind.decrementAndGet();

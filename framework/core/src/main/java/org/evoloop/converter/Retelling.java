@@ -11,7 +11,7 @@ import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;
 import org.jspecify.annotations.Nullable;
 
-/** What a core has said before: it goes into a history and the latency, and nothing is done about it again. */
+/** Receives replayed outputs of a core: they go into the history and the latency, and are not carried out again. */
 final class Retelling implements ConverterJournal.Past {
     private final History history;
     private final LatencyWindow latency;
@@ -39,7 +39,7 @@ final class Retelling implements ConverterJournal.Past {
 
     @Override
     public void say(Output output) {
-        // Done, or told, when it was said first.
+        // Was carried out, or reported, the first time.
     }
 
     @Override

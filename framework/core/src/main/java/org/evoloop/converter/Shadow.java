@@ -1,13 +1,14 @@
 package org.evoloop.converter;
 
 /**
- * Other models beside those that run: they get the same inputs, none of their decisions is carried out, and what both make of
- * each event is compared. A shadow ends when models take over, when another one begins, and with the process.
+ * Other models beside the running ones: they get the same inputs, none of their decisions is carried out, and both
+ * decisions on each event are compared. A shadow ends when models take over, when another shadow begins, and with the
+ * process.
  *
- * <p>A step of theirs succeeds unless the running models' step for the same event failed; guards hold that hold for the
- * running models; functions do not run: their events are heard while both new models are in the same state. Timers are due
- * by the other models' own deadlines. What the {@linkplain Probation.Watches watches} of the evolution find in what they
- * make of events is told, too.
+ * <p>The shadow's step succeeds unless the running models' step for the same event failed. A guard holds if it holds
+ * for the running models. Functions do not run: their events count while both new models are in the same state. Timers
+ * are due by the other models' own deadlines. Violations that the {@linkplain Probation.Watches watches} of the
+ * evolution find in the shadow's results are reported, too.
  *
  * <p>Threading: thread-safe.
  *
@@ -24,12 +25,12 @@ public final class Shadow implements AutoCloseable {
         this.evolution = evolution;
     }
 
-    /** By which {@link #promote} puts the models in. */
+    /** The evolution that {@link #promote} carries out. */
     public Evolution evolution() {
         return evolution;
     }
 
-    /** How it stands. @throws IllegalStateException if it has ended */
+    /** The report so far. @throws IllegalStateException if it has ended */
     public ShadowReport report() {
         ShadowReport report = evolver.shadow() == this ? shell.driver.shadowReport() : null;
         if (report == null) {
@@ -39,8 +40,8 @@ public final class Shadow implements AutoCloseable {
     }
 
     /**
-     * Puts the other models in, as {@link SystemEventConverter#evolve} does: from where the system is, not from where they
-     * would have brought it.
+     * Lets the other models take over, as {@link SystemEventConverter#evolve} does: from the system's present states,
+     * not from those to which they would have led.
      *
      * @throws IllegalStateException if it has ended
      * @throws EvolutionException if it was not possible in time; the shadow stays
@@ -49,7 +50,7 @@ public final class Shadow implements AutoCloseable {
         return evolver.promote(this, shell);
     }
 
-    /** Ends it, if it has not ended. */
+    /** Ends the shadow. Idempotent. */
     @Override
     public void close() {
         evolver.end(this, shell);

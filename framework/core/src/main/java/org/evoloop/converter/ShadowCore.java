@@ -20,12 +20,12 @@ import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a {@link Shadow} decides: a second core beside the one that runs.
+ * The core of a {@link Shadow}: a second one beside the running core.
  *
  * <p>Threading: guarded by the lock of its {@link CoreDriver}.
  */
 final class ShadowCore {
-    /** So many differences are remembered. */
+    /** The number of differences remembered. */
     static final int MOST_KEPT = 1_000;
 
     private final String model;
@@ -41,9 +41,9 @@ final class ShadowCore {
     private long different;
 
     /**
-     * Begins where the running models are, in terms of the others.
+     * Begins in the running models' states, mapped to the others.
      *
-     * @param watches look at what the others make of each event
+     * @param watches check the others' result for each event
      */
     ShadowCore(Core core, Swap swap, Probation.Watches watches, Clock clock) {
         this.model = swap.name();
@@ -58,12 +58,12 @@ final class ShadowCore {
         comparison.begin(swap.rules(), Comparison.still(placed.snapshot()));
     }
 
-    /** Who has to hear what the running core says. */
+    /** Receives the running core's outputs. */
     Outputs hears() {
         return running;
     }
 
-    /** An event waits for its turn, and the device's own has moved the record already. */
+    /** Takes an event. One of the device's own has already moved the record. */
     void observed(Occurrence occurrence) {
         boolean current = occurrence.visit() == running.visit();
         comparison.observed(occurrence, current ? core.at().evolved() : null, clock.nanoTime());
@@ -114,12 +114,12 @@ final class ShadowCore {
         try {
             return watch.faultIn(entry);
         } catch (RuntimeException failure) {
-            // The running models' work goes on, whatever is wrong with what looks at others.
+            // A failing check of the shadow must not stop the running models.
             return "what watches the properties has failed: " + failure;
         }
     }
 
-    /** How it stands now. */
+    /** The report so far. */
     ShadowReport report() {
         comparison.pass(clock.nanoTime());
         return new ShadowReport(

@@ -6,18 +6,18 @@ import org.evoloop.evolution.Configuration;
 import org.evoloop.rehearsal.Difference;
 
 /**
- * What other models would have done beside those that run, see {@link Shadow}.
+ * A comparison of other models with the running ones, see {@link Shadow}.
  *
  * <p>Threading: immutable.
  *
  * @param model the name of the other new model
- * @param since when it began
- * @param at where device and evolved system would be
- * @param events how many were compared
- * @param different of how many the other models would have made something else
+ * @param since when the shadow began
+ * @param at the states in which device and evolved system would be
+ * @param events how many events were compared
+ * @param different how many events the other models would have decided differently
  * @param differences the last {@value ShadowCore#MOST_KEPT} of them, oldest first
- * @param faults what the {@linkplain Probation.Watches watches} of the evolution would have found, oldest first, at most
- *     {@value ShadowCore#MOST_KEPT}
+ * @param faults the violations that the {@linkplain Probation.Watches watches} of the evolution would have found,
+ *     oldest first, at most {@value ShadowCore#MOST_KEPT}
  * @since 0.1
  */
 public record ShadowReport(
@@ -30,9 +30,9 @@ public record ShadowReport(
         List<Fault> faults) {
 
     /**
-     * That the other models would have broken what has to hold.
+     * A violation that the other models would have caused.
      *
-     * @param why for people
+     * @param why the reason, for people
      */
     public record Fault(Instant at, String why) {
         @Override

@@ -11,9 +11,9 @@ import java.util.function.Supplier;
 import org.evoloop.loop.Component;
 
 /**
- * Components that are kept at hand to take the place of others.
+ * Spare components, ready to replace others.
  *
- * <p>Threading: thread-safe; who lists them waits for no change of the converter.
+ * <p>Threading: thread-safe; listing them does not wait for a change of the converter.
  */
 final class Spares {
     private final Map<String, Supplier<? extends Component>> byName = new LinkedHashMap<>();
@@ -29,7 +29,9 @@ final class Spares {
         }
     }
 
-    /** Makes the component of this name. @throws IllegalArgumentException if there is none; the message lists those there are */
+    /**
+     * Makes the component of this name. @throws IllegalArgumentException if there is none; the message lists the names
+     */
     Component make(String name) {
         Supplier<? extends Component> supplier;
         synchronized (byName) {

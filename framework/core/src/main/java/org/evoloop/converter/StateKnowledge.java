@@ -30,8 +30,8 @@ import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a converter knows: both models, their current states, and the functions of new states (paper, section V.B).
- * Extend it and register the functions in {@link #registerNewFunctions}.
+ * The knowledge of a converter: both models, their current states, and the functions of new states (paper, section
+ * V.B). Extend it and register the functions in {@link #registerNewFunctions}.
  *
  * <p>Threading: the methods that register are for {@link #registerNewFunctions} and before; the rest is thread-safe.
  *
@@ -42,14 +42,14 @@ public class StateKnowledge extends Knowledge {
     private final Map<State, NewFunction> functions = new HashMap<>();
     private final Map<State, Map<Event, Duration>> timers = new HashMap<>();
 
-    /** Those and the time triggers of the new model, by state, as far as they have been asked for. */
+    /** Those and the time triggers of the new model, by state; filled on demand. */
     private final Map<State, Map<Event, Duration>> allTimers = new ConcurrentHashMap<>();
 
     private final Map<Ends, NewFunction> actions = new HashMap<>();
     private final Bindings bindings;
     private final EventNames eventNames;
 
-    /** What was registered more than once, a line each. */
+    /** Names registered more than once, a line each. */
     private final Set<String> repeated = new LinkedHashSet<>();
 
     private boolean registered;
@@ -63,7 +63,7 @@ public class StateKnowledge extends Knowledge {
         this.eventNames = EventNames.of(pair);
     }
 
-    /** A transition by what its author calls it: its event with or without its guards. */
+    /** A transition as its author names it: its event with or without guards. */
     private record Ends(State source, String event, State target) {
         /** For messages: {@code Off --Clean--> On}. */
         @Override
@@ -75,7 +75,7 @@ public class StateKnowledge extends Knowledge {
     /** Registers the functions and timers of new states; called once, when the converter is built. */
     protected void registerNewFunctions() {}
 
-    /** The same, once, however often the converter's building is tried. */
+    /** Calls {@link #registerNewFunctions} once, even if building the converter is tried again. */
     final void register() {
         if (!registered) {
             registerNewFunctions();
@@ -83,7 +83,10 @@ public class StateKnowledge extends Knowledge {
         }
     }
 
-    /** Runs {@code function} whenever the new state {@code state} is entered, whatever the new model remembers then. */
+    /**
+     * Runs {@code function} whenever the new state {@code state} is entered, whatever history the new model then
+     * remembers.
+     */
     protected final void function(String state, NewFunction function) {
         requireNonNull(function, "the function of " + state + " is null; NewFunction.none() does nothing");
         for (State each : drawn(state)) {
@@ -118,9 +121,9 @@ public class StateKnowledge extends Knowledge {
     }
 
     /**
-     * Says when the guard of this text holds, in either model. It is asked on the analyze component's thread when an event
-     * comes that the new model guards with it, and on an execute component's before an event is sent over a transition of
-     * the original model that it guards. One that throws makes that event fail.
+     * Binds the guard of this text, in either model. It is evaluated on the analyze component's thread when an event
+     * comes that the new model guards with it, and on an execute component's thread before an event is sent over a
+     * guarded transition of the original model. If it throws, that event fails.
      *
      * @param text as drawn, without brackets
      */
@@ -129,16 +132,16 @@ public class StateKnowledge extends Knowledge {
         guard(text, values -> condition.getAsBoolean());
     }
 
-    /** The same for a guard that looks at what the event carries. */
+    /** As {@link #guard(String, BooleanSupplier)}, for a guard that uses the event's values. */
     protected final void guard(String text, Predicate<Values> condition) {
         requireNonNull(condition, "the guard " + text + " is null");
         noteIfRepeated("a guard", text, bindings.guard(text, condition));
     }
 
     /**
-     * Says what the effect of this text does. It is run when a transition of the new model that names it is taken, after the
-     * device has obeyed and before the next state is entered; not where the device does it by itself, because a transition
-     * of the original model on the way names it too. One that throws is reported and the event has failed, but the
+     * Binds the effect of this text. It runs when a transition of the new model that names it is taken, after the
+     * device has obeyed and before the next state is entered. It does not run where the device does it by itself,
+     * because a transition of the original model in the plan names it too. If it throws, the event fails, but the
      * transition is taken and its other effects are run.
      *
      * @param text as drawn
@@ -148,7 +151,7 @@ public class StateKnowledge extends Knowledge {
         effect(text, values -> action.run());
     }
 
-    /** The same for an effect that looks at what the event carries. */
+    /** As {@link #effect(String, Effect)}, for an effect that uses the event's values. */
     protected final void effect(String text, Effect.OfEvent action) {
         requireNonNull(action, "the effect " + text + " is null");
         noteIfRepeated("an effect", text, bindings.effect(text, action));
@@ -165,24 +168,28 @@ public class StateKnowledge extends Knowledge {
         bindings.cost(event, cost);
     }
 
-    /** No path of several events leads through {@code state} of the original model; it may begin or end there. */
+    /**
+     * Keeps plans of several events from passing through {@code state} of the original model; they may begin or end
+     * there.
+     */
     protected final void doNotPass(String state) {
         bindings.doNotPass(state);
     }
 
     /**
-     * Says what follows when a step of a plan fails, so that the device is somewhere on the way. Unless this is said it
-     * stays there.
+     * Sets what follows when a step of a plan fails and leaves the device in an intermediate state. By default it stays
+     * there.
      *
-     * @param state of the new model, in which the event comes
-     * @param event with its guards, as in {@code press [hot]}, if only that transition is meant
+     * @param state the state of the new model in which the event comes
+     * @param event the event, with its guards, as in {@code press [hot]}, if only that transition is meant
      */
     protected final void onFailure(String state, String event, OnFailure then) {
         noteIfRepeated("what follows on failure", event + " in " + state, bindings.onFailure(state, event, then));
     }
 
     /**
-     * Registers what runs when one transition of the new model is taken, in place of the function of its target.
+     * Registers the function that runs when one transition of the new model is taken, in place of the function of its
+     * target.
      *
      * @param source the current state (the paper's s0)
      * @param target the next state (s1), a new one
@@ -203,7 +210,7 @@ public class StateKnowledge extends Knowledge {
                 : Optional.of(new BoundTransition(source, event, transition.target(), action(transition)));
     }
 
-    /** What runs when {@code transition} of the new model is taken. */
+    /** The function that runs when {@code transition} of the new model is taken. */
     final NewFunction action(Transition transition) {
         NewFunction action = ownAction(transition);
         return action != null ? action : functions.getOrDefault(transition.target(), NewFunction.none());
@@ -218,7 +225,7 @@ public class StateKnowledge extends Knowledge {
         return action != null ? action : actions.get(new Ends(transition.source(), event.name(), transition.target()));
     }
 
-    /** Every event that is raised by itself in {@code state}, and after how long. */
+    /** The timer events of {@code state} and their delays. */
     final Map<Event, Duration> timersOf(State state) {
         Map<Event, Duration> known = allTimers.get(state);
         if (known == null) {
@@ -249,13 +256,13 @@ public class StateKnowledge extends Knowledge {
         return configuration().original();
     }
 
-    /** The current states of both models, as of one moment. */
+    /** The current states of both models at one moment. */
     public final Configuration configuration() {
         CoreDriver attached = driver;
         return attached == null ? pair.initial() : attached.configuration();
     }
 
-    /** Where the states are kept from now on; null if they are not any more. */
+    /** Sets where the states are kept from now on; null for nowhere. */
     final void attach(@Nullable CoreDriver joined) {
         driver = joined;
     }
@@ -269,10 +276,10 @@ public class StateKnowledge extends Knowledge {
     }
 
     /**
-     * What is wrong with what was registered, a line each.
+     * Problems with the registrations, a line each.
      *
-     * @param leftOver whether it is wrong to register what the models do not have. Not if they take over from others, of
-     *     which the code may still know
+     * @param leftOver whether a registration for a name that the models do not have is a problem. It is not when they
+     *     take over from models for which the code still has registrations
      */
     final List<String> problems(boolean leftOver) {
         List<String> problems = new ArrayList<>(repeated);
@@ -316,7 +323,7 @@ public class StateKnowledge extends Knowledge {
         return problems;
     }
 
-    /** What is registered for what the models do not have. */
+    /** Registrations for names that the models do not have. */
     private void leftOver(List<String> problems) {
         for (State state : functions.keySet()) {
             if (!pair.evolved().hasState(state)) {
@@ -340,7 +347,7 @@ public class StateKnowledge extends Knowledge {
         }
     }
 
-    /** Whether an event waits is decided before any guard is asked. */
+    /** An event is deferred before any guard is evaluated. */
     private void deferredUnderGuards(List<String> problems) {
         for (State state : pair.evolved().states()) {
             for (Event event : pair.evolved().deferred(state)) {

@@ -5,16 +5,16 @@ import org.evoloop.time.Threads;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What follows when a converter was stopped, on a thread of its own: the caller of {@code stop} gets an answer soon, whatever
- * hangs.
+ * Finishes the stop of a converter on a thread of its own, so that the caller of {@code stop} gets an answer soon,
+ * whatever hangs.
  *
  * <p>Threading: thread-safe.
  */
 final class Stopping {
-    /** So long somebody who stops the converter waits. */
+    /** How long {@code stop} waits. */
     static final long ANSWER_MILLIS = 100;
 
-    /** All that it waits for has limits; this is only so that no mistake in them lasts for ever. */
+    /** Everything it waits for has its own limit; this one only guards against a mistake in those. */
     private static final Duration LONGEST = Duration.ofMinutes(5);
 
     private final String name;
@@ -26,10 +26,10 @@ final class Stopping {
     }
 
     /**
-     * Has {@code rest} done, unless that is under way.
+     * Runs {@code rest}, unless it is already running.
      *
-     * @param atOnce whether not to wait for it
-     * @return whether it was done
+     * @param atOnce whether to return without waiting for it
+     * @return whether it has finished
      */
     boolean begin(Runnable rest, boolean atOnce) {
         Thread doing;
@@ -46,10 +46,10 @@ final class Stopping {
     }
 
     /**
-     * Waits until nothing of it is under way.
+     * Waits until it has finished.
      *
-     * @param fromWithin whether the caller is one for whom it waits
-     * @throws IllegalStateException if that would be for ever
+     * @param fromWithin whether it would wait for the caller
+     * @throws IllegalStateException if that would take for ever
      */
     void await(boolean fromWithin) {
         Thread doing;

@@ -60,10 +60,10 @@ public final class SystemEventConverter implements AutoCloseable {
     private Sentry.@Nullable Posting posting;
     private volatile @Nullable ConverterShell shell;
 
-    /** When the loop was closed last, or built. */
+    /** When the loop was last closed, or built. */
     private volatile Instant closedAt = Instant.EPOCH;
 
-    /** @param config its options; they are checked by {@link #build} */
+    /** @param config its options, checked by {@link #build} */
     public SystemEventConverter(LoopConfig config) {
         this.config = requireNonNull(config, "the converter's config is null");
         this.belongings = new Belongings(config.name());
@@ -80,12 +80,12 @@ public final class SystemEventConverter implements AutoCloseable {
         add(monitor);
     }
 
-    /** Sets the analyze component, in place of the usual one; before {@link #build}. */
+    /** Sets the analyze component, in place of the default; before {@link #build}. */
     public void addAnalyze(EventAnalyze analyze) {
         add(analyze);
     }
 
-    /** Sets the plan component, in place of the usual one; before {@link #build}. */
+    /** Sets the plan component, in place of the default; before {@link #build}. */
     public void addPlan(EventPlan plan) {
         add(plan);
     }
@@ -94,7 +94,7 @@ public final class SystemEventConverter implements AutoCloseable {
      * Adds an execute component, also while the converter runs.
      *
      * @throws IllegalStateException if the name is taken
-     * @throws ModelException if it sends what the device does not know
+     * @throws ModelException if it sends an event that the device does not have
      */
     public void addExecute(EventExecute execute) {
         add(execute);
@@ -112,8 +112,8 @@ public final class SystemEventConverter implements AutoCloseable {
     }
 
     /**
-     * Says how knowledge is made of other models, before {@link #build}: those to which a converter had evolved before its
-     * process ended, and those that {@link #knowledgeOf} is asked for.
+     * Sets how knowledge of other models is made, before {@link #build}. Such models are those to which the converter
+     * had evolved when the previous process ended, and those passed to {@link #knowledgeOf}.
      */
     public void addKnowledgeFactory(Function<ModelPair, ? extends StateKnowledge> factory) {
         requireNonNull(factory, "the knowledge factory is null");
@@ -121,30 +121,30 @@ public final class SystemEventConverter implements AutoCloseable {
     }
 
     /**
-     * Makes knowledge of other models, to {@link #evolve} to.
+     * Makes knowledge of other models, for {@link #evolve}.
      *
-     * @throws IllegalStateException if it was not said how, see {@link #addKnowledgeFactory}
+     * @throws IllegalStateException if there is no factory, see {@link #addKnowledgeFactory}
      * @throws ModelException if the models are no evolution
      */
     public StateKnowledge knowledgeOf(ModelPair models) {
         return Construction.knowledgeOf(models, knowledgeFactory);
     }
 
-    /** From now on {@code listener} is notified of what this converter does. */
+    /** Notifies {@code listener} of what this converter does from now on. */
     public void addListener(ConverterListener listener) {
         listeners.add(listener);
     }
 
-    /** {@code listener} is not notified any more, but for a call that is being made. Does nothing if it is none. */
+    /** Stops notifying {@code listener}; a call in progress still completes. Does nothing if it was not added. */
     public void removeListener(ConverterListener listener) {
         listeners.remove(listener);
     }
 
     /**
-     * Records this converter's inputs, before {@link #build}; that begins where the process before this one has ended.
-     * Events that waited still wait, and the one in progress goes on after the steps that were sent, as soon as the converter
-     * is started. A step that may or may not have been sent is not sent again: the record is in doubt, see
-     * {@link EventExecute#locate}.
+     * Records this converter's inputs; call it before {@link #build}, which then continues where the previous process
+     * ended. Events that waited still wait, and the one in progress continues after the steps that were sent, as soon
+     * as the converter is started. A step that may or may not have been sent is not sent again: the record is in doubt,
+     * see {@link EventExecute#locate}.
      *
      * @throws IllegalStateException if it has been built, or has a journal already
      */
@@ -160,10 +160,10 @@ public final class SystemEventConverter implements AutoCloseable {
     }
 
     /**
-     * Has a sentry watch this converter from each start on, and from each time at which other models take over. What it finds
-     * to be violated is an event of the history that has failed.
+     * Has a sentry watch this converter from each start, and from each takeover by other models. A violation is
+     * recorded in the history as a failed event.
      *
-     * @throws IllegalStateException if it has been built, or is watched already
+     * @throws IllegalStateException if it has been built, or has a sentry already
      */
     public void watch(Sentry.Posting sentries) {
         changes.change(() -> {
@@ -187,7 +187,7 @@ public final class SystemEventConverter implements AutoCloseable {
     }
 
     /**
-     * Keeps a component at hand for {@link #exchange(String, String)}, under a name of its own.
+     * Registers a spare component for {@link #exchange(String, String)}, under a name of its own.
      *
      * @throws IllegalStateException if the name is taken
      */
@@ -201,13 +201,13 @@ public final class SystemEventConverter implements AutoCloseable {
     }
 
     /**
-     * Checks everything, compiles the decisions of all configurations that can be reached, and gives every component its
-     * thread.
+     * Checks everything, compiles the decisions of all reachable configurations, and gives every component its thread.
      *
      * @throws ModelException if models and components do not fit; the message lists all problems
-     * @throws IllegalStateException if something is missing or belongs to another converter, or this was done before
+     * @throws IllegalStateException if something is missing or belongs to another converter, or it has been built
+     *     already
      * @throws IllegalArgumentException if an option is out of range; the message lists all of them
-     * @throws RuntimeException if the journal cannot be gone on with; the message says why and what to do
+     * @throws RuntimeException if the journal cannot be continued; the message says why and what to do
      */
     public void build() {
         changes.change(this::buildInTurn);
@@ -248,13 +248,12 @@ public final class SystemEventConverter implements AutoCloseable {
     }
 
     /**
-     * Closes the loop: from now on nothing begins, and events that wait are refused. The event that is in it comes to its
-     * end, and the running new function ends; then the execute components let go of the device. That is waited for as long
-     * as a person waits for an answer, 100 ms: what takes longer follows by itself, and what hangs
-     * is given up. Does nothing if it is closed. Called by a component, a function, a task of a visit or a listener it does
-     * not wait at all.
+     * Closes the loop: from now on nothing begins, and waiting events are refused. The event in the loop is completed,
+     * and the running new function ends; then the execute components release the device. This method waits at most 100
+     * ms for that: what takes longer finishes in the background, and what hangs is given up. Does nothing if the loop
+     * is closed. When called by a component, a function, a task of a visit or a listener, it does not wait at all.
      *
-     * @return whether all of it has been done; false if something has not returned yet
+     * @return whether all of that has finished
      */
     public boolean stop() {
         ConverterShell built = built();
@@ -263,7 +262,7 @@ public final class SystemEventConverter implements AutoCloseable {
         }
         built.loop.shut();
         Runnable rest = () -> changes.change(() -> {
-            // If it was just being opened.
+            // In case it was just being opened.
             built.loop.shut();
             letGo(built);
         });
@@ -274,7 +273,7 @@ public final class SystemEventConverter implements AutoCloseable {
         return stopping.begin(rest, ownsCurrentThread());
     }
 
-    /** After the loop was closed. */
+    /** Called after the loop was closed. */
     private void letGo(ConverterShell built) {
         if (built.holdsDevice()) {
             built.loop.awaitQuiet();
@@ -283,7 +282,7 @@ public final class SystemEventConverter implements AutoCloseable {
         }
     }
 
-    /** Whether the caller is a component, a function or the clock, for which nobody must wait who was called by them. */
+    /** Whether the caller is a component, a function or the clock. Code called by one of these must not wait for it. */
     private boolean ownsCurrentThread() {
         ConverterShell built = shell;
         return listeners.ownsCurrentThread() || (built != null && built.ownsCurrentThread());
@@ -296,8 +295,9 @@ public final class SystemEventConverter implements AutoCloseable {
     }
 
     /**
-     * Ends the converter and its threads, see {@link org.evoloop.loop.MapeLoop#close}. Idempotent. Called by a component, a
-     * function, a task of a visit or a listener it returns at once, and the converter ends when its caller has returned.
+     * Ends the converter and its threads, see {@link org.evoloop.loop.MapeLoop#close}. Idempotent. When called by a
+     * component, a function, a task of a visit or a listener, it returns at once, and the converter ends after its
+     * caller has returned.
      */
     @Override
     public void close() {
@@ -335,7 +335,7 @@ public final class SystemEventConverter implements AutoCloseable {
     }
 
     /**
-     * Puts {@code next} in the place of the component {@code name}, between two events.
+     * Replaces the component {@code name} by {@code next}, between two events.
      *
      * @throws IllegalArgumentException if there is no component of that name, or it has another role
      * @throws ModelException if a decision could then not be carried out
@@ -347,9 +347,9 @@ public final class SystemEventConverter implements AutoCloseable {
     }
 
     /**
-     * Puts a spare in the place of the component {@code name}, between two events.
+     * Replaces the component {@code name} by a spare, between two events.
      *
-     * @param spare as named by {@link #addSpare}
+     * @param spare its name, as given to {@link #addSpare}
      * @throws IllegalArgumentException if there is no such component or spare, or their roles differ
      */
     public void exchange(String name, String spare) {
@@ -362,14 +362,15 @@ public final class SystemEventConverter implements AutoCloseable {
     }
 
     /**
-     * Puts other models, and what is known with them, in the place of the present ones, between two events: no event is
-     * lost, none is heard twice, and timers keep what is left of them. Waits until that is possible; in a converter without
-     * threads it must be possible at once. Until something else is changed, {@link #rollBack} leads back.
+     * Replaces the present models by others, together with their knowledge, between two events: no event is lost, none
+     * is handled twice, and timers keep their remaining time. Waits until that is possible; in a converter without
+     * threads it must be possible at once. Until another change, {@link #rollBack} leads back.
      *
-     * @return what became of the current states
-     * @throws ModelException if the models are no evolution, do not fit the components, or cannot take over from where the
-     *     system is; or if no way would lead back, and the evolution does not say that none has to
-     * @throws EvolutionException if it was not possible in time; the message says what was in the way, and nothing has changed
+     * @return the result for the current states
+     * @throws ModelException if the models are no evolution, do not fit the components, or cannot take over in the
+     *     system's present states; or if there would be no way back, and the evolution requires one
+     * @throws EvolutionException if it was not possible in time; the message says what prevented it, and nothing has
+     *     changed
      * @throws IllegalStateException if the converter has ended, or {@code next} belongs to another converter
      */
     public Evolution.Result evolve(Evolution evolution) {
@@ -377,9 +378,10 @@ public final class SystemEventConverter implements AutoCloseable {
     }
 
     /**
-     * Puts the models before the last {@link #evolve} back, in the same way; after a start, those with which it was built.
+     * Restores the models before the last {@link #evolve}, in the same way; after a restart, those with which it was
+     * built.
      *
-     * @throws IllegalStateException if there was none, or it was one without a way back
+     * @throws IllegalStateException if there was no evolution, or it has no way back
      * @throws EvolutionException as in {@link #evolve}
      */
     public Evolution.Result rollBack() {
@@ -387,17 +389,17 @@ public final class SystemEventConverter implements AutoCloseable {
     }
 
     /**
-     * Tells other models the same from now on, and compares what they make of it. A shadow before it ends.
+     * Gives other models the same inputs from now on, and compares their decisions. Any earlier shadow ends.
      *
-     * @param evolution by which {@link Shadow#promote} puts them in
+     * @param evolution the one that {@link Shadow#promote} carries out
      * @throws ModelException as in {@link #evolve}
-     * @throws EvolutionException if they have no place for where the system is at this moment
+     * @throws EvolutionException if they cannot begin in the system's present states
      */
     public Shadow shadow(Evolution evolution) {
         return evolver.shadow(built(), evolution);
     }
 
-    /** The shadow that has not ended. */
+    /** The present shadow, if any. */
     public Optional<Shadow> shadow() {
         return Optional.ofNullable(evolver.shadow());
     }
@@ -424,12 +426,12 @@ public final class SystemEventConverter implements AutoCloseable {
         return stepped;
     }
 
-    /** The time that it goes by. */
+    /** Its clock. */
     public Clock clock() {
         return config.clock();
     }
 
-    /** What the converter knows. @throws IllegalStateException if it is not built yet */
+    /** The converter's present knowledge. @throws IllegalStateException if it is not built yet */
     public StateKnowledge knowledge() {
         return built().knowledge();
     }
@@ -444,16 +446,16 @@ public final class SystemEventConverter implements AutoCloseable {
         return built().status(evolver.describe(knowledge()), link, closedAt);
     }
 
-    /** The last events and what became of them, oldest first. */
+    /** The last events and their outcomes, oldest first. */
     public List<HistoryEntry> history() {
         return built().driver.history();
     }
 
     /**
-     * The same, and those before them that the journal has; reading it takes some seconds if it is large.
+     * As {@link #history()}, with earlier events read from the journal; that takes some seconds if it is large.
      *
-     * @param count how many at most, 1 to {@value #MOST_HISTORY}
-     * @throws IllegalArgumentException if it is another number
+     * @param count how many entries at most, 1 to {@value #MOST_HISTORY}
+     * @throws IllegalArgumentException if {@code count} is out of range
      * @throws RuntimeException if the journal cannot be read; the message says why and what to do
      */
     public List<HistoryEntry> history(int count) {

@@ -22,7 +22,7 @@ import org.evoloop.time.TimesOfDay;
  *         .at(LocalTime.of(10, 0), "clean", DayOfWeek.SATURDAY, DayOfWeek.SUNDAY));
  * }</pre>
  *
- * <p>Summer time, a clock that is set and a computer that has slept are dealt with as {@link TimesOfDay} says.
+ * <p>For daylight saving time, a clock that is set and a computer that has slept, see {@link TimesOfDay}.
  *
  * <p>Threading: times are added before the converter is built.
  *
@@ -37,15 +37,15 @@ public final class TimetableMonitor extends PushMonitor {
     /**
      * An empty timetable.
      *
-     * @param name what the console calls it, unique within a converter
-     * @param zone whose time of day counts
+     * @param name its name in the console, unique within a converter
+     * @param zone the time zone of the times
      */
     public TimetableMonitor(String name, ZoneId zone) {
         super(name);
         this.zone = zone;
     }
 
-    /** Adds a time; without days it is every day's. */
+    /** Adds a time, on these days or, without any, on every day. */
     public TimetableMonitor at(LocalTime time, String event, DayOfWeek... days) {
         Set<DayOfWeek> wanted = EnumSet.allOf(DayOfWeek.class);
         if (days.length > 0) {

@@ -14,13 +14,13 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * The log of the paper's experiment, word for word, a line a message, as the SLF4J logger {@value #LOGGER}.
+ * The log of the paper's experiment, word for word, one line per message, written to the SLF4J logger {@value #LOGGER}.
  *
- * <p>The lines of one event stand together, and are logged by {@link #say} when it has come to its end: the logger must
- * stand neither in its way nor in that of others. What a new function says meanwhile follows after them.
+ * <p>The lines of one event are kept together, and logged by {@link #say} after it has ended, so that a slow logger
+ * delays no event. Output of a new function meanwhile follows after them.
  *
- * <p>Threading: what belongs to the event in the loop is told under the lock of the {@link CoreDriver}; {@link #say} and {@link
- * #notice} may be called from any thread, and only they wait for the logger.
+ * <p>Threading: lines of the event in the loop are added under the lock of the {@link CoreDriver}; {@link #say} and
+ * {@link #notice} may be called from any thread, and only they wait for the logger.
  */
 final class Transcript {
     static final String LOGGER = "org.evoloop.transcript";
@@ -31,13 +31,13 @@ final class Transcript {
 
     private final Object logging = new Object();
 
-    /** Lines to be logged: formats, and after each what stands in its braces. */
+    /** Lines to be logged: formats, each followed by its arguments. */
     private final ArrayDeque<Object> ready = new ArrayDeque<>();
 
     private volatile boolean isReady;
     private final List<String> later = new ArrayList<>();
 
-    /** How many lines there were no room for in it. */
+    /** How many lines were dropped because it was full. */
     private int leftOut;
 
     private boolean inEvent;
@@ -46,13 +46,13 @@ final class Transcript {
     /** Whether an empty line comes before the next one. */
     private boolean gap;
 
-    // Of the event in the loop; without a reader it costs nothing.
+    // The event in the loop; costs nothing if the logger is off.
 
     private @Nullable Occurrence about;
     private final List<Object> lines = new ArrayList<>();
     private boolean traced;
 
-    /** The new state whose function starts if the event comes to a good end. */
+    /** The new state whose function starts if the event succeeds. */
     private @Nullable State entered;
 
     void observed(Occurrence occurrence) {
@@ -91,7 +91,7 @@ final class Transcript {
         entered = decision instanceof Decision.NewState ? decision.after().evolved() : null;
     }
 
-    /** A detour counts as new: no single function of the device does what it does. */
+    /** A plan of several events counts as new: no single function of the device does the same. */
     private static String mode(Decision decision) {
         if (decision instanceof Decision.NotAcceptable || decision instanceof Decision.Refused) {
             return "Not acceptable";
@@ -126,12 +126,12 @@ final class Transcript {
         }
     }
 
-    /** Other models have taken over; nobody waits for the logger here. */
+    /** Other models have taken over; no event waits for the logger here. */
     synchronized void evolved(Occurrence.Evolved occurrence) {
         line("***  The converter has {}.  ***  ", occurrence.label());
     }
 
-    /** A property is violated; nobody waits for the logger here. */
+    /** A property is violated; no event waits for the logger here. */
     synchronized void violated(Occurrence.Violated occurrence) {
         String text = "***  A " + occurrence.label() + ".  ***  ";
         if (!inEvent) {
@@ -143,7 +143,7 @@ final class Transcript {
         }
     }
 
-    /** An occurrence has come to its end, or its plan was overtaken. */
+    /** An occurrence has ended, or its plan was overtaken. */
     void ended(Occurrence occurrence, Configuration now) {
         if (occurrence != about) {
             return;
@@ -186,11 +186,11 @@ final class Transcript {
         isReady = true;
     }
 
-    /** Something that does not belong to the event in the loop. */
+    /** A line that does not belong to the event in the loop. */
     void notice(String text) {
         synchronized (this) {
             if (inEvent) {
-                // Whoever says so much while one event is in the loop has said enough.
+                // A bound on the lines kept while one event is in the loop.
                 if (later.size() < MOST_LATER) {
                     later.add(text);
                 } else {
@@ -203,7 +203,7 @@ final class Transcript {
         say();
     }
 
-    /** Logs what is ready. */
+    /** Logs the lines that are ready. */
     void say() {
         if (!isReady) {
             return;

@@ -12,7 +12,7 @@ import org.jspecify.annotations.Nullable;
 /**
  * Watches a converter on probation, and rolls back at the first fault.
  *
- * <p>Threading: thread-safe; it never rolls back on the thread of the listeners, which must not wait.
+ * <p>Threading: thread-safe; it never rolls back on the listeners' thread, which must not wait.
  */
 final class Trial implements ConverterListener {
     private final LoopConfig config;
@@ -21,7 +21,7 @@ final class Trial implements ConverterListener {
     private final Probation.Watch watch;
     private final Consumer<String> rollBack;
 
-    /** The last event before it. */
+    /** The number of the last event before the trial. */
     private final long first;
 
     private final long begunNanos;
@@ -30,7 +30,7 @@ final class Trial implements ConverterListener {
     private volatile boolean over;
     private @Nullable String fault;
 
-    /** Begins at once. */
+    /** Begins the trial. */
     Trial(LoopConfig config, ConverterShell shell, Probation probation, Consumer<String> rollBack) {
         this.config = config;
         this.shell = shell;
@@ -43,7 +43,7 @@ final class Trial implements ConverterListener {
         this.end = probation.time().isZero() ? null : config.clock().schedule(probation.time(), this::end);
     }
 
-    /** The models stay. Idempotent. */
+    /** Ends the trial; the models stay. Idempotent. */
     synchronized void end() {
         if (!over) {
             over = true;
@@ -101,7 +101,7 @@ final class Trial implements ConverterListener {
 
     @Override
     public void doubted(String why) {
-        // One that is reported late may have been settled before it began.
+        // A doubt reported late may have been settled before the trial began.
         if (!why.isEmpty() && !over && !shell.driver.doubt().isEmpty()) {
             fail("the record is in doubt: " + why);
         }
@@ -116,7 +116,7 @@ final class Trial implements ConverterListener {
         }
     }
 
-    /** In a converter without threads, whoever takes the steps rolls back. */
+    /** In a converter without threads, the caller that steps it rolls back. */
     void stepped() {
         String why = fault;
         fault = null;

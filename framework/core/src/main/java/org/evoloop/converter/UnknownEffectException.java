@@ -3,8 +3,9 @@ package org.evoloop.converter;
 import java.io.IOException;
 
 /**
- * Thrown by {@link EventExecute#send} when it is unknown whether the step has had its effect, such as when an answer did not come
- * in time. The event fails, the record is in doubt, and the device is asked where it is before anything else begins.
+ * Thrown by {@link EventExecute#send} when it is unknown whether the step has had its effect, for example when an
+ * answer did not come in time. The event fails, the record is in doubt, and the device is asked for its state before
+ * anything else begins.
  *
  * @since 0.1
  */

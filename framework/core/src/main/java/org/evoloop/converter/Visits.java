@@ -21,7 +21,8 @@ import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Carries out what the core says of visits: sets their timers, runs their functions, and hands to the loop what they raise.
+ * Carries out the core's directives for visits: sets their timers, runs their functions, and hands the events that they
+ * raise to the loop.
  *
  * <p>Threading: states are entered and left by one thread at a time, under this object's lock; visits and the clock call
  * from their own threads.
@@ -29,7 +30,7 @@ import org.jspecify.annotations.Nullable;
 final class Visits implements VisitHost {
     private static final Duration FIRST_PAUSE = Duration.ofMillis(100);
 
-    /** Up to 3.2 s. */
+    /** The pause grows up to 3.2 s. */
     private static final int MOST_DOUBLINGS = 5;
 
     private final LoopConfig config;
@@ -52,12 +53,12 @@ final class Visits implements VisitHost {
         this.functions = new FunctionRunner(this, config.joinLimit());
     }
 
-    /** The loop that takes what is raised; before the first visit. */
+    /** Sets the loop that takes the raised events; before the first visit. */
     void attach(MapeLoop<Occurrence, ?, ?> joined) {
         loop = joined;
     }
 
-    /** Begins a visit; one that another has followed already is not begun. */
+    /** Begins a visit, unless another has already followed it. */
     synchronized void enter(Output.Enter enter) {
         Visit before = current;
         if (before != null && before.number() >= enter.visit()) {
@@ -71,7 +72,7 @@ final class Visits implements VisitHost {
         set(Map.of(), enter.deadlines(), entered);
     }
 
-    /** The current visit goes on in a state of other models, as does what runs in it. */
+    /** Continues the current visit and its function in a state of other models. */
     synchronized void carryOver(Output.CarryOver over) {
         HostedVisit goingOn = current;
         if (goingOn != null && goingOn.number() == over.visit()) {
@@ -80,7 +81,7 @@ final class Visits implements VisitHost {
         }
     }
 
-    /** Sets those that are not set. One that is over still rings, which the core ignores. */
+    /** Sets the missing timers. Cancelled ones still fire; the core ignores them. */
     private void set(Map<Event, Long> before, Map<Event, Long> now, HostedVisit visit) {
         deadlines = now;
         if (now.isEmpty()) {
@@ -100,8 +101,8 @@ final class Visits implements VisitHost {
     }
 
     /**
-     * Runs the function of the state that was entered, if it has not been left meanwhile. One whose state could not be left
-     * begins again at once, and then after pauses that grow: it may end as soon as it has begun.
+     * Runs the function of the entered state, if that has not been left meanwhile. If the state could not be left, the
+     * function is restarted, at once and then after growing pauses, since it may end as soon as it has begun.
      */
     synchronized void start(Output.Start start) {
         HostedVisit entered = current;
@@ -128,7 +129,7 @@ final class Visits implements VisitHost {
         functions.run(function);
     }
 
-    /** Ends what runs in the current visit, whose state will be left. */
+    /** Ends the function of the current visit, whose state is about to be left. */
     void leave() {
         Visit left = functions.running();
         WorkEvent ended = recorded;
@@ -143,10 +144,10 @@ final class Visits implements VisitHost {
         return functions.ownsCurrentThread();
     }
 
-    /** Where the function that runs is about to be left; empty if none runs or it has said nothing of that. */
+    /** The progress of the running function, which is about to be left; empty if none runs or it reports none. */
     String leaving() {
         Visit running = functions.running();
-        // Most functions say nothing, and words would be garbage in every event.
+        // Most functions report none, and a string would be garbage in every event.
         return running == null
                         || (running.progress().isEmpty() && running.readings().isEmpty())
                 ? ""

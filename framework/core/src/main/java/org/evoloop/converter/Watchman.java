@@ -14,8 +14,8 @@ import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Tells a sentry what happens and how late it is, and hands the violations that it finds to the loop. At most one task of the
- * clock waits for it, which is set again when it is due: events need none of their own.
+ * Feeds a sentry with events and the time, and hands the violations that it finds to the loop. It has at most one task
+ * waiting at the clock, which reschedules itself: events schedule none.
  *
  * <p>Threading: guarded by the lock of the {@link CoreDriver}; violations are handed over on the clock's thread, without it.
  */
@@ -34,13 +34,13 @@ final class Watchman {
         this.posting = posting;
     }
 
-    /** Before the first input. */
+    /** Called before the first input. */
     void attach(Object driver, Consumer<Occurrence> takes) {
         lock = driver;
         loop = takes;
     }
 
-    /** Models begin to run. */
+    /** Models have begun to run. */
     void begin(ModelPair models, Configuration at) {
         if (posting != null) {
             sentry = posting.post(models, at, clock.nanoTime());
@@ -48,7 +48,7 @@ final class Watchman {
         }
     }
 
-    /** Something occurs; a violation is not watched itself. */
+    /** An occurrence comes; a violation itself is not watched. */
     void comes(Occurrence occurrence, Configuration at) {
         Sentry posted = sentry;
         if (posted != null && occurrence instanceof Occurrence.Heard heard) {
@@ -65,7 +65,7 @@ final class Watchman {
         }
     }
 
-    /** Sees to it that the clock rings in time; it may ring too early. */
+    /** Schedules the next task of the clock; it may run too early. */
     private void set() {
         long due = sentry == null ? Sentry.NEVER : sentry.dueNanos();
         if (due == Sentry.NEVER || (timer != null && setNanos - due <= 0)) {

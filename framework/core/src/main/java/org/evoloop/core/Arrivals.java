@@ -18,7 +18,7 @@ final class Arrivals {
     private final Ledger ledger;
     private final Predicate<Pending> deferred = this::isDeferred;
 
-    // What was said of the last event that neither model knows; no part of the state.
+    // The message for the last event that neither model knows; not part of the state.
     private @Nullable Event lastUnknown;
     private String unknown = "";
 
@@ -39,7 +39,7 @@ final class Arrivals {
         }
     }
 
-    /** What somebody wants is taken only while the converter is open. */
+    /** Takes a request, only while the converter is open. */
     private void askedFor(Occurrence occurrence) {
         if (ledger.open) {
             enqueue(occurrence, null, null);
@@ -49,7 +49,7 @@ final class Arrivals {
         }
     }
 
-    /** The device has acted: the record follows at once, whatever waits or is on its way. */
+    /** The device has acted: the record follows at once, whatever is waiting or being sent. */
     private void follow(Occurrence.Heard fact) {
         State from = ledger.place.at().original();
         Step own = ledger.rules.table().ownStep(from, fact.event(), fact.holding()::contains);
@@ -91,7 +91,7 @@ final class Arrivals {
         ledger.ended(occurrence, ledger.place.at(), outcome, null, detail);
     }
 
-    /** Takes what a timer of the current visit raises. */
+    /** Takes the event of a timer of the current visit. */
     void timerDue(long visit, Event event) {
         if (ledger.open
                 && ledger.stay.isCurrent(visit)
@@ -101,10 +101,10 @@ final class Arrivals {
         }
     }
 
-    /** What only the device can take, such as a time trigger of its own model, it has taken. */
+    /** An event that only the device can take, such as a time trigger of its own model, has already been taken. */
     private void hear(Occurrence.Heard heard) {
         if (!ledger.rules.table().names().knows(heard.event()) && (ledger.open || heard.deviceActed())) {
-            // It would come to nothing, and must not take the room of what has happened.
+            // It would have no effect, and must not take up room needed by facts.
             endAtOnce(heard, Outcome.IGNORED, unknown(heard.event()));
         } else if (heard.deviceActed()
                 || ledger.rules.table().isDevicesOwn(heard.event().trigger())) {
@@ -114,7 +114,7 @@ final class Arrivals {
         }
     }
 
-    /** A misspelt event comes again and again, and to look for similar names takes a while. */
+    /** A misspelt event comes again and again, and the search for similar names is slow. */
     private String unknown(Event event) {
         if (!event.equals(lastUnknown)) {
             lastUnknown = event;
@@ -140,7 +140,7 @@ final class Arrivals {
         }
     }
 
-    /** Gives the next occurrence its turn if nothing is in progress; those that come to nothing end at once. */
+    /** Gives the next occurrence its turn if nothing is in progress; those without effect end at once. */
     void begin() {
         if (ledger.open && ledger.progress.isInterrupted()) {
             ledger.progress.resume();
@@ -158,14 +158,14 @@ final class Arrivals {
         }
     }
 
-    /** Whether an event waits until the new model's state does not defer it any more. What has happened waits for nothing. */
+    /** Whether the new model's state defers an event. Facts are never deferred. */
     private boolean isDeferred(Pending pending) {
         return !pending.hasHappened()
                 && pending.occurrence() instanceof Occurrence.Heard heard
                 && ledger.rules.table().defers(ledger.place.at(), heard.event());
     }
 
-    /** In place of the facts that were lost: the new model is put where the device is. */
+    /** Makes up for lost facts: the new model follows to the device's state. */
     private Pending owedFinding() {
         ledger.followOwed = false;
         State there = ledger.place.at().original();

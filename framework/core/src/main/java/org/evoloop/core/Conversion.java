@@ -20,7 +20,7 @@ final class Conversion {
 
     private static final String PROCESS_ENDED = "the converter's process ended meanwhile";
 
-    /** So often may the device overtake the plans for one occurrence. */
+    /** How often the device may overtake the plans for one occurrence. */
     static final int MOST_ATTEMPTS = 8;
 
     private final Ledger ledger;
@@ -31,7 +31,7 @@ final class Conversion {
         this.progress = ledger.progress;
     }
 
-    /** Takes up a plan. */
+    /** Begins a plan. */
     void plan(long number, Decision decision) {
         if (progress.isOf(number) && progress.isResumed()) {
             progress.goOn();
@@ -94,7 +94,7 @@ final class Conversion {
         State target = step.target();
         boolean sure = true;
         if (!meanwhile.isEmpty()) {
-            // In the order in which they were told, the step came last.
+            // As reported, the step came last.
             target = Overlap.takes(ledger.rules.table(), ledger.place.at().original(), step);
             sure = inOrder || Overlap.alwaysEndsIn(target, ledger.rules.table(), step, meanwhile);
         }
@@ -116,7 +116,7 @@ final class Conversion {
         return progress.isOf(number) && progress.isSending() ? progress.step() : null;
     }
 
-    /** A step that was given up has had its effect after all, which settles its doubt if the order is known. */
+    /** A step that was given up has had its effect after all; that settles the doubt if the order is known. */
     private void tookLate(long number, boolean inOrder, long atNanos) {
         Doubt doubt = ledger.place.lastDoubt();
         if (doubt == null) {
@@ -129,7 +129,7 @@ final class Conversion {
             ledger.place.took(target, atNanos, ledger.out);
             ledger.out.took(doubt.step());
             if (progress.isSending()) {
-                // To the step that is being sent, that is something which the device did before.
+                // For the step being sent, the device did this beforehand.
                 progress.acted(new Occurrence.Found(target, atNanos));
             }
         } else if (doubt.settled()) {
@@ -163,7 +163,7 @@ final class Conversion {
         }
     }
 
-    /** All is done: the evolved system enters its next state. */
+    /** The plan is complete: the evolved system enters its next state. */
     private void arrive() {
         Decision decision = Objects.requireNonNull(progress.decision());
         Occurrence occurrence = progress.pending().occurrence();
@@ -177,7 +177,7 @@ final class Conversion {
         progress.end();
         ledger.ended(occurrence, decision.before(), outcome(decision, failedEffects), decision, failedEffects);
         if (decision instanceof Decision.Impossible && decision.transition() != null) {
-            // Its timers start anew: what was impossible now may be possible the next time.
+            // Its timers restart: what is impossible now may be possible next time.
             ledger.stay.leave(ledger.out);
         }
         boolean again = ledger.enterAgain(occurrence);
@@ -192,7 +192,7 @@ final class Conversion {
         return decision instanceof Decision.Impossible || !failedEffects.isEmpty() ? Outcome.FAILED : Outcome.HANDLED;
     }
 
-    /** The plan has been overtaken: the occurrence is decided anew, before all others. */
+    /** The plan has been overtaken: the occurrence is decided again, before all others. */
     private void again(String why) {
         Pending next = progress.pending().again();
         if (next.attempts() > MOST_ATTEMPTS || (!ledger.open && !next.hasHappened())) {
@@ -209,7 +209,7 @@ final class Conversion {
         ledger.out.overtaken(next.occurrence(), why);
     }
 
-    /** What was to be done next for the occurrence in progress has failed, and has had no effect. */
+    /** The next step or effect of the occurrence in progress has failed, without having had its effect. */
     void fail(long number, String reason) {
         if (!progress.isOf(number)) {
             return;
@@ -224,7 +224,7 @@ final class Conversion {
         }
     }
 
-    /** What more is to be done about it; null if nothing is. */
+    /** The broken plan to recover from; null if there is nothing to do. */
     private @Nullable BrokenPlan broken(Pending pending, String reason) {
         Decision decision = progress.decision();
         Transition transition = decision == null ? null : decision.transition();
@@ -262,7 +262,7 @@ final class Conversion {
         ledger.start(visit, ledger.enterAgain(pending.occurrence()));
     }
 
-    /** A component was given up, maybe with a step on its way. */
+    /** A component was given up, possibly while sending a step. */
     void giveUp(long number, String reason) {
         Step step = stepOnItsWay(number);
         List<Occurrence> meanwhile = progress.meanwhile();
@@ -273,12 +273,12 @@ final class Conversion {
         }
     }
 
-    /** The thread that carried the plan out is gone. What was begun and not reported as ended is not begun again. */
+    /** The thread that carried out the plan is gone. What was begun and not reported as finished is not begun again. */
     void interrupt() {
         if (progress.isSending()) {
             giveUp(progress.pending().number(), PROCESS_ENDED);
         } else if (!progress.isIdle() && progress.decision() == null) {
-            // It was not decided yet: it has its turn again before all others.
+            // It was not yet decided: it has its turn again before all others.
             Pending pending = progress.pending();
             progress.end();
             ledger.line.addFirst(pending);
@@ -290,7 +290,7 @@ final class Conversion {
         }
     }
 
-    /** Whether a plan waits that had left the current state when it was interrupted. */
+    /** Whether an interrupted plan waits that had already left the current state. */
     boolean isLeaving() {
         Decision decision = progress.decision();
         return progress.isInterrupted() && decision != null && decision.leavesState();
@@ -301,7 +301,7 @@ final class Conversion {
         if (!progress.isOf(number)) {
             return;
         }
-        // What the device has done since it was asked may be older or newer than its answer.
+        // What the device did since it was asked may be older or newer than its answer.
         boolean overtaken =
                 ledger.place.doubt() != null && !progress.meanwhile().isEmpty();
         if (overtaken && progress.pending().attempts() < MOST_ATTEMPTS) {
@@ -322,7 +322,7 @@ final class Conversion {
         }
     }
 
-    /** The device has reported its state; both models follow if that is news. */
+    /** The device has reported its state; both models follow if it differs from the record. */
     private void isIn(State state, long number) {
         if (state.equals(ledger.place.at().original())) {
             conclude(number, Outcome.HANDLED, "the device is in " + state);

@@ -11,14 +11,14 @@ import org.evoloop.statemachine.State;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A converter between its inputs and its outputs.
+ * The deterministic core of a converter, which turns inputs into outputs.
  *
- * <p>Occurrences wait in one line and are dealt with one at a time: begun, decided, carried out step by step, ended. Facts
- * come first: what the device did by itself moves the record when it is observed; only the new model's reaction waits for
- * its turn, and is decided from wherever the record is by then. A plan that a fact has overtaken is decided anew, so that
- * nothing is ever sent from a place where the device no longer is.
+ * <p>Occurrences wait in one queue and are handled one at a time: begun, decided, carried out step by step, ended.
+ * Facts come first: what the device did by itself moves the record when it is observed; only the new model's reaction
+ * waits for its turn, and is decided from the record at that time. A plan overtaken by a fact is decided again, so that
+ * nothing is ever sent from a state in which the device no longer is.
  *
- * <p>Threading: not thread-safe; the caller gives it one input after the other.
+ * <p>Threading: not thread-safe; the caller gives it one input after another.
  *
  * @since 0.1
  */
@@ -33,7 +33,7 @@ public final class Core implements Inputs {
         this(rules, fresh(rules), outputs);
     }
 
-    /** Goes on where {@code snapshot} was taken, by the {@code rules} that counted then. */
+    /** Continues from {@code snapshot}, by the {@code rules} that applied when it was taken. */
     public Core(Rules rules, Snapshot snapshot, Outputs outputs) {
         this.ledger = new Ledger(rules, snapshot, outputs);
         this.arrivals = new Arrivals(ledger);
@@ -57,12 +57,12 @@ public final class Core implements Inputs {
                 0);
     }
 
-    /** All that it knows now. */
+    /** Its complete state. */
     public Snapshot snapshot() {
         return ledger.snapshot();
     }
 
-    // Takes an input, and says to its outputs what follows from it, in order
+    // Inputs; each gives its outputs in order
 
     @Override
     public void opened(long atNanos) {
@@ -73,7 +73,7 @@ public final class Core implements Inputs {
         if (conversion.isLeaving()) {
             return;
         }
-        // A visit that is not over was not closed, but cut off.
+        // A visit that has not ended was cut off, not closed.
         boolean cutOff = !ledger.stay.isOver();
         ledger.stay.leave(ledger.out);
         if (cutOff) {
@@ -94,7 +94,7 @@ public final class Core implements Inputs {
     @Override
     public void closing() {
         if (!ledger.open) {
-            // What waits until the converter is opened again after its process had ended goes on waiting.
+            // A plan that was interrupted by the end of the process waits until the converter is opened again.
             return;
         }
         ledger.open = false;
@@ -181,7 +181,7 @@ public final class Core implements Inputs {
     public void changed(Rules rules, long atNanos) {
         ledger.isAt(atNanos);
         ledger.rules = rules;
-        // Another component may be able to tell what the one before it could not.
+        // Another component may know what the previous one did not.
         ledger.ask();
     }
 
@@ -191,23 +191,23 @@ public final class Core implements Inputs {
         takeover.take(swap);
     }
 
-    /** What keeps the models of {@code swap} from taking over now, for people; empty if nothing does. */
+    /** What prevents the models of {@code swap} from taking over now, for people; empty if nothing does. */
     public String hindrance(Swap swap) {
         return takeover.hindrance(swap);
     }
 
-    /** An occurrence that has not been reported yet, and that cannot be taken, whatever the state of the converter. */
+    /** Refuses an occurrence that has not been observed and cannot be taken in any state of the converter. */
     public void refuse(Occurrence occurrence) {
         ledger.counts.observe();
         ledger.refused(occurrence);
     }
 
-    /** The decision whose plan is taken up again; null if the occurrence in progress is to be decided as usual. */
+    /** The decision whose plan is resumed; null if the occurrence in progress is to be decided as usual. */
     public @Nullable Decision resumed() {
         return ledger.progress.isResumed() ? ledger.progress.decision() : null;
     }
 
-    /** Where device and evolved system are. */
+    /** The states of device and evolved system. */
     public Configuration at() {
         return ledger.place.at();
     }
@@ -217,7 +217,7 @@ public final class Core implements Inputs {
         return ledger.place.steps();
     }
 
-    /** Why the record may be wrong; empty if it is sure. */
+    /** Why the record may be wrong; empty if it is certain. */
     public String doubt() {
         Doubt doubt = ledger.place.doubt();
         return doubt == null ? "" : doubt.why();
@@ -228,12 +228,12 @@ public final class Core implements Inputs {
         return ledger.nowNanos;
     }
 
-    /** What it goes by. */
+    /** Its present rules. */
     public Rules rules() {
         return ledger.rules;
     }
 
-    /** Whether the step that was asked for may be sent: it was announced, and nothing has overtaken it. */
+    /** Whether the requested step may be sent: it was announced, and nothing has overtaken it. */
     public boolean maySend(long number) {
         return ledger.progress.isOf(number) && ledger.progress.isSending();
     }
@@ -253,7 +253,7 @@ public final class Core implements Inputs {
         return ledger.line.hasRoom(ledger.rules.queueCapacity(), ledger.progress.isIdle());
     }
 
-    /** Whether something may begin when nothing is in progress. */
+    /** Whether an occurrence is ready to begin when nothing is in progress. */
     public boolean hasNext() {
         return ledger.line.size() > 0 || ledger.followOwed || ledger.progress.isInterrupted();
     }
@@ -263,7 +263,7 @@ public final class Core implements Inputs {
         return ledger.line.size();
     }
 
-    /** How many occurrences came and what became of them. */
+    /** The number of occurrences and their outcomes. */
     public Tally tally() {
         return ledger.counts.tally();
     }

@@ -1,8 +1,8 @@
 package org.evoloop.core;
 
 /**
- * How many occurrences came and what became of them. What was observed is the sum of all outcomes, of those that were
- * refused, and of those that wait or are in progress.
+ * The number of occurrences and their outcomes. Those observed are the sum of all outcomes, of those refused, and of
+ * those that wait or are in progress.
  */
 final class Counts {
     private final long[] outcomes = new long[Outcome.values().length];
@@ -23,7 +23,7 @@ final class Counts {
         highest = tally.highest();
     }
 
-    /** The number of an occurrence that has just come. */
+    /** Counts an occurrence and returns its number. */
     long observe() {
         return ++observed;
     }

@@ -8,15 +8,15 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * An input of the {@link Core}. Times are nanoseconds of the converter's monotonic clock; {@code number} is that of the
- * occurrence, as {@link Output.Begin} gave it: what comes for another one than that in progress is ignored, since it was
- * given up.
+ * occurrence, from {@link Output.Begin}: an input for any occurrence but the one in progress is ignored, since that one
+ * was given up.
  *
  * <p>Threading: immutable.
  *
  * @since 0.1
  */
 public sealed interface Input {
-    /** Gives it to {@code told}. */
+    /** Calls the method of {@code told} for this input. */
     void applyTo(Inputs told);
 
     /** The converter is opened: it takes controllers' events, and the current state is entered anew. */
@@ -27,7 +27,7 @@ public sealed interface Input {
         }
     }
 
-    /** The converter is closed to all but facts. The occurrence in progress may still come to its end. */
+    /** The converter is closed to everything but facts. The occurrence in progress may still end normally. */
     record Closing() implements Input {
         @Override
         public void applyTo(Inputs told) {
@@ -35,7 +35,7 @@ public sealed interface Input {
         }
     }
 
-    /** Nothing is in progress any more: what runs in the current state ends. */
+    /** Nothing is in progress any more: the function and timers of the current state end. */
     record Closed() implements Input {
         @Override
         public void applyTo(Inputs told) {
@@ -44,8 +44,8 @@ public sealed interface Input {
     }
 
     /**
-     * The process that gave the inputs before this one has ended without closing the converter: a step that was being sent is
-     * in doubt, an effect that was being run is not run again, and all else goes on when the converter is opened.
+     * The previous process ended without closing the converter: a step that was being sent is in doubt, an effect that
+     * was being run is not run again, and everything else continues when the converter is opened.
      */
     record Recovered(long atNanos) implements Input {
         @Override
@@ -54,7 +54,7 @@ public sealed interface Input {
         }
     }
 
-    /** Something occurred. A fact moves the original model at once; all else waits for its turn. */
+    /** Something occurred. A fact moves the original model at once; anything else waits for its turn. */
     record Observed(Occurrence occurrence) implements Input {
         @Override
         public void applyTo(Inputs told) {
@@ -62,7 +62,7 @@ public sealed interface Input {
         }
     }
 
-    /** A timer of a visit has run down. */
+    /** A timer of a visit has expired. */
     record TimerDue(long visit, Event event, long atNanos) implements Input {
         @Override
         public void applyTo(Inputs told) {
@@ -86,7 +86,7 @@ public sealed interface Input {
         }
     }
 
-    /** Analyze or plan has nothing to do about it. */
+    /** The analyze or plan component has dismissed the occurrence. */
     record Dismissed(long number, long atNanos) implements Input {
         @Override
         public void applyTo(Inputs told) {
@@ -94,7 +94,7 @@ public sealed interface Input {
         }
     }
 
-    /** The device is ready for the step that was asked for, and the step is about to be sent. */
+    /** The device is ready for the requested step, which is about to be sent. */
     record Sending(long number) implements Input {
         @Override
         public void applyTo(Inputs told) {
@@ -105,8 +105,8 @@ public sealed interface Input {
     /**
      * The step that was being sent has had its effect.
      *
-     * @param inOrder whether the adapter vouches that everything the device did by itself before this effect, and nothing
-     *     that it did after, was told before this
+     * @param inOrder whether the adapter guarantees that everything the device did by itself before this effect was
+     *     reported before it, and everything later after it
      */
     record Sent(long number, boolean inOrder, long atNanos) implements Input {
         @Override
@@ -115,7 +115,7 @@ public sealed interface Input {
         }
     }
 
-    /** The effect that was asked for is about to be run. */
+    /** The requested effect is about to be run. */
     record Running(long number) implements Input {
         @Override
         public void applyTo(Inputs told) {
@@ -123,7 +123,7 @@ public sealed interface Input {
         }
     }
 
-    /** An effect of the new model was run; {@code failure} says what went wrong and is empty if nothing did. */
+    /** An effect of the new model was run; {@code failure} is the reason if it failed, else empty. */
     record EffectRun(long number, String failure, long atNanos) implements Input {
         @Override
         public void applyTo(Inputs told) {
@@ -139,7 +139,7 @@ public sealed interface Input {
         }
     }
 
-    /** A component failed with it; a step that was being sent had no effect. */
+    /** A component failed on the occurrence; a step being sent had no effect. */
     record Failed(long number, String reason, long atNanos) implements Input {
         @Override
         public void applyTo(Inputs told) {
@@ -147,7 +147,10 @@ public sealed interface Input {
         }
     }
 
-    /** A component was abandoned with it, or has failed; it is unknown whether a step being sent had its effect. */
+    /**
+     * A component was abandoned or failed while handling the occurrence; it is unknown whether a step being sent had
+     * its effect.
+     */
     record GivenUp(long number, String reason, long atNanos) implements Input {
         @Override
         public void applyTo(Inputs told) {
@@ -155,7 +158,7 @@ public sealed interface Input {
         }
     }
 
-    /** Models or components have changed: from now on these rules count. */
+    /** Models or components have changed: from now on these rules apply. */
     record Changed(Rules rules, long atNanos) implements Input {
         @Override
         public void applyTo(Inputs told) {
@@ -165,7 +168,7 @@ public sealed interface Input {
 
     /**
      * Other models take over. That happens between two events, and only where it is possible, see {@link
-     * Core#hindrance}; otherwise it counts for nothing.
+     * Core#hindrance}; otherwise the input is ignored.
      */
     record Evolved(Swap swap, long atNanos) implements Input {
         @Override

@@ -7,14 +7,14 @@ import org.evoloop.statemachine.State;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Takes the inputs: a {@link Core}, or a recorder that passes them on to one. Every {@link Input} can be given as a
- * value, by {@link #apply}, or by the method of its name, which leaves no garbage in an event's way.
+ * Receives inputs: a {@link Core}, or a recorder that passes them on to one. Every {@link Input} can be given as a
+ * value, with {@link #apply}, or by the method of the same name, which allocates nothing.
  *
  * @since 0.1
  */
 public interface Inputs {
 
-    /** Takes {@code input}; what it means stands with its record. */
+    /** Takes {@code input}; its record describes the meaning. */
     default void apply(Input input) {
         input.applyTo(this);
     }

@@ -13,7 +13,7 @@ import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.Transition;
 import org.jspecify.annotations.Nullable;
 
-/** All that a {@link Core} knows, and the entries that more than one of its parts makes. */
+/** The state of a {@link Core}, and the changes that several of its parts make. */
 final class Ledger {
     final Place place;
     final Line line;
@@ -25,7 +25,7 @@ final class Ledger {
     /** The latest time of any input. */
     long nowNanos;
 
-    /** Whether facts were lost, so that the new model has to follow the device when nothing waits any more. */
+    /** Whether facts were lost, so that the new model has to follow the device once the queue is empty. */
     boolean followOwed;
 
     final Progress progress;
@@ -66,12 +66,12 @@ final class Ledger {
         return rules.table().models().original().hasState(state);
     }
 
-    /** It is this late at least; what was observed before may be told after. */
+    /** Advances the time; earlier observations may still be reported later. */
     void isAt(long atNanos) {
         nowNanos = Math.max(nowNanos, atNanos);
     }
 
-    // What has become of an occurrence
+    // Outcomes
 
     void ended(
             Occurrence occurrence, Configuration before, Outcome outcome, @Nullable Decision decision, String detail) {
@@ -90,7 +90,10 @@ final class Ledger {
         stay.enter(place.at().evolved(), by, kept, rules, nowNanos, out);
     }
 
-    /** Enters the state whose visit was cut off, or goes on in other models: what is left of its timers counts, and what it has raised. */
+    /**
+     * Enters again the state whose visit was cut off or continues in other models: it keeps the remaining time of its
+     * timers, and the events that it raised.
+     */
     void enterAsLeft() {
         Set<String> kept = new HashSet<>();
         for (Event timer : rules.timers().of(place.at().evolved()).keySet()) {
@@ -110,7 +113,7 @@ final class Ledger {
     /**
      * Enters the current state anew if its visit has ended without another state being entered; returns whether it has.
      *
-     * @param after what has come to its end; when other models have taken over, what is left of the timers counts
+     * @param after the occurrence that has ended; after a takeover the timers keep their remaining time
      */
     boolean enterAgain(Occurrence after) {
         boolean again = stay.isOver() && open && !line.isRetryNext();
@@ -122,7 +125,9 @@ final class Ledger {
         return again && !(after instanceof Occurrence.Evolved);
     }
 
-    /** The function of the current state begins, if another visit than {@code before} has begun and the state is new. */
+    /**
+     * Starts the function of the current state, if a visit other than {@code before} has begun and the state is new.
+     */
     void start(long before, boolean again) {
         if (stay.number() != before && rules.table().isNew(place.at().evolved())) {
             out.start(stay.number(), again);
@@ -131,7 +136,7 @@ final class Ledger {
 
     // Doubt
 
-    /** From now on the record is in doubt; the device is asked before anything else is begun. */
+    /** Puts the record in doubt; the device is asked before anything else begins. */
     void doubt(String why, long number, Step step, List<Occurrence> meanwhile) {
         long before = place.lastDoubt() == null ? place.steps() : Doubt.UNSETTLED;
         place.doubt(new Doubt(why, number, step, before, meanwhile, false));
@@ -139,7 +144,7 @@ final class Ledger {
         ask();
     }
 
-    /** Has the device asked if the record is in doubt and that was not seen to yet. */
+    /** Queues an inquiry to the device if the record is in doubt and none is queued yet. */
     void ask() {
         Doubt doubt = place.doubt();
         if (doubt != null && !line.holdsDoubt()) {
@@ -156,7 +161,10 @@ final class Ledger {
         }
     }
 
-    /** What the device does while a step is on its way, or while it is asked where it is, may be older or newer than that. */
+    /**
+     * Notes a fact that came while a step was being sent or the device was being asked: it may be older or newer than
+     * that.
+     */
     void happensMeanwhile(Occurrence fact) {
         if (progress.mayOverlap()) {
             progress.acted(fact);

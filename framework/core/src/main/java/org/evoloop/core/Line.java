@@ -10,19 +10,19 @@ import org.evoloop.evolution.Occurrence;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The occurrences that wait for their turn, first come first served, and how many came and went.
+ * The queue of occurrences, first come first served, and their counts.
  *
- * <p>Events of controllers are lost when as many wait as there is room for. What has happened already, and what a timer or
- * a function raises, is lost only when {@value #MOST_FACTS} more wait.
+ * <p>Events of controllers are lost when the queue is full. Facts, and events that a timer or a function raises, are
+ * lost only when {@value #MOST_FACTS} more wait.
  */
 final class Line {
-    /** So many may wait beyond the capacity if they must not be lost. */
+    /** How many more than the capacity may wait if they must not be lost. */
     static final int MOST_FACTS = 1024;
 
     private final ArrayDeque<Pending> waiting = new ArrayDeque<>();
     private final Counts counts;
 
-    /** Whether something was lost since there was room. */
+    /** Whether anything has been lost since there was last room. */
     private boolean losing;
 
     Line(Collection<Pending> waiting, Counts counts, boolean losing) {
@@ -51,14 +51,14 @@ final class Line {
         counts.highest(waiting.size());
     }
 
-    /** Notes that one was lost; true if it is the first since there was room. */
+    /** Notes that one was lost; true if it is the first since there was last room. */
     boolean lose() {
         boolean first = !losing;
         losing = true;
         return first;
     }
 
-    /** The first that may have its turn; null if none may. */
+    /** The first occurrence that may have its turn; null if none may. */
     @Nullable
     Pending next(Predicate<Pending> deferred) {
         Pending first = waiting.peek();
@@ -74,7 +74,7 @@ final class Line {
         return null;
     }
 
-    /** Takes out all but facts, which have happened. */
+    /** Removes everything but facts. */
     List<Pending> withoutFacts() {
         List<Pending> refused = new ArrayList<>();
         waiting.removeIf(pending -> !pending.hasHappened() && refused.add(pending));
@@ -93,7 +93,7 @@ final class Line {
         return first != null && first.occurrence() instanceof Occurrence.InDoubt;
     }
 
-    /** @param another what waits in place of each; null if nothing does */
+    /** @param another returns the replacement of each; null to remove it */
     void replace(Function<Pending, @Nullable Pending> another) {
         List<Pending> all = waiting();
         waiting.clear();

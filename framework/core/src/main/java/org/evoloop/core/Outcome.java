@@ -1,7 +1,7 @@
 package org.evoloop.core;
 
 /**
- * What can become of an occurrence.
+ * The outcome of an occurrence.
  *
  * @since 0.1
  */
@@ -10,9 +10,9 @@ public enum Outcome {
     HANDLED,
     /** The new model has no transition for it, or a component dismissed it. */
     IGNORED,
-    /** It was raised in an earlier visit of a state, or overtaken by what was sent since, and came too late. */
+    /** It came too late: it was raised in an earlier visit of a state, or overtaken by a step sent since. */
     STALE,
-    /** It could not be carried out, or not to its end. */
+    /** It could not be carried out, or not completely. */
     FAILED,
     /** The queue was full. */
     DROPPED

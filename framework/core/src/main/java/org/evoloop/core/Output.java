@@ -12,8 +12,7 @@ import org.evoloop.statemachine.Transition;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What the {@link Core} says: what somebody has to do now ({@link Directive}), and what has become of something
- * ({@link Notice}).
+ * An output of the {@link Core}: something to do now ({@link Directive}), or something to report ({@link Notice}).
  *
  * <p>Threading: immutable.
  *
@@ -21,10 +20,10 @@ import org.jspecify.annotations.Nullable;
  */
 public sealed interface Output {
 
-    /** The one {@link Leave} that there has to be. */
+    /** The only instance of {@link Leave} needed. */
     Leave LEAVE = new Leave();
 
-    /** Something to be done, in order, by the thread that carries the occurrence in progress. */
+    /** Something to be done, in order, by the thread that carries out the occurrence in progress. */
     sealed interface Directive extends Output {}
 
     /** Something to be reported. */
@@ -33,10 +32,12 @@ public sealed interface Output {
     /** An occurrence has its turn: it is to be analyzed and planned. */
     record Begin(Pending pending) implements Output {}
 
-    /** The state that was entered last will be left: its timers and its function end. */
+    /** The state entered last is about to be left: end its timers and its function. */
     record Leave() implements Directive {}
 
-    /** Send this step when the device is ready for it; report when that begins and when it has had its effect. */
+    /**
+     * Send this step when the device is ready for it; report when sending begins and when the step has had its effect.
+     */
     record Send(Step step) implements Directive {}
 
     /** Run this effect. */
@@ -48,7 +49,7 @@ public sealed interface Output {
     /**
      * A state is entered.
      *
-     * @param by the new model's transition that led here, which names the function; null if none did
+     * @param by the new model's transition that led here, which determines the function; null if none did
      * @param deadlines when its timers are due
      */
     record Enter(long visit, State state, @Nullable Transition by, Map<Event, Long> deadlines) implements Directive {}
@@ -60,52 +61,52 @@ public sealed interface Output {
      */
     record CarryOver(long visit, State state, Map<Event, Long> deadlines) implements Directive {}
 
-    /** An occurrence has been dealt with; the device may be given what it needs in these states. */
+    /** An occurrence has been handled; set up what the device needs in these states. */
     record Settle(Configuration now) implements Directive {}
 
     /**
-     * The function of the state that was entered begins.
+     * Start the function of the entered state.
      *
-     * @param again whether the state was entered again because what should have led out of it has failed
+     * @param again whether the state was entered again because the attempt to leave it failed
      */
     record Start(long visit, boolean again) implements Directive {}
 
     /** It waits for its turn. */
     record Queued(Occurrence occurrence) implements Notice {}
 
-    /** It is lost, since the queue is full; {@code first} if that is so for the first time since there was room. */
+    /** It is lost, since the queue is full; {@code first} if it is the first since there was last room. */
     record Dropped(Occurrence occurrence, boolean first) implements Notice {}
 
     /** It is refused: the converter is closed. */
     record Refused(Occurrence occurrence) implements Notice {}
 
-    /** What the occurrence in progress was found to mean, and that its plan begins. */
+    /** The occurrence in progress has been decided, and its plan begins. */
     record Decided(Pending pending, Decision decision, long waitedNanos) implements Notice {}
 
-    /** The plan was overtaken by what the device did; the occurrence is decided anew. */
+    /** The plan was overtaken by what the device did; the occurrence is decided again. */
     record Overtaken(Occurrence occurrence, String why) implements Notice {}
 
     /** A step has had its effect. */
     record Took(Step step) implements Notice {}
 
-    /** The record of where device and evolved system stand has changed. */
+    /** The record of the states of device and evolved system has changed. */
     record Moved(Configuration before, Configuration after) implements Notice {}
 
     /** Whether the record is in doubt has changed; {@code why} is empty if it no longer is. */
     record Doubted(String why) implements Notice {}
 
     /**
-     * Other models have taken over: what is said from now on is in their terms.
+     * Other models have taken over: outputs from now on are in their terms.
      *
-     * @param before where device and evolved system were, in terms of the models before
+     * @param before the states before, in terms of the old models
      */
     record Evolved(Occurrence.Evolved occurrence, Configuration before, Fate.Maps fate) implements Notice {}
 
     /**
-     * An occurrence has come to its end, and this is what became of it.
+     * An occurrence has ended.
      *
-     * @param decision what it meant; null if it did not come so far
-     * @param detail why it came to nothing, or what went wrong; empty if the decision says it all
+     * @param decision its decision; null if it was not decided
+     * @param detail why it had no effect, or what went wrong; empty if the decision is explanation enough
      */
     record Ended(
             Occurrence occurrence,

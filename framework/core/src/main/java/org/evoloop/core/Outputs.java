@@ -12,14 +12,14 @@ import org.evoloop.statemachine.Transition;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Who hears what the {@link Core} says, in order. Every {@link Output} can be heard as a value, by {@link #say}, or by the
- * method of its name, which leaves no garbage in an event's way.
+ * Receives the outputs of a {@link Core}, in order. Every {@link Output} can be received as a value, in {@link #say},
+ * or in the method of the same name, which allocates nothing.
  *
  * @since 0.1
  */
 @FunctionalInterface
 public interface Outputs {
-    /** Hears one output; what it means stands with its record. */
+    /** Receives one output; its record describes the meaning. */
     void say(Output output);
 
     /** As {@link Output.Begin}. */

@@ -9,16 +9,16 @@ import org.evoloop.statemachine.State;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A step that was on its way while the device acted by itself: what the device did is known in its order, but not what of it
- * came before the step had its effect, and what after.
+ * A step that was being sent while the device acted by itself: the order of the device's actions is known, but not
+ * which of them came before the step's effect and which after.
  */
 final class Overlap {
-    /** So much that the device did is kept; with more, nothing can be said of the order. */
+    /** How many of the device's actions are kept; with more, the order is taken to be unknown. */
     private static final int MOST = 32;
 
     private Overlap() {}
 
-    /** Adds what the device did next. */
+    /** Adds the device's next action. */
     static List<Occurrence> add(List<Occurrence> meanwhile, Occurrence fact) {
         if (meanwhile.size() == MOST) {
             return meanwhile;
@@ -29,9 +29,9 @@ final class Overlap {
     }
 
     /**
-     * Whether the device is in {@code end} in whatever order it happened.
+     * Whether the device ends in {@code end} for every possible order.
      *
-     * @param meanwhile in the order in which it happened, from where the step begins
+     * @param meanwhile the device's actions in their order, from the step's source on
      */
     static boolean alwaysEndsIn(State end, DecisionTable table, Step step, List<Occurrence> meanwhile) {
         State before = step.source();
@@ -50,7 +50,7 @@ final class Overlap {
         return meanwhile.size() < MOST;
     }
 
-    /** Where {@code step} takes the device if it is in {@code from} by then. */
+    /** The state to which {@code step} takes the device from {@code from}. */
     static State takes(DecisionTable table, State from, Step step) {
         return from.equals(step.source())
                 ? step.target()
@@ -66,7 +66,7 @@ final class Overlap {
                 : from;
     }
 
-    /** A device whose model has no step stays where it is. */
+    /** Without a step in its model, the device stays where it is. */
     private static State targetOf(@Nullable Step own, State from) {
         return own == null ? from : own.target();
     }

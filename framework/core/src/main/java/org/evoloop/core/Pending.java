@@ -7,16 +7,16 @@ import org.evoloop.statemachine.State;
 import org.jspecify.annotations.Nullable;
 
 /**
- * An occurrence that waits for its turn or has it.
+ * An occurrence that waits for its turn or is in progress.
  *
  * <p>Threading: immutable.
  *
  * @param number counts the occurrences of a converter, from 1
- * @param from where the device was before this fact, which the record has followed; null if it has not, or is no fact
+ * @param from the device's state before this fact, if the record has followed it; null if not, or if it is not a fact
  * @param own the step of its model that the device took; null if it took none
  * @param stepsBefore how many steps had been sent when it was observed
  * @param attempts how often its plan was overtaken
- * @param broken the plan for it that has broken off; null if none has, or nothing more is to be done about it
+ * @param broken the failed plan for it; null if there is none, or nothing more is to be done about it
  * @since 0.1
  */
 public record Pending(
@@ -28,7 +28,7 @@ public record Pending(
         int attempts,
         @Nullable BrokenPlan broken) {
 
-    /** One of which no plan has broken off. */
+    /** An occurrence without a failed plan. */
     public Pending(
             long number,
             Occurrence occurrence,
@@ -39,28 +39,28 @@ public record Pending(
         this(number, occurrence, from, own, stepsBefore, attempts, null);
     }
 
-    /** Whether it has happened at the device, or is about what has. */
+    /** Whether it is a fact, or about one. */
     boolean hasHappened() {
         return from != null || occurrence.isFact();
     }
 
-    /** The same for another attempt. */
+    /** A copy for another attempt. */
     Pending again() {
         return new Pending(number, occurrence, from, own, stepsBefore, attempts + 1, broken);
     }
 
-    /** The same for another attempt, after a plan for it has broken off. */
+    /** A copy for another attempt, after a plan for it has failed. */
     Pending after(BrokenPlan plan) {
         return new Pending(number, occurrence, from, own, stepsBefore, attempts + 1, plan);
     }
 
-    /** The same in the visit {@code after}, if it belongs to the visit {@code before}. */
+    /** A copy in the visit {@code after}, if it belongs to the visit {@code before}. */
     Pending carriedOver(long before, long after) {
         boolean belongs = occurrence.visit() == before && before != Occurrence.ANY_VISIT;
         return belongs ? with(Reframed.inVisit(occurrence, after)) : this;
     }
 
-    /** The same so much later. */
+    /** A copy with its times shifted. */
     Pending later(long nanos) {
         return with(Reframed.later(occurrence, nanos));
     }

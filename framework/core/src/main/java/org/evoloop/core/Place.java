@@ -6,7 +6,7 @@ import org.evoloop.statemachine.State;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The record of where the device and the evolved system are, and how sure it is.
+ * The record of the states of device and evolved system, and whether it is in doubt.
  *
  * <p>A fact moves it when it is observed, and a step when it has had its effect, in the order in which they are reported.
  */
@@ -36,13 +36,13 @@ final class Place {
         return lastStepNanos;
     }
 
-    /** Why the record may be wrong; null if it is sure. */
+    /** Why the record may be wrong; null if it is certain. */
     @Nullable
     Doubt doubt() {
         return doubt == null || doubt.settled() ? null : doubt;
     }
 
-    /** The same, or a doubt that was settled while its step may still be told to have had its effect. */
+    /** The present doubt, or a settled one whose step may still be reported to have had its effect. */
     @Nullable
     Doubt lastDoubt() {
         return doubt;
@@ -65,7 +65,7 @@ final class Place {
         }
     }
 
-    /** Whether a finding says nothing that the record does not know. */
+    /** Whether a finding agrees with the record. */
     boolean isNoNews(Occurrence.Found found) {
         return found.state().equals(at.original());
     }
@@ -75,7 +75,7 @@ final class Place {
         return steps > 0 && found.observedNanos() < lastStepNanos;
     }
 
-    /** The evolved system goes where {@code end} says; the device is where it is. */
+    /** Moves the evolved system to its state in {@code end}; the device stays where it is. */
     void moveEvolved(Configuration end, Outputs out) {
         move(end.original().equals(at.original()) ? end : at.withEvolved(end.evolved()), out);
     }

@@ -8,7 +8,9 @@ import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Step;
 import org.jspecify.annotations.Nullable;
 
-/** How far the occurrence in progress has come. One object serves all of them: a new one would be garbage in every event. */
+/**
+ * The progress of the occurrence in progress. One object is used for all: a new one would be garbage in every event.
+ */
 final class Progress {
     private @Nullable Pending pending;
     private @Nullable Decision decision;
@@ -30,7 +32,7 @@ final class Progress {
         }
     }
 
-    /** The same as a value; null if nothing is in progress. */
+    /** A copy as a value; null if nothing is in progress. */
     @Nullable
     Work work() {
         return pending == null ? null : new Work(pending, decision, taken, effectsRun, failedEffects, stage, meanwhile);
@@ -41,7 +43,7 @@ final class Progress {
         return pending == null;
     }
 
-    /** Whether the occurrence of this number is in progress, and was not given up. */
+    /** Whether the occurrence of this number is in progress and was not given up. */
     boolean isOf(long number) {
         return pending != null && pending.number() == number;
     }
@@ -51,18 +53,18 @@ final class Progress {
         return Objects.requireNonNull(pending);
     }
 
-    /** What it means; null while it is being analyzed and planned. */
+    /** Its decision; null while it is being analyzed and planned. */
     @Nullable
     Decision decision() {
         return decision;
     }
 
-    /** What went wrong with its effects; empty if nothing did. */
+    /** The failures of its effects; empty if there were none. */
     String failedEffects() {
         return failedEffects;
     }
 
-    /** What the device did by itself while the step was on its way, or while it was asked where it is. */
+    /** What the device did by itself while the step was being sent, or while it was asked for its state. */
     List<Occurrence> meanwhile() {
         return meanwhile;
     }
@@ -85,12 +87,12 @@ final class Progress {
         return stage == Work.Stage.RESUMED;
     }
 
-    /** Whether the order of what is on its way and of what the device does by itself is open. */
+    /** Whether the device's own actions may now come before or after the step or inquiry in progress. */
     boolean mayOverlap() {
         return isSending() || decision instanceof Decision.Inquiry;
     }
 
-    /** The step to be sent next, or on its way; null if there is none left. */
+    /** The step to be sent next, or being sent; null if there is none left. */
     @Nullable
     Step step() {
         return decision != null && taken < decision.steps().size()
@@ -163,14 +165,14 @@ final class Progress {
         failedEffects += failedEffects.isEmpty() || failure.isEmpty() ? failure : "; " + failure;
     }
 
-    /** What is in progress goes on as another one. */
+    /** Replaces the occurrence in progress. */
     void replace(UnaryOperator<Pending> another) {
         if (pending != null) {
             pending = another.apply(pending);
         }
     }
 
-    /** The device did this by itself while a step was on its way, or while it was asked. */
+    /** Notes what the device did by itself while a step was being sent, or while it was asked. */
     void acted(Occurrence fact) {
         meanwhile = Overlap.add(meanwhile, fact);
     }

@@ -5,19 +5,19 @@ import org.evoloop.evolution.Occurrence;
 import org.evoloop.statemachine.Event;
 
 /**
- * Occurrences as another visit, or another clock, has them.
+ * Copies of occurrences for another visit, clock or event.
  *
  * @since 0.1
  */
 public final class Reframed {
     private Reframed() {}
 
-    /** The same, which belongs to {@code visit}. */
+    /** A copy that belongs to {@code visit}. */
     public static Occurrence inVisit(Occurrence occurrence, long visit) {
         return of(occurrence, visit, occurrence.observedNanos());
     }
 
-    /** The event of a timer that has another name by now. */
+    /** A copy with another event, for a timer that has been renamed. */
     static Occurrence as(Event event, Occurrence.Heard heard) {
         return heard(event, heard, heard.visit(), heard.observedNanos());
     }

@@ -10,20 +10,20 @@ import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 
 /**
- * What a {@link Core} goes by: the models with their decisions, the timers of states, and the room in its queue.
+ * The rules of a {@link Core}: the models with their decisions, the timers of states, and the capacity of its queue.
  *
  * <p>Threading: immutable; {@code timers} must be a pure function.
  *
- * @param timers what is raised by itself in a state, and after how long
+ * @param timers the timers of each state
  * @param queueCapacity how many events may wait behind the one in progress
  * @since 0.1
  */
 public record Rules(DecisionTable table, Timers timers, int queueCapacity) {
 
     /**
-     * What an occurrence means when it has its turn: a pure function.
+     * The decision for an occurrence that has its turn: a pure function.
      *
-     * @param at where device and evolved system are
+     * @param at the states of device and evolved system
      * @param steps how many steps have been sent so far
      * @param holds whether the guard of this text holds now
      */
@@ -49,7 +49,7 @@ public record Rules(DecisionTable table, Timers timers, int queueCapacity) {
         return occurrence instanceof Occurrence.Evolved ? table.settle(at) : new Decision.Inquiry(at);
     }
 
-    /** What a fact means to the new model: that is in the table, unless the device has gone on since. */
+    /** The new model's decision on a fact: it is in the table, unless the device has moved on since. */
     private Decision follow(
             Configuration at,
             Configuration before,
@@ -61,7 +61,7 @@ public record Rules(DecisionTable table, Timers timers, int queueCapacity) {
         return known.startsIn(at) ? known : table.react(at, table.resolve(at, event, holds), pending.own(), byItself);
     }
 
-    /** The same with other decisions. */
+    /** A copy with other decisions. */
     public Rules with(DecisionTable newTable) {
         return new Rules(newTable, timers, queueCapacity);
     }

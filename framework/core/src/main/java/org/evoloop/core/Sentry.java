@@ -14,42 +14,45 @@ import org.jspecify.annotations.Nullable;
  * @since 0.1
  */
 public interface Sentry {
-    /** As {@link #dueNanos} if nothing is awaited. */
+    /** The value of {@link #dueNanos} if there is no deadline. */
     long NEVER = Long.MAX_VALUE;
 
-    /** Posts a sentry where models begin to run. */
+    /** Creates a sentry when models begin to run. */
     @FunctionalInterface
     interface Posting {
         /**
          * The sentry that watches these models from now on; null for none.
          *
-         * @param at where device and evolved system are
+         * @param at the states of device and evolved system
          */
         @Nullable
         Sentry post(ModelPair models, Configuration at, long atNanos);
     }
 
     /**
-     * A violation that was found.
+     * A violation.
      *
-     * @param property the name of what is violated
+     * @param property the name of the violated property
      * @param raised the event that follows from it; null if none does
      */
     record Violation(String property, @Nullable Event raised) {}
 
-    /** An event comes; nothing has become of it yet. */
+    /** An event comes; it has not been handled yet. */
     void comes(Event event, Configuration at, long atNanos);
 
-    /** Device or evolved system stand elsewhere. */
+    /** The state of device or evolved system has changed. */
     void moved(Configuration at, long atNanos);
 
-    /** When it has to be told that time has {@link #passed}, unless something else happens before; {@link #NEVER} if not. */
+    /**
+     * When {@link #passed} has to be called, unless something else happens before; {@link #NEVER} if there is no
+     * deadline.
+     */
     long dueNanos();
 
-    /** It is this late. */
+    /** Time has passed. */
     void passed(long atNanos);
 
-    /** A violation that was found and not reported yet; null if there is none. */
+    /** Removes and returns a violation not yet reported; null if there is none. */
     @Nullable
     Violation poll();
 }

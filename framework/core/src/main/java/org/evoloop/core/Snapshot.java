@@ -9,22 +9,22 @@ import org.evoloop.statemachine.Transition;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Everything that a {@link Core} knows at one moment, but for its rules. A core that is made from it goes on exactly as the
- * one that it was taken of.
+ * The complete state of a {@link Core} at one moment, except its rules. A core made from it continues exactly as the
+ * original.
  *
  * <p>Threading: immutable.
  *
  * @param open whether controllers' events are taken
- * @param at where the device and the evolved system are
- * @param doubt why that may be wrong; null if it is sure
+ * @param at the states of device and evolved system
+ * @param doubt why these may be wrong; null if they are certain
  * @param steps how many steps have been sent and have had their effect
- * @param lastStepNanos when the last of them had
+ * @param lastStepNanos when the last of them had its effect
  * @param visit the visit of the current state
- * @param waiting what waits for its turn, first come first
- * @param losing whether something was lost since there was room
- * @param followOwed whether facts were lost, so that the new model has to follow the device when nothing waits any more
+ * @param waiting the occurrences that wait for their turn, in order
+ * @param losing whether anything has been lost since there was last room
+ * @param followOwed whether facts were lost, so that the new model has to follow the device once the queue is empty
  * @param work the occurrence in progress; null if there is none
- * @param tally how many occurrences came and what became of them
+ * @param tally the number of occurrences and their outcomes
  * @param nowNanos the latest time of any input
  * @since 0.1
  */
@@ -45,14 +45,14 @@ public record Snapshot(
     /**
      * The visit of a state.
      *
-     * @param over whether what ran in it has ended, so that another must begin
+     * @param over whether it has ended, so that another must begin
      * @param by the transition that led into the state; null if none did
-     * @param deadlines when its timers are due, those that were not heard yet
+     * @param deadlines when its timers are due, without those that have fired
      */
     public record OpenVisit(
             long number, boolean over, @Nullable Transition by, Map<Event, Long> deadlines) {}
 
-    /** The same on a clock that shows {@code nanos} more: every time in it is so much later. */
+    /** A copy for a clock that is {@code nanos} ahead: every time in it is later by that much. */
     public Snapshot later(long nanos) {
         Map<Event, Long> deadlines = new LinkedHashMap<>();
         visit.deadlines().forEach((timer, due) -> deadlines.put(timer, due + nanos));

@@ -11,14 +11,14 @@ import org.evoloop.statemachine.Transition;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The visit of the current state: what began with it, and when its timers are due.
+ * The visit of the current state, and the deadlines of its timers.
  */
 final class Stay {
     private long number;
     private boolean over;
     private @Nullable Transition by;
 
-    /** One that has been heard is no longer in it. */
+    /** Without timers that have fired. */
     private final Map<Event, Long> deadlines;
 
     Stay(long number, boolean over, @Nullable Transition by, Map<Event, Long> deadlines) {
@@ -32,7 +32,7 @@ final class Stay {
         return number;
     }
 
-    /** Whether what ran in it has ended, so that another must begin. */
+    /** Whether it has ended, so that another must begin. */
     boolean isOver() {
         return over;
     }
@@ -54,9 +54,10 @@ final class Stay {
     }
 
     /**
-     * Begins another visit.
+     * Begins a new visit.
      *
-     * @param kept names of time triggers that go on from the visit before, since a state around both is not left
+     * @param kept names of time triggers that continue from the previous visit, since a state enclosing both is not
+     *     left
      */
     void enter(State state, @Nullable Transition leading, Set<String> kept, Rules rules, long atNanos, Outputs out) {
         number++;
@@ -71,10 +72,10 @@ final class Stay {
     }
 
     /**
-     * The same visit in {@code state} of other models.
+     * Continues the visit in {@code state} of other models.
      *
-     * @param left the deadlines of timers that go on
-     * @param kept the names of those, heard or not
+     * @param left the deadlines of timers that continue
+     * @param kept the names of those, fired or not
      */
     void goOn(
             State state,
@@ -91,7 +92,7 @@ final class Stay {
 
     private void begin(Map<Event, Duration> timers, Set<String> kept, long atNanos) {
         timers.forEach((event, delay) -> {
-            // One that is kept but gone has been heard before.
+            // A kept timer without a deadline has already fired.
             if (!kept.contains(event.name())) {
                 deadlines.put(event, atNanos + delay.toNanos());
             }
@@ -103,7 +104,7 @@ final class Stay {
         return deadlines.isEmpty() ? Map.of() : Collections.unmodifiableMap(new LinkedHashMap<>(deadlines));
     }
 
-    /** Whether a timer of this visit is due; it must not have been heard. */
+    /** Whether a timer of this visit is due and has not fired yet. */
     boolean isDue(Event event, long atNanos) {
         Long deadline = deadlines.get(event);
         return deadline != null && deadline - atNanos <= 0;

@@ -4,11 +4,11 @@ import org.evoloop.migration.Mapping;
 import org.evoloop.migration.Succession;
 
 /**
- * Other models for a converter that runs, and what becomes in them of what it knows.
+ * Other models for a running converter, and how its state maps to them.
  *
  * <p>Threading: immutable.
  *
- * @param rules by which it goes from then on
+ * @param rules the converter's rules from then on
  * @since 0.1
  */
 public record Swap(Rules rules, Succession succession) {
@@ -18,7 +18,7 @@ public record Swap(Rules rules, Succession succession) {
         return new Swap(next, new Succession(running.table(), running.timers(), next.table(), next.timers(), mapping));
     }
 
-    /** What messages call the models. */
+    /** The name of the models in messages. */
     public String name() {
         return rules.table().models().evolved().name();
     }

@@ -19,7 +19,7 @@ import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.Transition;
 import org.jspecify.annotations.Nullable;
 
-/** How other models take over between two events: everything that is known is put in their terms. */
+/** Lets other models take over between two events, translating the whole state into their terms. */
 final class Takeover {
     private final Ledger ledger;
 
@@ -27,7 +27,7 @@ final class Takeover {
         this.ledger = ledger;
     }
 
-    /** What keeps the models of {@code swap} from taking over now, for people; empty if nothing does. */
+    /** What prevents the models of {@code swap} from taking over now, for people; empty if nothing does. */
     String hindrance(Swap swap) {
         String obstacle = obstacle();
         return obstacle.isEmpty() && swap.succession().fate(ledger.place.at()) instanceof Fate.Stuck stuck
@@ -35,7 +35,7 @@ final class Takeover {
                 : obstacle;
     }
 
-    /** What keeps any models from that. */
+    /** What prevents any models from taking over now. */
     private String obstacle() {
         Doubt doubt = ledger.place.doubt();
         if (ledger.progress.isInterrupted()) {
@@ -47,7 +47,7 @@ final class Takeover {
         return doubt == null ? "" : "nobody knows for sure where the device is: " + doubt.why();
     }
 
-    /** Nothing happens if anything {@linkplain #hindrance keeps it} from that. */
+    /** Lets the models take over; does nothing if anything {@linkplain #hindrance prevents} that. */
     void take(Swap swap) {
         if (obstacle().isEmpty() && swap.succession().fate(ledger.place.at()) instanceof Fate.Maps maps) {
             take(swap, maps);
@@ -74,7 +74,9 @@ final class Takeover {
         return maps.carried().stream().allMatch(each -> each.part() == Part.TIMER || each.how() == How.KEPT);
     }
 
-    /** A doubt that was settled counts on while its step may still be told to have had its effect. */
+    /**
+     * The doubt in the new terms. A settled one is kept while its step may still be reported to have had its effect.
+     */
     private @Nullable Doubt doubt(Succession succession, Fate.Maps maps) {
         Doubt doubt = ledger.place.lastDoubt();
         Step step = doubt == null ? null : succession.step(doubt.step());
@@ -87,7 +89,7 @@ final class Takeover {
         return doubt.of(step, meanwhile);
     }
 
-    // What waits
+    // The queue
 
     private void line(Succession succession, Fate.Maps maps, boolean goesOn) {
         ledger.line.replace(pending -> {
@@ -100,7 +102,7 @@ final class Takeover {
         });
     }
 
-    /** Whether what raised it is not carried over. */
+    /** Whether the function or timer that raised it is not carried over. */
     private boolean isOver(Occurrence occurrence, Fate.Maps maps, boolean goesOn) {
         if (occurrence.visit() == Occurrence.ANY_VISIT || !ledger.stay.isCurrent(occurrence.visit())) {
             return false;
@@ -137,7 +139,7 @@ final class Takeover {
 
     // The visit
 
-    /** What the timer of the running models goes on as; null if it does not. */
+    /** The event under which a timer of the running models continues; null if it does not. */
     private @Nullable Event kept(Fate.Maps maps, Event timer) {
         for (Carried each : maps.carried()) {
             if (each.part() == Part.TIMER

@@ -1,14 +1,14 @@
 package org.evoloop.core;
 
 /**
- * How many occurrences came and what became of them.
+ * The number of occurrences and their outcomes.
  *
  * <p>Threading: immutable.
  *
- * @param observed all that came; the sum of the outcomes, of those refused, and of those that wait or are in progress
+ * @param observed all occurrences; the sum of the outcomes, of those refused, and of those that wait or are in progress
  * @param refused those that came, or waited, while the converter was closed
- * @param queued those that had to wait or could begin at once
- * @param highest most that ever waited
+ * @param queued those that were accepted, whether they had to wait or began at once
+ * @param highest the most that ever waited
  * @since 0.1
  */
 public record Tally(

@@ -6,16 +6,16 @@ import org.evoloop.evolution.Occurrence;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The occurrence in progress: what it means, and how far its plan has been carried out.
+ * The occurrence in progress: its decision, and how far its plan has been carried out.
  *
  * <p>Threading: immutable.
  *
  * @param decision null while it is being analyzed and planned
  * @param taken how many steps of the decision have been taken
  * @param effectsRun how many of its effects have been run
- * @param failedEffects what went wrong with them; empty if nothing did
+ * @param failedEffects their failures; empty if there were none
  * @param stage what the plan is waiting for
- * @param meanwhile what the device did by itself while the step was on its way, or while it was asked where it is
+ * @param meanwhile what the device did by itself while the step was being sent, or while it was asked for its state
  * @since 0.1
  */
 public record Work(
@@ -29,19 +29,19 @@ public record Work(
 
     /** What the occurrence in progress is waiting for. */
     public enum Stage {
-        /** A decision; or that what was asked for is begun. */
+        /** A decision, or the start of the requested directive. */
         READY,
-        /** The next step is on its way to the device. */
+        /** The next step is being sent to the device. */
         SENDING,
         /** The next effect is being run. */
         RUNNING,
-        /** The process that carried the plan out has ended; it goes on when the converter is opened. */
+        /** The process that carried out the plan has ended; it continues when the converter is opened. */
         INTERRUPTED,
         /** The plan has its turn again. */
         RESUMED
     }
 
-    /** Whether the next step is on its way to the device. */
+    /** Whether the next step is being sent to the device. */
     public boolean sending() {
         return stage == Stage.SENDING;
     }

@@ -4,13 +4,13 @@ import java.util.List;
 import org.evoloop.statemachine.State;
 
 /**
- * A plan of which a step has failed, and after which more than that is to be done.
+ * A plan with a failed step that requires more than staying where the device is.
  *
  * <p>Threading: immutable.
  *
- * @param then what is to be done, not {@link OnFailure#STAY}
+ * @param then the recovery, not {@link OnFailure#STAY}
  * @param reason why the last step has failed, for people
- * @param begun where the device was when the plan began
+ * @param begun the device's state when the plan began
  * @param failed the steps that have failed, in order
  * @since 0.1
  */

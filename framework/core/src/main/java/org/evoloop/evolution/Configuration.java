@@ -4,7 +4,7 @@ import org.evoloop.statemachine.State;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Where an evolved device stands: the current states of both models (the paper's oState and nState).
+ * The current states of both models of an evolved device (the paper's oState and nState).
  *
  * <p>Threading: immutable.
  *
@@ -13,12 +13,15 @@ import org.jspecify.annotations.Nullable;
 public final class Configuration {
     private final State original;
     private final State evolved;
-    /** Kept, as that of a {@link State}. It tells apart those whose two states have the same name, as most have. */
+    /**
+     * Cached, like that of a {@link State}, and different for configurations whose two states have the same name, as
+     * most have.
+     */
     private final int hash;
 
     /**
-     * @param original where the device is
-     * @param evolved where the evolved system is
+     * @param original the device's state
+     * @param evolved the evolved system's state
      */
     public Configuration(State original, State evolved) {
         this.original = original;
@@ -26,12 +29,12 @@ public final class Configuration {
         this.hash = 30 * original.hashCode() + evolved.hashCode();
     }
 
-    /** Where the device is. */
+    /** The device's state. */
     public State original() {
         return original;
     }
 
-    /** Where the evolved system is. */
+    /** The evolved system's state. */
     public State evolved() {
         return evolved;
     }
@@ -50,12 +53,12 @@ public final class Configuration {
         return hash;
     }
 
-    /** The same with the device moved to {@code state}. */
+    /** A copy with the device in {@code state}. */
     public Configuration withOriginal(State state) {
         return new Configuration(state, evolved);
     }
 
-    /** The same with the evolved system moved to {@code state}. */
+    /** A copy with the evolved system in {@code state}. */
     public Configuration withEvolved(State state) {
         return new Configuration(original, state);
     }

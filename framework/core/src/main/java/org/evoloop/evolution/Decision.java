@@ -9,38 +9,40 @@ import org.jspecify.annotations.Nullable;
 /**
  * What an event means: the outcome of the paper's Algorithm 1 for one configuration and one occurrence.
  *
- * <p>{@link #steps()} move the original model, in order; a step that the device took itself can only be the first.
+ * <p>The {@link #steps()} move the original model, in order; only the first can be one that the device took itself.
  *
  * <p>Threading: immutable.
  *
  * @since 0.1
  */
 public sealed interface Decision {
-    /** Where the system stood when the event occurred. */
+    /** The states when the event occurred. */
     Configuration before();
 
-    /** Where it stands once every step has had its effect. */
+    /** The states once every step has had its effect. */
     Configuration after();
 
-    /** The transitions of the original model on the way. */
+    /** The steps through the original model. */
     List<Step> steps();
 
-    /** What the new model takes, or would if it were possible; null if it takes nothing. */
+    /** The new model's transition, or the one that it would take if that were possible; null if it takes none. */
     default @Nullable Transition transition() {
         return null;
     }
 
-    /** Effects of the new model's transition that the converter has to see to: those that the device does not do itself. */
+    /**
+     * Effects of the new model's transition that the converter has to run: those that the device does not run itself.
+     */
     default List<String> effects() {
         return List.of();
     }
 
-    /** Where the system stands when planning begins: {@link #before}, moved on by the step that the device took itself. */
+    /** The states when planning begins: {@link #before}, moved by the step that the device took itself. */
     default Configuration start() {
         return before().withOriginal(deviceStart());
     }
 
-    /** Where the device is when planning begins: where the step that it took itself has led. */
+    /** The device's state when planning begins, after the step that it took itself. */
     default State deviceStart() {
         return steps().isEmpty() || !steps().get(0).byDevice()
                 ? before().original()
@@ -52,13 +54,16 @@ public sealed interface Decision {
         return at.evolved().equals(before().evolved()) && at.original().equals(deviceStart());
     }
 
-    /** Whether the new model leaves its state, be it towards itself; an internal transition does not. */
+    /**
+     * Whether the new model leaves its state, even if it enters the same state again; an internal transition does not
+     * leave it.
+     */
     default boolean leavesState() {
         Transition taken = transition();
         return taken != null && !taken.internal();
     }
 
-    /** States of the device through which the plan leads, without those in which it begins and ends. */
+    /** The device's states through which the plan leads, without its first and last. */
     default List<State> passed() {
         return steps().stream()
                 .filter(step -> !step.byDevice())
@@ -68,17 +73,20 @@ public sealed interface Decision {
     }
 
     /**
-     * The new model has no transition for the event, so it stays where it is. If the device has acted all the same, the
-     * one step says how.
+     * The new model has no transition for the event, so it stays where it is. If the device has acted all the same,
+     * there is one step for that.
      */
     record NotAcceptable(Configuration before, Configuration after, List<Step> steps) implements Decision {}
 
-    /** The new model's next state is one that the device has; the steps take the device there. */
+    /** The device has the new model's next state; the steps take it there. */
     record ExistingState(
             Configuration before, Configuration after, List<Step> steps, Transition transition, List<String> effects)
             implements Decision {
 
-        /** Whether the device needs more than one step: a way through its functions that it does not offer as one. */
+        /**
+         * Whether the device needs more than one step: a path through its functions that it does not offer as a single
+         * one.
+         */
         public boolean isDetour() {
             return steps.size() > 1;
         }
@@ -89,7 +97,7 @@ public sealed interface Decision {
             Configuration before, Configuration after, List<Step> steps, Transition transition, List<String> effects)
             implements Decision {}
 
-    /** The device was found elsewhere than its model was; both models follow, and nothing is sent. */
+    /** The device was found in another state than its model was; both models follow, and nothing is sent. */
     record Resynchronization(Configuration before, Configuration after, List<Step> steps) implements Decision {
         Resynchronization(Configuration before, Configuration after) {
             this(before, after, List.of());
@@ -108,11 +116,11 @@ public sealed interface Decision {
     }
 
     /**
-     * A new function has the device do an event that it knows; the new model stays in its state.
+     * A new function has an event of the device sent; the new model stays in its state.
      */
     record Sending(Configuration before, Configuration after, List<Step> steps) implements Decision {}
 
-    /** The record is in doubt: the device is asked where it is, and what it answers is taken as found. */
+    /** The record is in doubt: the device is asked for its state, and its answer is treated as a finding. */
     record Inquiry(Configuration before) implements Decision {
         @Override
         public Configuration after() {
@@ -143,7 +151,7 @@ public sealed interface Decision {
     }
 
     /**
-     * The next state is one that the device has, but nothing that can be sent takes the device there.
+     * The device has the next state, but no events that can be sent take it there.
      *
      * @param reason for people, with both states and the events that can be sent
      */
@@ -154,7 +162,7 @@ public sealed interface Decision {
             @Nullable Transition transition,
             String reason) implements Decision {
 
-        /** The event comes to nothing. */
+        /** The event has no effect. */
         @Override
         public boolean leavesState() {
             return false;

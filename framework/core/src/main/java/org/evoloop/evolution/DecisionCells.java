@@ -5,20 +5,20 @@ import java.util.function.ToIntFunction;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Where the decisions of a table are kept: a cell for each event in each situation, found by their numbers. As long as
- * that is not too much the cells stand in rows, one after the other; else, with very many events in very many
- * situations, only the cells that are in use have a place, found by hashing.
+ * The storage of a decision table: a cell for each event in each situation, found by their numbers. Up to a limit the
+ * cells form a dense matrix; beyond it, with very many events in very many situations, only the cells in use are
+ * stored, found by hashing.
  *
  * <p>Threading: not thread-safe while it is written, thread-safe afterwards.
  */
 final class DecisionCells {
-    /** So many cells, 8 bytes each, may stand in rows. */
+    /** The largest number of cells, 8 bytes each, of the dense matrix. */
     private static final long MOST_IN_ROWS = 1L << 22;
 
-    /** No situation's number: it has not been asked for. */
+    /** The number of the next situation has not been looked up yet. */
     static final int UNKNOWN = -1;
 
-    /** What a cell without a decision leads to. */
+    /** The next situation of a cell without a decision: the same one. */
     private static final int STAYS = -2;
 
     private static final long EMPTY = -1;
@@ -35,7 +35,7 @@ final class DecisionCells {
         this.width = Math.max(1, width);
     }
 
-    /** Makes room for the decisions of a situation; before that it must not be asked for. */
+    /** Makes room for the decisions of a situation, before any access to them. */
     void open(int situation) {
         long cells = key(situation + 1, 0);
         if (!hashed && cells > MOST_IN_ROWS) {
@@ -45,13 +45,16 @@ final class DecisionCells {
         }
     }
 
-    /** The decision in a cell; null if none was put there. */
+    /** The decision in a cell; null if there is none. */
     @Nullable
     Decision get(int situation, int event) {
         return decisions[placeOf(situation, event)];
     }
 
-    /** The number of the situation that the decision in a cell leads to, or {@link #UNKNOWN}; without one it is the same. */
+    /**
+     * The number of the situation to which the decision in a cell leads, or {@link #UNKNOWN}; the same situation if
+     * there is no decision.
+     */
     int after(int situation, int event) {
         int next = after[placeOf(situation, event)];
         return next == STAYS ? situation : next;
@@ -66,12 +69,12 @@ final class DecisionCells {
         after[place] = next;
     }
 
-    /** Notes the number of the situation that the decision in a cell leads to. */
+    /** Sets the number of the situation to which the decision in a cell leads. */
     void lead(int situation, int event, int next) {
         after[placeOf(situation, event)] = next;
     }
 
-    /** Notes it for every decision for which that was not done. */
+    /** Sets it for every decision for which it is still unknown. */
     void link(ToIntFunction<Decision> numberOf) {
         for (int place = 0; place < decisions.length; place++) {
             Decision decision = decisions[place];
@@ -85,7 +88,9 @@ final class DecisionCells {
         return (long) situation * width + event;
     }
 
-    /** Where a cell is, or with hashing where it would be. Rows are only made as far as an int can count. */
+    /**
+     * The index of a cell; with hashing, also of one that is not stored. The matrix never exceeds the range of an int.
+     */
     private int placeOf(int situation, int event) {
         return hashed ? find(key(situation, event)) : situation * width + event;
     }
@@ -109,7 +114,7 @@ final class DecisionCells {
         Arrays.fill(after, before, cells, STAYS);
     }
 
-    /** From rows to hashing. */
+    /** Switches from the matrix to hashing. */
     private void hash() {
         @Nullable Decision[] rows = decisions;
         int[] rowsAfter = after;
@@ -145,7 +150,7 @@ final class DecisionCells {
         }
     }
 
-    /** Where the key is, or where it would be. */
+    /** The index of the key, or the one where it would be stored. */
     private int find(long key) {
         int mask = keys.length - 1;
         int place = (int) ((key * 0x9E3779B97F4A7C15L) >>> 40) & mask;

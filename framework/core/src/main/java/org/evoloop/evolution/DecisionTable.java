@@ -16,14 +16,15 @@ import org.evoloop.statemachine.Transition;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The transition hash table: the decision for every event in every configuration that can be reached, made once, so
- * that deciding at run time is a look-up. Situations and events have numbers, which make it a quick one.
+ * The transition hash table: the decision for every event in every reachable configuration, computed once, so that
+ * deciding at run time is a look-up. Situations and events are numbered to make it fast.
  *
- * <p>Reached means by events as they should go: asked for by a controller, a timer or a function, or taken by the device
- * where its model says that it can. What the device may do although it could have been asked, such as act on its own
- * buttons, is explored last, so that a decision that cannot be carried out is known to be a {@linkplain #problems()
- * problem} of the models or a {@linkplain #hazards() hazard} of such interference. Where a plan broke off between two
- * steps the system stands elsewhere; decisions there are made by the same function when they are first needed.
+ * <p>Reachable means by expected events: requested by a controller, a timer or a function, or taken by the device where
+ * its model says that it can. What the device may do by itself although it can also be sent, such as react to its own
+ * buttons, is explored last. Thus a decision that cannot be carried out is known to be either a {@linkplain #problems()
+ * problem} of the models or a {@linkplain #hazards() hazard} of such interference. After a plan failed between two
+ * steps, the system may be in another configuration; decisions there are computed by the same function when first
+ * needed.
  *
  * <p>Threading: thread-safe.
  *
@@ -39,14 +40,14 @@ public final class DecisionTable {
     private final EventConversion conversion;
     private final GuardedTriggers originalGuards;
     private final GuardedTriggers evolvedGuards;
-    /** In the order in which they were reached, which is that of their numbers. */
+    /** In the order in which they were reached, which is the order of their numbers. */
     private final Map<Configuration, Integer> situations = new LinkedHashMap<>();
-    /** The same by their numbers, those that are still to be explored included. */
+    /** The configurations by number, including those still to be explored. */
     private final List<Configuration> reached = new ArrayList<>();
 
     private int explored;
 
-    /** How many were reached by events as they should go. */
+    /** How many were reached by expected events. */
     private int expected;
 
     private final Map<Event, Integer> numbers = new HashMap<>();
@@ -77,7 +78,7 @@ public final class DecisionTable {
     }
 
     /**
-     * Explores every configuration that can be reached from the initial one.
+     * Explores every configuration that is reachable from the initial one.
      *
      * @param pair a valid pair, see {@link ModelPair#requireValid()}
      */
@@ -94,7 +95,7 @@ public final class DecisionTable {
         return table;
     }
 
-    /** The number of a configuration, which is to be explored if it was not reached before. */
+    /** The number of a configuration; one that is new is explored later. */
     private int reach(Configuration at) {
         Integer known = situations.putIfAbsent(at, reached.size());
         if (known != null) {
@@ -118,7 +119,7 @@ public final class DecisionTable {
     private void follow(int situation, List<Turn> turns, Set<Decision.Impossible> impossible) {
         for (Turn turn : turns) {
             if (turn.decision() instanceof Decision.Impossible found) {
-                // An event that cannot come is one problem of its own, not one in each configuration.
+                // An event that cannot come is reported once, not in each configuration.
                 if (!conversion.isUnsendable(turn.event().trigger())) {
                     impossible.add(found);
                 }
@@ -131,7 +132,7 @@ public final class DecisionTable {
         }
     }
 
-    /** What can happen in {@code at} as it should: events that the new model accepts, and what the device does by itself. */
+    /** The expected turns in {@code at}: events that the new model accepts, and what the device does by itself. */
     public List<Turn> expected(Configuration at) {
         return expected(at, situation(at));
     }
@@ -151,7 +152,7 @@ public final class DecisionTable {
         return turns;
     }
 
-    /** What can happen in {@code at} when the device does by itself what it could have been asked for. */
+    /** The turns in {@code at} in which the device does by itself what could have been sent to it. */
     public List<Turn> interference(Configuration at) {
         return interference(at, situation(at));
     }
@@ -181,7 +182,7 @@ public final class DecisionTable {
         return device.spontaneous().contains(trigger) && device.sendable().contains(trigger);
     }
 
-    /** Whether the device may take {@code transition} with the new model not accepting its event. */
+    /** Whether the device may take {@code transition} although the new model does not accept its event. */
     private boolean isUnheard(Configuration at, Transition transition) {
         return originalGuards.shadowOf(transition) == null
                 && !pair.evolved().hasTransition(at.evolved(), transition.event())
@@ -193,7 +194,7 @@ public final class DecisionTable {
         return new Turn(event, deviceActed, decide(at, situation, event, deviceActed));
     }
 
-    /** Decides all that either model knows in {@code at}; whatever else comes there is ignored. */
+    /** Decides all events of either model in {@code at}; any other is ignored there. */
     private void fill(Configuration at, int situation) {
         asked.open(situation);
         acted.open(situation);
@@ -206,13 +207,13 @@ public final class DecisionTable {
         }
     }
 
-    /** @param transition of the new model; null if it has none */
+    /** @param transition the new model's transition; null if it has none */
     private void fill(Configuration at, int situation, Event event, @Nullable Transition transition) {
         int number = number(event);
         if (asked.get(situation, number) == null) {
             Transition same = conversion.originalTransition(at.original(), event);
             asked.put(situation, number, conversion.decide(at, event, false, transition, same));
-            // If the device is not said to act by itself, what its doing so means is decided when that happens.
+            // If the device is not declared to act by itself, that case is decided when it happens.
             if (same != null && device.spontaneous().contains(event.trigger())) {
                 acted.put(situation, number, conversion.decide(at, event, true, transition, same));
             }
@@ -229,18 +230,18 @@ public final class DecisionTable {
         return names;
     }
 
-    /** The number of the initial situation, for the quick methods. */
+    /** The number of the initial situation, for the fast methods. */
     public int initial() {
         return 0;
     }
 
-    /** The number of a configuration, for the quick methods; {@code -1} if it is not one of {@link #configurations}. */
+    /** The number of a configuration, for the fast methods; {@code -1} if it is not one of {@link #configurations}. */
     public int situation(Configuration at) {
         Integer known = situations.get(at);
         return known == null ? DecisionCells.UNKNOWN : known;
     }
 
-    /** The number of an event, for the quick methods; {@code -1} for one that neither model knows. */
+    /** The number of an event, for the fast methods; {@code -1} for one that neither model knows. */
     public int number(Event event) {
         Integer known = numbers.get(event);
         return known == null ? DecisionCells.UNKNOWN : known;
@@ -253,7 +254,7 @@ public final class DecisionTable {
     }
 
     /**
-     * What an event that was asked for means; nothing is allocated, and nothing is hashed.
+     * The decision for a requested event; allocates nothing and computes no hash.
      *
      * @param situation a {@linkplain #situation number} other than {@code -1}
      * @param event a {@linkplain #number(Event) number}; {@code -1} is not acceptable anywhere
@@ -263,7 +264,7 @@ public final class DecisionTable {
         return decision == null ? ignored.get(situation) : decision;
     }
 
-    /** The same by the event's name. */
+    /** As the method for numbers, by the event's name. */
     public Decision decide(int situation, String event) {
         return decide(situation, number(event));
     }
@@ -273,15 +274,15 @@ public final class DecisionTable {
         return event < 0 ? situation : asked.after(situation, event);
     }
 
-    /** The same by the event's name. */
+    /** As the method for numbers, by the event's name. */
     public int after(int situation, String event) {
         return after(situation, number(event));
     }
 
     /**
-     * What {@code event} means in {@code at}.
+     * The decision for {@code event} in {@code at}.
      *
-     * @param event with the guards under which it comes, see {@link #resolve}
+     * @param event the event, with the guards under which it comes, see {@link #resolve}
      * @param deviceActed whether the device has already acted on it
      * @return {@link Decision.NotAcceptable} without steps for an event that neither model knows there
      */
@@ -311,19 +312,19 @@ public final class DecisionTable {
     }
 
     /**
-     * What {@code event} means to the new model after the device has acted on it, and maybe gone on from there: a plan
-     * begins where the device is now, in {@code at}.
+     * The new model's decision on {@code event} after the device has acted on it, and possibly moved on: a plan begins
+     * in the device's present state, in {@code at}.
      *
-     * @param event with the guards under which it comes, see {@link #resolve}
+     * @param event the event, with the guards under which it comes, see {@link #resolve}
      * @param own the step that the device took; null if its model has none
-     * @param follow whether the new model only has to follow, without anything being sent, where both models agree on what
-     *     the device did
+     * @param follow whether the new model merely follows, with nothing sent, where both models agree on the device's
+     *     action
      */
     public synchronized Decision react(Configuration at, Event event, @Nullable Step own, boolean follow) {
         return conversion.react(at, event, own, follow);
     }
 
-    /** What it takes to have the device do {@code trigger}, which a new function asks for. */
+    /** The decision for {@code trigger} that a new function sends to the device. */
     public Decision ask(Configuration at, Event trigger, Predicate<String> holds) {
         Event event = originalGuards.resolve(at.original(), trigger, holds);
         Transition taken = event == null ? null : conversion.originalTransition(at.original(), event);
@@ -341,7 +342,7 @@ public final class DecisionTable {
         return device.isOwn(trigger);
     }
 
-    /** Whether {@code state} is one that only the new model has: a function that the converter runs. */
+    /** Whether only the new model has {@code state}: a function that the converter runs. */
     public boolean isNew(State state) {
         return conversion.isNew(state);
     }
@@ -349,7 +350,7 @@ public final class DecisionTable {
     /**
      * The step that the device takes by itself on {@code trigger} in {@code at}; null if its model has none there.
      *
-     * @param holds whether the condition of this text holds now; false for one that cannot be asked
+     * @param holds whether the guard of this text holds now; false for an unbound one
      */
     public @Nullable Step ownStep(State at, Event trigger, Predicate<String> holds) {
         Event event = originalGuards.resolve(at, trigger, holds);
@@ -358,12 +359,12 @@ public final class DecisionTable {
     }
 
     /**
-     * Under which guards {@code trigger} comes: those of the new model, else, when the device may have taken it by itself,
-     * those of the original.
+     * Adds the guards under which {@code trigger} comes: those of the new model, else, when the device may have taken
+     * it by itself, those of the original model.
      *
-     * @param trigger an event without guards, as a monitor reports it
-     * @param holds whether the condition of this text holds now; false for one that cannot be asked
-     * @return what to {@link #decide} on; {@code trigger} itself where no guard is drawn for it
+     * @param trigger the event without guards, as a monitor reports it
+     * @param holds whether the guard of this text holds now; false for an unbound one
+     * @return the event to {@link #decide}; {@code trigger} itself where no guard is drawn for it
      */
     public Event resolve(Configuration at, Event trigger, Predicate<String> holds) {
         Event heard = evolvedGuards.resolve(at.evolved(), trigger, holds);
@@ -375,24 +376,24 @@ public final class DecisionTable {
     }
 
     /**
-     * Whether {@code event} is to wait, if it comes in {@code at}, until a state of the new model that does not defer it
-     * (UML 2.5.1, clause 14.2.3.4.4); it is then not to be decided. What the device has done already waits for nothing.
+     * Whether {@code event} is deferred in {@code at}: it is not decided, but waits for a state of the new model that
+     * does not defer it (UML 2.5.1, clause 14.2.3.4.4). What the device has already done is never deferred.
      *
-     * @param event as {@link #resolve} gives it
+     * @param event the event, from {@link #resolve}
      */
     public boolean defers(Configuration at, Event event) {
         return pair.evolved().defers(at.evolved(), event);
     }
 
-    /** Whether {@code step} is where its trigger leads now. */
+    /** Whether the guards make {@code step} the one that its trigger takes now. */
     public boolean isOpen(Step step, Predicate<String> holds) {
         return !step.conditional() || step.event().equals(originalGuards.resolve(step.source(), step.trigger(), holds));
     }
 
     /**
-     * What it means that the device was found in {@code original}: the new model stays where it is if the two can stand
-     * together, that is if events as they should go can lead there; else it follows the device. Of several states that
-     * differ in what the new model remembers it goes to the first that can stand together with the device's.
+     * The decision after the device was found in {@code original}: the new model stays where it is if the two states
+     * are a reachable pair, that is, if expected events can lead there; else it follows the device. Of several states
+     * that differ only in the new model's history, it enters the first that forms a reachable pair with the device's.
      *
      * @param original a state of the original model
      */
@@ -412,31 +413,35 @@ public final class DecisionTable {
         return new Configuration(original, same.isEmpty() ? original : same.get(0));
     }
 
-    /** Whether events as they should go can lead there. */
+    /** Whether the states are a reachable pair: expected events can lead there. */
     public boolean standsTogether(Configuration at) {
         int situation = situation(at);
         return situation >= 0 && situation < expected;
     }
 
     /**
-     * What it takes that device and evolved system stand together, where another pair of models has led: nothing, or a way to
-     * a state of the device in which the new model's may be; a {@link Decision.Sending} or {@link Decision.Impossible}.
+     * The decision that makes the states of device and evolved system a reachable pair after a takeover from other
+     * models: nothing, or a path to a state of the device that is compatible with the new model's; a {@link
+     * Decision.Sending} or {@link Decision.Impossible}.
      */
     public synchronized Decision settle(Configuration at) {
         return conversion.settle(at, standsTogether(at) ? List.of(at.original()) : companions(at.evolved()));
     }
 
     /**
-     * What is to be done for an event whose plan has broken off: a {@link Decision.Impossible} with the way back as its
-     * steps; another way, or that there is none.
+     * The decision for an event whose plan has failed: a {@link Decision.Impossible} with the way back as its steps,
+     * another path, or that there is none.
      *
-     * @param usual what the event means now, had nothing failed
+     * @param usual the decision for the event now, had nothing failed
      */
     public synchronized Decision afterFailure(Decision usual, Configuration at, BrokenPlan broken) {
         return conversion.afterFailure(usual, at, broken);
     }
 
-    /** The states of the device in which {@code evolved} may be: those that it is, or for a new one all that go with it. */
+    /**
+     * The device's states compatible with {@code evolved}: its own, or for a new state all that form a reachable pair
+     * with it.
+     */
     private List<State> companions(State evolved) {
         List<State> same = pair.deviceStates(evolved);
         return !same.isEmpty()
@@ -447,14 +452,14 @@ public final class DecisionTable {
                         .toList();
     }
 
-    /** Every configuration that can be reached, first reached first. */
+    /** Every reachable configuration, in the order of exploration. */
     public Set<Configuration> configurations() {
         return Collections.unmodifiableSet(situations.keySet());
     }
 
     /**
-     * Effects of the new model that the converter has to see to, in the order in which they are drawn: those that the device
-     * does not know, and those that it does not do by itself on the way of some decision.
+     * Effects of the new model that the converter has to run, in the order in which they are drawn: those that the
+     * device does not know, and those that it does not run by itself in some decision.
      */
     public Set<String> effects() {
         Set<String> drawn = new LinkedHashSet<>();
@@ -479,19 +484,19 @@ public final class DecisionTable {
         return drawn;
     }
 
-    /** What passes between converter and device, with what the original model declares. */
+    /** The events between converter and device, including the original model's declarations. */
     public DeviceEvents device() {
         return device;
     }
 
-    /** Decisions that lead to a state of the device to which no plan leads; an evolution must have none. */
+    /** Decisions whose next state the device has but no plan reaches; an evolution must have none. */
     public List<Decision.Impossible> problems() {
         return List.copyOf(problems);
     }
 
     /**
-     * The same, but only after the device has done by itself what it could have been asked for. Such an event fails, and
-     * the system stays where it is.
+     * As {@link #problems()}, but only after the device has done by itself what could have been sent to it. Such an
+     * event fails, and the system stays where it is.
      */
     public List<Decision.Impossible> hazards() {
         return List.copyOf(hazards);

@@ -10,18 +10,19 @@ import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.Transition;
 
 /**
- * What passes between converter and device, and which ways through the device's states a plan may take.
+ * The events between converter and device, and the paths through the device's states that a plan may take.
  *
  * <p>Threading: immutable.
  *
- * @param sendable events, without guards, that the converter can send; only these make up a plan
+ * @param sendable events, without guards, that the converter can send; plans consist only of these
  * @param spontaneous events, without guards, that the device takes by itself: always, such as that it has finished, or
  *     although they can be sent too, such as those of its own buttons
- * @param costs what sending an event costs, from 1 to {@value #MAX_COST}; 1 for those that are not named
- * @param doNotPass states of the device in which a way may begin and end, but through which none may lead
- * @param boundGuards texts of the guards that can be asked; a way never leads over a transition whose guard cannot
- * @param onFailure what follows when a step fails of a plan for an event in a state of the new model; the device stays where
- *     nothing is said. Events are written as {@link Event#toString} does; without guards, all of the trigger are meant
+ * @param costs the cost of sending an event, from 1 to {@value #MAX_COST}; 1 if not listed
+ * @param doNotPass states of the device in which a path may begin or end, but through which none may lead
+ * @param boundGuards texts of the guards that can be evaluated; no path uses a transition with any other guard
+ * @param onFailure by state of the new model and event, what follows when a step of the plan fails; by default the
+ *     device stays where it is. Events are written as by {@link Event#toString}; without guards, all events of the
+ *     trigger are meant
  * @since 0.1
  */
 public record DeviceEvents(
@@ -57,7 +58,9 @@ public record DeviceEvents(
         this(sendable, spontaneous, Map.of(), Set.of(), Set.of(), Map.of());
     }
 
-    /** The same with what {@code original} itself declares to be the device's own, its time triggers among that. */
+    /**
+     * A copy that includes the events that {@code original} declares to be the device's own, such as its time triggers.
+     */
     public DeviceEvents declaredBy(StateMachine original) {
         Set<Event> all = new LinkedHashSet<>(spontaneous);
         all.addAll(original.spontaneous());
@@ -82,22 +85,22 @@ public record DeviceEvents(
         return left;
     }
 
-    /** The same with other costs. */
+    /** A copy with other costs. */
     public DeviceEvents withCosts(Map<Event, Integer> newCosts) {
         return new DeviceEvents(sendable, spontaneous, newCosts, doNotPass, boundGuards, onFailure);
     }
 
-    /** The same with other states that must not be passed. */
+    /** A copy with other states that must not be passed. */
     public DeviceEvents withDoNotPass(Set<State> states) {
         return new DeviceEvents(sendable, spontaneous, costs, states, boundGuards, onFailure);
     }
 
-    /** The same with other guards that can be asked. */
+    /** A copy with other guards that can be evaluated. */
     public DeviceEvents withBoundGuards(Set<String> texts) {
         return new DeviceEvents(sendable, spontaneous, costs, doNotPass, texts, onFailure);
     }
 
-    /** The same with other consequences of steps that fail. */
+    /** A copy with other recoveries from failed steps. */
     public DeviceEvents withOnFailure(Map<State, Map<String, OnFailure>> consequences) {
         return new DeviceEvents(sendable, spontaneous, costs, doNotPass, boundGuards, consequences);
     }

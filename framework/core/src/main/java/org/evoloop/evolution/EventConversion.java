@@ -17,12 +17,12 @@ import org.jspecify.annotations.Nullable;
 /**
  * The paper's Algorithm 1 as a pure function of the pair, both current states and the occurrence.
  *
- * <p>Where the paper leaves a question open: the original model moves along the events that are really sent (line 9
- * moves it by the incoming event, which it may not know); an occurrence that the device has already acted on moves it
- * first; and an event that is declared to be the device's own and cannot be sent is one that the device took itself. An event
- * that comes under a guard is the original's event of the same guard, else the original's event without one.
+ * <p>Where the paper leaves a question open: the original model moves by the events actually sent (line 9 moves it by
+ * the incoming event, which it may not know); an occurrence on which the device has already acted moves it first; and
+ * an event that is declared to be the device's own and cannot be sent was taken by the device itself. An event with a
+ * guard is the original's event with the same guard, else the original's event without one.
  *
- * <p>Threading: not thread-safe; its path planner remembers what it has searched.
+ * <p>Threading: not thread-safe; its path planner caches its searches.
  */
 final class EventConversion {
     private final ModelPair pair;
@@ -45,11 +45,11 @@ final class EventConversion {
     }
 
     /**
-     * What a state of the new model is to the device.
+     * What a state of the new model corresponds to in the device.
      *
-     * @param goals the device's states that it is; none for a new state
-     * @param together where both models stand once the device is in the first goal: most decisions end in it, and one
-     *     object for all of them is found sooner than equal ones; null for a new state
+     * @param goals the corresponding states of the device; none for a new state
+     * @param together the configuration once the device is in the first goal: most decisions end in it, and one shared
+     *     object is looked up faster than equal ones; null for a new state
      */
     private record Target(
             State state, List<State> goals, @Nullable Configuration together) {
@@ -65,7 +65,7 @@ final class EventConversion {
         }
     }
 
-    /** Whether {@code state} is one that only the new model has. */
+    /** Whether only the new model has {@code state}. */
     boolean isNew(State state) {
         return target(state).goals().isEmpty();
     }
@@ -80,7 +80,7 @@ final class EventConversion {
         return unsendable.contains(trigger);
     }
 
-    /** What {@code event} means in {@code before}. */
+    /** The decision for {@code event} in {@code before}. */
     Decision decide(Configuration before, Event event, boolean deviceActed) {
         return decide(
                 before,
@@ -91,9 +91,9 @@ final class EventConversion {
     }
 
     /**
-     * The same with both transitions looked up already.
+     * As the other method, with both transitions already looked up.
      *
-     * @param transition of the new model on the event
+     * @param transition the new model's transition on the event
      * @param same see {@link #originalTransition}
      */
     Decision decide(
@@ -138,8 +138,8 @@ final class EventConversion {
     }
 
     /**
-     * @param steps the device's own of this decision, which come before the way
-     * @param done all that the device has done about the event by itself, whose effects need not be run
+     * @param steps the device's own steps of this decision, which precede the path
+     * @param done all steps that the device took on the event by itself, whose effects need not be run
      */
     private static Decision existing(
             Configuration before,
@@ -218,7 +218,7 @@ final class EventConversion {
                 : existing(existing.before(), own, own, way, existing.transition(), target);
     }
 
-    /** Whatever becomes of it, the event has failed. */
+    /** Whether or not the device gets back, the event has failed. */
     private static Decision goBack(Configuration at, BrokenPlan broken, PathPlanner planner) {
         List<Step> way =
                 planner.shortestPath(at.original(), List.of(broken.begun())).orElse(null);
@@ -257,13 +257,16 @@ final class EventConversion {
                 : original.transition(source, event.trigger()).orElse(null);
     }
 
-    /** The incoming event itself if it leads to one of {@code goals}, even from a state to itself; else the shortest way. */
+    /**
+     * The incoming event itself if it leads to one of {@code goals}, even from a state to itself; else the shortest
+     * path.
+     */
     private Optional<List<Step>> wayFor(State original, @Nullable Transition same, List<State> goals) {
         Step direct = same == null || !goals.contains(same.target()) ? null : planner.stepOver(same);
         return direct == null ? planner.shortestPath(original, goals) : Optional.of(List.of(direct));
     }
 
-    /** What the new model's transition asks for and the device does not do by itself on its way. */
+    /** The effects of the new model's transition that the device does not run by itself in {@code steps}. */
     private static List<String> effectsLeft(Transition transition, List<Step> steps) {
         if (transition.effects().isEmpty()) {
             return List.of();

@@ -7,7 +7,7 @@ import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.Names;
 
 /**
- * The events that a converter of two models can hear of; all others are unknown to it.
+ * The events that a converter of two models knows; it refuses or ignores all others.
  *
  * <p>Threading: immutable.
  *
@@ -16,12 +16,12 @@ import org.evoloop.statemachine.Names;
 public final class EventNames {
     private final Map<String, Event> known = new HashMap<>();
 
-    /** Those of {@code events}. */
+    /** The names of {@code events}. */
     public EventNames(Set<Event> events) {
         events.forEach(this::add);
     }
 
-    /** Those of both models. */
+    /** The events of both models. */
     public static EventNames of(ModelPair pair) {
         EventNames names = new EventNames(pair.evolved().events());
         pair.original().events().forEach(names::add);
@@ -32,13 +32,15 @@ public final class EventNames {
         known.put(event.name(), event.trigger());
     }
 
-    /** The event of this name, the same object each time if it is known: a new one would be garbage in every event. */
+    /**
+     * The event of this name; for a known one always the same object, since a new one would be garbage in every event.
+     */
     public Event named(String name) {
         Event event = known.get(name);
         return event == null ? new Event(name) : event;
     }
 
-    /** Whether {@code event} is one of them, whatever its guards. */
+    /** Whether {@code event} is known, whatever its guards. */
     public boolean knows(Event event) {
         return known.containsKey(event.name());
     }
@@ -48,7 +50,10 @@ public final class EventNames {
         return "unknown event " + Names.shown(event.name()) + Names.hint(event.name(), known.keySet());
     }
 
-    /** Refuses an event that is not known. @throws IllegalArgumentException if neither model knows {@code event}; the message tells the nearest names */
+    /**
+     * Refuses an event that is not known. @throws IllegalArgumentException if neither model knows {@code event}; the
+     * message lists the most similar names
+     */
     public void require(Event event) {
         if (!knows(event)) {
             throw new IllegalArgumentException(unknown(event));

@@ -6,19 +6,19 @@ import org.evoloop.statemachine.Transition;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What follows when one step of a plan fails, as {@link DeviceEvents#onFailure(Transition)} asks for.
+ * The recovery from one failed step of a plan, as configured by {@link DeviceEvents#onFailure(Transition)}.
  *
  * <p>Threading: immutable.
  *
  * @param failed the step
- * @param then what was asked for
- * @param way what is sent then; null if nothing that can be sent leads there
+ * @param then the configured recovery
+ * @param way the steps sent then; null if no events that can be sent lead there
  * @since 0.1
  */
 public record Fallback(
         Step failed, OnFailure then, @Nullable List<Step> way) {
 
-    /** Those of a plan, in the order of its steps; none where the device simply stays. */
+    /** The fallbacks of a plan, in the order of its steps; none where the device simply stays. */
     public static List<Fallback> of(DecisionTable table, Decision decision) {
         Transition transition = decision.transition();
         OnFailure then = transition == null ? OnFailure.STAY : table.device().onFailure(transition);

@@ -15,7 +15,7 @@ import org.evoloop.statemachine.Transition;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Which transition counts where guards decide: of those of one state with the same trigger, the first as drawn whose
+ * Chooses among transitions by their guards: of those of one state with the same trigger, the first as drawn whose
  * guards all hold.
  *
  * <p>Threading: immutable. Nothing is allocated for states and triggers without guards.
@@ -23,10 +23,12 @@ import org.jspecify.annotations.Nullable;
  * @since 0.1
  */
 public final class GuardedTriggers {
-    /** Only triggers that carry a guard somewhere in the state; the transitions in the order in which they are tried. */
+    /**
+     * Only triggers with a guard on some transition of the state; the transitions in the order in which they are tried.
+     */
     private final Map<State, Map<Event, List<Transition>>> guarded = new HashMap<>();
 
-    /** Finds the triggers of this machine. */
+    /** Finds the guarded triggers of this machine. */
     public GuardedTriggers(StateMachine machine) {
         if (machine.guards().isEmpty()) {
             return;
@@ -51,10 +53,10 @@ public final class GuardedTriggers {
     }
 
     /**
-     * The event, with its guards, that {@code trigger} is in {@code state} now.
+     * {@code trigger} with the guards of the transition that it takes in {@code state} now.
      *
      * @param holds whether the condition of this text holds
-     * @return {@code trigger} itself where no guard is drawn for it; null if a guard is drawn and nothing holds
+     * @return {@code trigger} itself where no guard is drawn for it; null if guards are drawn and none holds
      */
     public @Nullable Event resolve(State state, Event trigger, Predicate<String> holds) {
         Map<Event, List<Transition>> byTrigger = guarded.get(state);
@@ -70,7 +72,10 @@ public final class GuardedTriggers {
         return null;
     }
 
-    /** The guards that decide whether {@code transition} counts: its own, and those of the ones tried before it. */
+    /**
+     * The guards that decide whether {@code transition} is taken: its own, and those of the transitions tried before
+     * it.
+     */
     Set<String> conditionsOf(Transition transition) {
         List<Transition> candidates = candidatesWith(transition);
         if (candidates.isEmpty()) {
@@ -87,7 +92,7 @@ public final class GuardedTriggers {
     }
 
     /**
-     * The transition that is tried before {@code transition} and always counts when that would; null if there is none, so
+     * A transition that is tried before {@code transition} and is always taken in its place; null if there is none, so
      * that {@code transition} can be taken.
      */
     public @Nullable Transition shadowOf(Transition transition) {

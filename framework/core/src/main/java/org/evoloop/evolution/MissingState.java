@@ -12,7 +12,7 @@ import org.evoloop.statemachine.StateMachine;
  *
  * <p>Threading: immutable.
  *
- * @param instead what the new model has in its place, at most {@value #LISTED} of it; empty if {@link Matter#ABSENT}
+ * @param instead what the new model has in its place, at most {@value #LISTED} items; empty if {@link Matter#ABSENT}
  * @since 0.1
  */
 public record MissingState(State state, Matter matter, List<State> instead) implements ModelPair.Violation {
@@ -22,9 +22,9 @@ public record MissingState(State state, Matter matter, List<State> instead) impl
         instead = List.copyOf(instead);
     }
 
-    /** What the matter is. */
+    /** The reason why the state is missing. */
     public enum Matter {
-        /** It is drawn beside another region, so that it is active together with states of that. */
+        /** It is drawn beside another region, so that it is active together with states of that region. */
         BESIDE_REGION(
                 "draw what is new as states of its own, outside of the device's: states of two regions at once are no"
                         + " states of the device"),
@@ -34,7 +34,7 @@ public record MissingState(State state, Matter matter, List<State> instead) impl
         AMBIGUOUS("leave it where it is in the original model, or give the others other names"),
         /** Only the spelling differs. */
         SPELLED("write it as in the original model, capital letters and blanks included"),
-        /** Nothing is like it. */
+        /** No state resembles it. */
         ABSENT("draw it there under the same name, capital letters included");
 
         private final String mend;
@@ -43,13 +43,13 @@ public record MissingState(State state, Matter matter, List<State> instead) impl
             this.mend = mend;
         }
 
-        /** What its author can do. */
+        /** How the model's author can fix it. */
         public String mend() {
             return mend;
         }
     }
 
-    /** @param state of the device, of which {@code evolved} has none of the same name */
+    /** @param state a state of the device for which {@code evolved} has no state of the same name */
     static MissingState of(State state, StateMachine original, StateMachine evolved) {
         List<String> wanted = original.paths(state);
         for (Matter matter : Matter.values()) {

@@ -10,17 +10,17 @@ import org.evoloop.statemachine.StateMachine;
 
 /**
  * The two models of an evolution: the device as it is and the device as its owner wants it (the paper's Sys_o and
- * Sys_n). What the paper calls new is called evolved in code, where {@code new} is a word of the language.
+ * Sys_n). The paper's "new" is called "evolved" in code, where {@code new} is a keyword.
  *
  * <p>Threading: immutable.
  *
  * @param original what the device does by itself
- * @param evolved what device and converter are to do together
+ * @param evolved what device and converter do together
  * @since 0.1
  */
 public record ModelPair(StateMachine original, StateMachine evolved) {
     /**
-     * States that are drawn in the same place get the same name, whatever else their machines have.
+     * Gives states that are drawn in the same place the same name, whatever other states their machines have.
      *
      * @throws NullPointerException if one of them is null; the message says which
      */
@@ -60,7 +60,7 @@ public record ModelPair(StateMachine original, StateMachine evolved) {
     }
 
     /**
-     * Refuses a pair that is no evolution.
+     * Refuses a pair that is not an evolution.
      *
      * @throws ModelException naming every violation of Conditions 1 and 2, and both initial states if they differ
      */
@@ -79,14 +79,14 @@ public record ModelPair(StateMachine original, StateMachine evolved) {
         }
     }
 
-    /** Where both machines start. */
+    /** The initial states of both machines. */
     public Configuration initial() {
         return new Configuration(original.initial(), evolved.initial());
     }
 
     /**
-     * The device's states that {@code state} of the new model is: the one of its name, or where a machine remembers
-     * something in them, all that differ from it in that alone. Empty for a new state.
+     * The device's states that correspond to {@code state} of the new model: the one of the same name, or all that
+     * differ from it only in the history that a machine remembers. Empty for a new state.
      */
     public List<State> deviceStates(State state) {
         List<State> same = original.alike(state);
@@ -94,15 +94,15 @@ public record ModelPair(StateMachine original, StateMachine evolved) {
     }
 
     /**
-     * The new model's states that {@code state} of the device is, in the order of the new model; none only if the pair is
-     * no evolution.
+     * The new model's states that correspond to {@code state} of the device, in the order of the new model; none only
+     * if the pair is not an evolution.
      */
     public List<State> evolvedStates(State state) {
         List<State> same = evolved.alike(state);
         return same.isEmpty() ? evolved.alike(original.withoutMemory(state)) : same;
     }
 
-    /** Whether {@code state} is one that only the new model has: a function that the converter runs. */
+    /** Whether only the new model has {@code state}: a function that the converter runs. */
     public boolean isNew(State state) {
         return !original.hasAlike(state) && !original.hasAlike(evolved.withoutMemory(state));
     }

@@ -41,13 +41,13 @@ final class Namesakes {
         return byPaths;
     }
 
-    /** Whether they are one state but for what is remembered in it. */
+    /** Whether they are one state except for the remembered history. */
     private static boolean isOne(List<State> states, StateMachine machine) {
         return states.size() == 1
                 || states.stream().map(machine::withoutMemory).distinct().count() == 1;
     }
 
-    /** The name that the device has for it, unless the new model needs that for another state. */
+    /** Uses the device's name for the state, unless the new model needs that name for another state. */
     private void match(List<State> states, List<State> same) {
         State plain = original.withoutMemory(states.get(0));
         State other = evolved.withoutMemory(same.get(0));
@@ -61,7 +61,7 @@ final class Namesakes {
         }
     }
 
-    /** What is remembered follows the name. */
+    /** Renames a state together with its history. */
     private static void rename(List<State> states, State from, State to, Map<State, String> names) {
         names.put(from, to.name());
         for (State state : states) {

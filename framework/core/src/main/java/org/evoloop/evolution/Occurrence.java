@@ -16,29 +16,29 @@ public sealed interface Occurrence {
     /** The visit of an occurrence that no state raised. */
     long ANY_VISIT = 0;
 
-    /** When it was observed, in nanoseconds of the converter's monotonic clock. */
+    /** The time of its observation, in nanoseconds of the converter's monotonic clock. */
     long observedNanos();
 
-    /** What it is called in logs: the event, or what was found. */
+    /** Its name in logs: the event, or the state found. */
     String label();
 
     /** Where it came from. */
     Source source();
 
     /**
-     * Whether it has happened at the device already, so that the device's state has moved before anything is decided. Such a
-     * fact is never refused.
+     * Whether it has already happened at the device, so that the device's state has changed before anything is decided.
+     * Such a fact is never refused.
      */
     boolean isFact();
 
     /**
-     * The visit of a state it belongs to, or {@link #ANY_VISIT}. What was raised during one visit means nothing to the next.
+     * The visit of a state it belongs to, or {@link #ANY_VISIT}. An event raised during one visit is stale in the next.
      */
     default long visit() {
         return ANY_VISIT;
     }
 
-    /** What it carries besides its name. */
+    /** Its values. */
     default Values values() {
         return Values.NONE;
     }
@@ -59,7 +59,7 @@ public sealed interface Occurrence {
             long observedNanos)
             implements Occurrence {
 
-        /** An event that has not moved the device. */
+        /** An event on which the device has not acted. */
         public Heard(Event event, Values values, Source source, long visit, long observedNanos) {
             this(event, values, source, false, Set.of(), visit, observedNanos);
         }
@@ -84,7 +84,7 @@ public sealed interface Occurrence {
     }
 
     /**
-     * The device was found in a state, after it was out of sight or did what its model does not know.
+     * The device was found in a state, after it was unreachable or did something that its model does not describe.
      *
      * @param state a state of the original model
      */
@@ -111,9 +111,9 @@ public sealed interface Occurrence {
     }
 
     /**
-     * A new function has the device do something that the device knows; the new model stays where it is.
+     * A new function sends an event to the device; the new model stays where it is.
      *
-     * @param event of the original model
+     * @param event an event of the original model
      */
     record Asked(Event event, Values values, long visit, long observedNanos) implements Occurrence {
         @Override
@@ -139,7 +139,8 @@ public sealed interface Occurrence {
     }
 
     /**
-     * The converter no longer knows where the device is: whether an event that was sent had its effect, or what came first.
+     * The converter is no longer sure of the device's state: it does not know whether an event that was sent had its
+     * effect, or in which order things happened.
      *
      * @param why for people
      */
@@ -166,7 +167,7 @@ public sealed interface Occurrence {
     }
 
     /**
-     * A property that is watched over time is violated. Nothing has to be done about it.
+     * A property that is watched over time is violated. It needs no handling.
      *
      * @param property its name
      */
@@ -193,7 +194,7 @@ public sealed interface Occurrence {
     }
 
     /**
-     * Other models have taken over, and device and new model do not stand together in them yet.
+     * Other models have taken over, and the states of device and new model are not yet a reachable pair.
      *
      * @param model the name of the new model
      */

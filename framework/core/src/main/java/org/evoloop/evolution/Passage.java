@@ -8,11 +8,11 @@ import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
 
 /**
- * A state of the device that a way leads through.
+ * A state of the device on a path.
  *
  * <p>Threading: immutable.
  *
- * @param effects what the device does for being led through it, as drawn; often nothing
+ * @param effects what the device does on the way through it, as drawn; often nothing
  * @since 0.1
  */
 public record Passage(State state, List<String> effects) {
@@ -20,7 +20,7 @@ public record Passage(State state, List<String> effects) {
         effects = List.copyOf(effects);
     }
 
-    /** The states that the device is led through, in order, without the last. */
+    /** The states through which the device passes, in order, without the last. */
     public static List<Passage> of(Decision decision, StateMachine original) {
         List<Passage> all = new ArrayList<>();
         for (State state : decision.passed()) {

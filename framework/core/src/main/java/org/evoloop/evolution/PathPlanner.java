@@ -11,21 +11,22 @@ import org.evoloop.statemachine.Transition;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The cheapest ways through the original model over events that can be sent (the paper's {@code getEvents}). A way on which
- * a guard decides is taken only if there is none without. Of ways of equal cost the one of fewer events is taken; of those
- * with equally many the one that, in the state where the two part, takes the transition that the model names first.
+ * Finds the cheapest paths through the original model by events that can be sent (the paper's {@code getEvents}). A
+ * path that depends on a guard is taken only if there is none without. Of paths of equal cost, the one with fewer
+ * events is taken; of those with equally many, the one that, where the two diverge, takes the transition listed first
+ * in the model.
  *
- * <p>Threading: not thread-safe; it remembers what it has searched.
+ * <p>Threading: not thread-safe; it caches its searches.
  */
 final class PathPlanner {
-    /** Searches that are kept: configurations of one state of the device are decided near each other. */
+    /** The size of the cache: configurations with the same state of the device are decided close together. */
     private static final int KEPT = 64;
 
     private final StateMachine original;
     private final DeviceEvents device;
     private final GuardedTriggers guards;
     private final List<Transition> avoided;
-    /** The {@link #KEPT} that were asked last. */
+    /** The last {@link #KEPT} searches used. */
     private final Map<State, PathSearch> searches = new LinkedHashMap<>(KEPT, 0.75f, true) {
         @Override
         protected boolean removeEldestEntry(Map.Entry<State, PathSearch> eldest) {
@@ -37,7 +38,7 @@ final class PathPlanner {
         this(original, device, List.of());
     }
 
-    /** @param avoided steps that are not taken */
+    /** @param avoided steps that must not be taken */
     PathPlanner(StateMachine original, DeviceEvents device, List<Step> avoided) {
         this.avoided = avoided.stream().map(Step::transition).toList();
         this.original = original;
@@ -46,8 +47,8 @@ final class PathPlanner {
     }
 
     /**
-     * The steps from {@code source} to the one of {@code goals} to which the cheapest way leads: none if it is one of them,
-     * empty if there is no way.
+     * The steps of the cheapest path from {@code source} to any of {@code goals}: none if it is one of them, empty if
+     * there is no path.
      */
     Optional<List<Step>> shortestPath(State source, List<State> goals) {
         if (goals.contains(source)) {
@@ -70,7 +71,7 @@ final class PathPlanner {
         return original.transitionsFrom(state);
     }
 
-    /** The step over {@code transition} if it can be sent; null if it cannot, or a guard on it cannot be asked. */
+    /** The step along {@code transition} if it can be sent; null if it cannot, or its guard cannot be evaluated. */
     @Nullable
     Step stepOver(Transition transition) {
         if (!device.sendable().contains(transition.event().trigger())
@@ -82,7 +83,7 @@ final class PathPlanner {
         return device.boundGuards().containsAll(conditions) ? new Step(transition, false, !conditions.isEmpty()) : null;
     }
 
-    /** What a step costs; a step that a guard decides costs more than any way without. */
+    /** The cost of a step; a step that depends on a guard costs more than any path without guards. */
     long costOf(Step step) {
         return device.costOf(step.trigger()) + (step.conditional() ? PathSearch.CONDITIONAL : 0);
     }

@@ -11,11 +11,11 @@ import org.evoloop.statemachine.Transition;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Dijkstra's search from one state, as far as it has been asked for: it stops at the target and goes on from there when a
- * farther one is wanted. Ties are broken as {@link PathPlanner} says.
+ * Dijkstra's search from one state, done lazily: it stops at the target and continues from there when a farther one is
+ * requested. Ties are broken as {@link PathPlanner} says.
  */
 final class PathSearch {
-    /** More than a way of a million of the dearest events. */
+    /** More than a path of a million events of the highest cost. */
     static final long CONDITIONAL = 1L << 40;
 
     private final PathPlanner planner;
@@ -24,7 +24,7 @@ final class PathSearch {
     private final Set<State> settled = new HashSet<>();
     private final PriorityQueue<Arrival> frontier = new PriorityQueue<>();
 
-    /** The end of a way. What it came from is settled, so that no better way takes its place. */
+    /** The end of a path. Its predecessor is settled, so no better path replaces it. */
     private record Arrival(
             State state,
             long cost,
@@ -42,7 +42,9 @@ final class PathSearch {
             return order != 0 ? order < 0 : isDrawnBefore(other);
         }
 
-        /** Of two ways of equally many events: whether this one takes the transition drawn first where they part. */
+        /**
+         * Of two paths with equally many events: whether this one takes the transition drawn first where they diverge.
+         */
         private boolean isDrawnBefore(Arrival other) {
             Arrival one = this;
             Arrival two = other;
@@ -60,7 +62,7 @@ final class PathSearch {
         arrive(new Arrival(source, 0, 0, null, null, 0));
     }
 
-    /** The one of {@code goals} to which the cheapest way leads; null if there is no way to any. */
+    /** The one of {@code goals} with the cheapest path; null if there is no path to any. */
     @Nullable
     State nearest(List<State> goals) {
         Arrival nearest = null;
@@ -73,7 +75,7 @@ final class PathSearch {
         return nearest == null ? null : nearest.state;
     }
 
-    /** The last step of the cheapest way to {@code target}; null for the source itself and if there is no way. */
+    /** The last step of the cheapest path to {@code target}; null for the source itself and if there is no path. */
     @Nullable
     Step lastStepTo(State target) {
         while (!settled.contains(target) && !frontier.isEmpty()) {

@@ -19,7 +19,7 @@ public enum Source {
     /** The person who operates the converter. */
     OWNER;
 
-    /** Whether somebody outside operated a control; all else is internal to the evolved system. */
+    /** Whether a person or program outside operated a control; every other source is internal to the evolved system. */
     public boolean isButton() {
         return this == CONTROLLER || this == PANEL;
     }

@@ -6,14 +6,14 @@ import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.Transition;
 
 /**
- * One transition of the original model on the way of a decision.
+ * One transition of the original model in a decision.
  *
  * <p>Threading: immutable.
  *
- * @param transition of the original model; the device carries its effects out
+ * @param transition a transition of the original model; the device runs its effects
  * @param trigger the event without its guards, which is what is sent
  * @param byDevice true if the device took the step itself, so that nothing is sent for it
- * @param conditional whether guards decide that the trigger leads this way; they are asked before it is sent
+ * @param conditional whether guards decide that the trigger takes this transition; they are evaluated before it is sent
  * @since 0.1
  */
 public record Step(Transition transition, Event trigger, boolean byDevice, boolean conditional) {
@@ -21,17 +21,17 @@ public record Step(Transition transition, Event trigger, boolean byDevice, boole
         this(transition, transition.event().trigger(), byDevice, conditional);
     }
 
-    /** Where the device is before. */
+    /** The device's state before. */
     public State source() {
         return transition.source();
     }
 
-    /** What takes it on, with its guards; {@link Event#name} is what is sent. */
+    /** The event, with its guards; {@link Event#name} is what is sent. */
     public Event event() {
         return transition.event();
     }
 
-    /** Where the device is after. */
+    /** The device's state after. */
     public State target() {
         return transition.target();
     }

@@ -7,7 +7,7 @@ import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
 
 /**
- * What is raised by itself in the states of a new model.
+ * The timers of the states of a new model.
  *
  * <p>Threading: a pure function, which any thread may call.
  *
@@ -15,10 +15,10 @@ import org.evoloop.statemachine.StateMachine;
  */
 @FunctionalInterface
 public interface Timers {
-    /** Every event that is raised by itself in {@code state}, and after how long. */
+    /** The timer events of {@code state}, with their delays. */
     Map<Event, Duration> of(State state);
 
-    /** Those that are drawn in {@code machine}. */
+    /** The timers drawn in {@code machine}. */
     static Timers drawnIn(StateMachine machine) {
         return machine::timers;
     }

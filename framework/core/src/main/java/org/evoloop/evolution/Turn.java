@@ -3,12 +3,12 @@ package org.evoloop.evolution;
 import org.evoloop.statemachine.Event;
 
 /**
- * One thing that can happen in a configuration, and what comes of it.
+ * An event that can come in a configuration, and the decision on it.
  *
  * <p>Threading: immutable.
  *
- * @param event with the guards under which it comes
- * @param deviceActed whether the device has acted on it before anything was decided, although it could have been asked to
+ * @param event the event, with the guards under which it comes
+ * @param deviceActed whether the device acted on it before anything was decided, although it could have been sent
  * @since 0.1
  */
 public record Turn(Event event, boolean deviceActed, Decision decision) {

@@ -5,28 +5,28 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * What an event carries besides its name, such as a temperature or a time of day: texts, numbers and truths by name.
+ * The values that an event carries, such as a temperature or a time of day: strings, numbers and booleans by name.
  *
  * <p>Threading: immutable.
  *
- * @param byName in the order of the names; each a {@link String}, {@link Double} or {@link Boolean}
+ * @param byName the values in the order of their names; each a {@link String}, {@link Double} or {@link Boolean}
  * @since 0.1
  */
 public record Values(Map<String, Object> byName) {
-    /** No values at all. */
+    /** No values. */
     public static final Values NONE = new Values(Map.of());
 
-    /** How many an event can carry. */
+    /** The largest number of values of an event. */
     public static final int MOST = 64;
 
-    /** How many characters the names and the texts may have in all. */
+    /** The largest total length of names and strings, in characters. */
     public static final int MOST_CHARACTERS = 16_384;
 
     /**
-     * Since events wait, are remembered and are kept in journals, what they carry is bounded.
+     * Values are bounded, since events are queued, remembered and recorded in journals.
      *
-     * @throws IllegalArgumentException if a value is neither a text, a number nor a truth, or they are more than {@value #MOST}
-     *     or longer than {@value #MOST_CHARACTERS} characters in all
+     * @throws IllegalArgumentException if a value is neither a string, a number nor a boolean, or there are more than
+     *     {@value #MOST}, or they are longer than {@value #MOST_CHARACTERS} characters in all
      */
     public Values {
         requireFew(byName);
@@ -61,12 +61,12 @@ public record Values(Map<String, Object> byName) {
                 + value.getClass().getSimpleName() + "; allowed are texts, numbers and true or false");
     }
 
-    /** One value. @throws IllegalArgumentException if it is neither a text, a number nor a truth */
+    /** One value. @throws IllegalArgumentException if it is neither a string, a number nor a boolean */
     public static Values of(String name, Object value) {
         return new Values(Map.of(name, value));
     }
 
-    /** These and one more, or another in its place. */
+    /** A copy with this value added or replaced. */
     public Values with(String name, Object value) {
         TreeMap<String, Object> more = new TreeMap<>(byName);
         more.put(name, value);
@@ -83,12 +83,12 @@ public record Values(Map<String, Object> byName) {
         return require(name, Double.class);
     }
 
-    /** A text. @throws IllegalArgumentException if there is no text of that name */
+    /** A string. @throws IllegalArgumentException if there is no string of that name */
     public String text(String name) {
         return require(name, String.class);
     }
 
-    /** Whether something is so. @throws IllegalArgumentException if nothing of that name is true or false */
+    /** A boolean. @throws IllegalArgumentException if there is no boolean of that name */
     public boolean truth(String name) {
         return require(name, Boolean.class);
     }

@@ -1,7 +1,7 @@
 /**
  * The evolution of a device: the pair of its original and its new state machine model, and every decision about it as
- * pure functions (paper, sections IV and V). One core serves all callers: the running loop looks decisions up in the
- * {@link org.evoloop.evolution.DecisionTable}, the checks at design time read the same table's problems.
+ * pure functions (paper, sections IV and V). All callers share them: the running loop looks decisions up in the {@link
+ * org.evoloop.evolution.DecisionTable}, and the checks at design time read the same table's problems.
  *
  * <p>This package may use {@code org.evoloop.statemachine} only. It knows no threads, clocks or files.
  */

@@ -9,7 +9,7 @@ import org.evoloop.statemachine.Transition;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a decision is called, and how one is made of its parts again, wherever decisions are written down.
+ * The kinds of decisions: their names in texts, and how a decision is rebuilt from its parts.
  *
  * @since 0.1
  */
@@ -31,7 +31,7 @@ public enum DecisionKind {
     /** {@link Decision.Impossible}. */
     IMPOSSIBLE;
 
-    /** As it is written: {@code existing-function}. */
+    /** Its name in texts: {@code existing-function}. */
     public String word() {
         return name().toLowerCase(Locale.ROOT).replace('_', '-');
     }
@@ -54,7 +54,7 @@ public enum DecisionKind {
         return decision instanceof Decision.Refused ? REFUSED : IMPOSSIBLE;
     }
 
-    /** Why nothing comes of it; empty for kinds that have no reason. */
+    /** Why the decision has no effect; empty for kinds that have no reason. */
     public static String reasonOf(Decision decision) {
         if (decision instanceof Decision.Refused refused) {
             return refused.reason();
@@ -62,7 +62,7 @@ public enum DecisionKind {
         return decision instanceof Decision.Impossible impossible ? impossible.reason() : "";
     }
 
-    /** Whether such a decision is nothing without a transition of the new model. */
+    /** Whether such a decision needs a transition of the new model. */
     public boolean needsTransition() {
         return this == EXISTING_FUNCTION || this == NEW_FUNCTION;
     }

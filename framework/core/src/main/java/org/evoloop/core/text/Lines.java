@@ -3,14 +3,14 @@ package org.evoloop.core.text;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The lines of a text, read one after the other, word by word, where they stand: nothing is copied but what is asked for. */
+/** The lines of a text, read one after another, word by word, in place: only requested words are copied. */
 final class Lines {
     private static final int DECIMAL = 10;
 
     private final String text;
     private int number;
 
-    /** Where the line begins and ends, and how far it was read. */
+    /** Where the line begins and ends, and how far it has been read. */
     private int begin;
 
     private int end;
@@ -31,7 +31,7 @@ final class Lines {
         return wrong(what + "; the text is damaged, use another copy or begin without it");
     }
 
-    /** Goes on to the next line, which must begin with {@code first}. */
+    /** Advances to the next line, which must begin with {@code first}. */
     void next(String first) {
         goOn();
         int to = wordEnd(begin);
@@ -41,7 +41,7 @@ final class Lines {
         place = to;
     }
 
-    /** Goes on to the next line, and returns how it begins. */
+    /** Advances to the next line, and returns its first word. */
     String next() {
         goOn();
         return word();
@@ -70,14 +70,14 @@ final class Lines {
         return at;
     }
 
-    /** The line must have been read to its end. */
+    /** Requires the line to be read completely. */
     void ends() {
         if (place < end) {
             throw damaged("'" + text.substring(place, end).strip() + "' is too much");
         }
     }
 
-    /** Nothing must follow. */
+    /** Requires the text to end here. */
     void endsAll() {
         ends();
         if (next < text.length()) {
@@ -90,7 +90,7 @@ final class Lines {
         return place + 1 < end && text.charAt(place) == ' ' && text.charAt(place + 1) == '"';
     }
 
-    /** A word without quotes. */
+    /** Reads a word without quotes. */
     String word() {
         int from = wordBegin();
         place = wordEnd(from);
@@ -108,7 +108,7 @@ final class Lines {
         return place + 1;
     }
 
-    /** One of two words: whether it is {@code yes}. */
+    /** Reads one of two words: whether it is {@code yes}. */
     boolean choice(String yes, String no) {
         String word = word();
         if (!word.equals(yes) && !word.equals(no)) {
@@ -131,7 +131,7 @@ final class Lines {
         return damaged("a number was expected, not '" + word + "'");
     }
 
-    /** The number that {@code word} is. */
+    /** Parses {@code word} as a number. */
     long numberIn(String word) {
         try {
             return Long.parseLong(word);
@@ -140,7 +140,7 @@ final class Lines {
         }
     }
 
-    /** How many there are of something, which may be very many. */
+    /** Reads a count that may be very large. */
     long total() {
         long total = number();
         if (total < 0) {
@@ -149,12 +149,12 @@ final class Lines {
         return total;
     }
 
-    /** How many there are of something. */
+    /** Reads a count. */
     int count() {
         return counted(number());
     }
 
-    /** The count that {@code word} is. */
+    /** Parses {@code word} as a count. */
     int countIn(String word) {
         return counted(numberIn(word));
     }
@@ -166,7 +166,7 @@ final class Lines {
         return (int) count;
     }
 
-    /** A text in quotes. */
+    /** Reads a text in quotes. */
     String text() {
         if (!isQuotedNext()) {
             throw damaged("a text in quotes was expected");
@@ -212,7 +212,7 @@ final class Lines {
         return plain.toString();
     }
 
-    /** Several texts, their count first. */
+    /** Reads several texts, their count first. */
     List<String> texts() {
         int count = count();
         List<String> texts = new ArrayList<>();

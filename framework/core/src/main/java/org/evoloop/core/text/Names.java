@@ -7,7 +7,7 @@ import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.Transition;
 
-/** Looks up in the models what the next words of a line name. */
+/** Looks up the model elements named by the next words of a line. */
 final class Names {
     private final ModelPair models;
     private final Lines lines;

@@ -10,7 +10,7 @@ import org.evoloop.evolution.Source;
 import org.evoloop.evolution.Values;
 import org.evoloop.statemachine.Event;
 
-/** Reads the lines of occurrences. An event need not be one of the models: any may have been told. */
+/** Reads the lines of occurrences. An event need not be one of the models': any may have been reported. */
 final class OccurrenceReader {
     private final Lines lines;
     private final Names names;

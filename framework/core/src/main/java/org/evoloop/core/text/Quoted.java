@@ -2,7 +2,7 @@ package org.evoloop.core.text;
 
 import java.util.Locale;
 
-/** Texts of any characters, which stand in quotes. */
+/** Quoted texts of any characters. */
 final class Quoted {
     private Quoted() {}
 

@@ -1,8 +1,8 @@
 package org.evoloop.core.text;
 
 /**
- * A text is no snapshot that can be gone on with. The message names the line, what is wrong there, and what to do; it needs
- * no stack trace.
+ * A text is not a snapshot from which a core can continue. The message names the line, what is wrong there, and what to
+ * do; it needs no stack trace.
  *
  * @since 0.1
  */

@@ -24,7 +24,7 @@ import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.Transition;
 import org.jspecify.annotations.Nullable;
 
-/** Reads what {@link SnapshotWriter} writes, line by line in the same order. */
+/** Reads the text that {@link SnapshotWriter} writes, line by line in the same order. */
 final class SnapshotReader {
     private final Lines lines;
     private final Names names;
@@ -69,7 +69,7 @@ final class SnapshotReader {
         }
     }
 
-    /** {@code value}, which the last word of its line was. */
+    /** Returns {@code value} after checking that its line has ended. */
     private <T> T ended(T value) {
         lines.ends();
         return value;
@@ -117,7 +117,7 @@ final class SnapshotReader {
         return transition;
     }
 
-    /** Whether {@code none} stands in place of what begins with a name. */
+    /** Whether the line says {@code none} instead of a name. */
     private boolean isNone() {
         if (lines.isQuotedNext()) {
             return false;

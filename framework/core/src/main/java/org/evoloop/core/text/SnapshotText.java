@@ -4,20 +4,20 @@ import org.evoloop.core.Rules;
 import org.evoloop.core.Snapshot;
 
 /**
- * Snapshots as text: one thing in a line, words and numbers bare, names in quotes. The same snapshot gives the same text.
+ * Snapshots as text: one item per line, words and numbers bare, names in quotes. The same snapshot gives the same text.
  *
  * <p>States and transitions are written by name and looked up again, so that a text outlives the models' objects, and
- * models that were changed meanwhile are noticed where that matters. Texts of another version are refused.
+ * relevant changes of the models are detected. Texts of another version are refused.
  *
  * <p>Threading: thread-safe.
  *
  * @since 0.1
  */
 public final class SnapshotText {
-    /** How the first line begins; the version follows. */
+    /** The first word of the first line; the version follows. */
     static final String TITLE = "evoloop-snapshot";
 
-    /** The version that is written and read. */
+    /** The version of the format. */
     public static final int VERSION = 2;
 
     private SnapshotText() {}
@@ -28,10 +28,11 @@ public final class SnapshotText {
     }
 
     /**
-     * The snapshot that a text describes.
+     * Parses a snapshot.
      *
-     * @param rules whose models have the states and transitions that are named
-     * @throws SnapshotException if it is no such text, of another version, or names what the models do not have
+     * @param rules the rules, with the models to which the named states and transitions belong
+     * @throws SnapshotException if it is not such a text, is of another version, or names something that the models do
+     *     not have
      */
     public static Snapshot read(Rules rules, String text) {
         return new SnapshotReader(rules.table().models(), new Lines(text)).read();

@@ -18,9 +18,9 @@ import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.Transition;
 import org.jspecify.annotations.Nullable;
 
-/** Writes what {@link SnapshotReader} reads, line by line in the same order. */
+/** Writes the text that {@link SnapshotReader} reads, line by line in the same order. */
 final class SnapshotWriter {
-    /** Most snapshots fit. */
+    /** Large enough for most snapshots. */
     private static final int CAPACITY = 512;
 
     private final StringBuilder text = new StringBuilder(CAPACITY);
