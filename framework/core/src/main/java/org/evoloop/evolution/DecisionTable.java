@@ -264,7 +264,7 @@ public final class DecisionTable {
         return decision == null ? ignored.get(situation) : decision;
     }
 
-    /** As the method for numbers, by the event's name. */
+    /** As {@link #decide(int, int)}, with the event's name. */
     public Decision decide(int situation, String event) {
         return decide(situation, number(event));
     }
@@ -274,7 +274,7 @@ public final class DecisionTable {
         return event < 0 ? situation : asked.after(situation, event);
     }
 
-    /** As the method for numbers, by the event's name. */
+    /** As {@link #after(int, int)}, with the event's name. */
     public int after(int situation, String event) {
         return after(situation, number(event));
     }

@@ -9,14 +9,14 @@ import jdk.jfr.StackTrace;
 import jdk.jfr.Timespan;
 import org.jspecify.annotations.Nullable;
 
-/** An occurrence has come to its end; it lasts from its turn on. */
+/** An occurrence was converted; lasts from the beginning of its turn to its end. */
 @Name("org.evoloop.Conversion")
 @Label("Conversion")
 @Description("An occurrence from its turn in the loop to its end")
 @Category("Evoloop")
 @StackTrace(false)
 public final class ConversionEvent extends Event {
-    /** Tells whether somebody records; one made for each question would be garbage. */
+    /** Used to ask whether a recording is running; a new one for each question would be garbage. */
     private static final ConversionEvent PROBE = new ConversionEvent();
 
     @Label("Converter")
@@ -52,7 +52,7 @@ public final class ConversionEvent extends Event {
 
     private ConversionEvent() {}
 
-    /** It has its turn; null if nobody records. */
+    /** The occurrence has its turn; null if no recording is running. */
     public static @Nullable ConversionEvent begun() {
         if (!PROBE.isEnabled()) {
             return null;
@@ -65,16 +65,16 @@ public final class ConversionEvent extends Event {
     /**
      * It was decided.
      *
-     * @param nanos from its being observed
+     * @param nanos the time since it was observed
      */
     public void decided(long nanos) {
         decidedAfter = nanos;
     }
 
     /**
-     * It has come to its end.
+     * The occurrence has ended.
      *
-     * @param event what {@link #begun} has returned
+     * @param event the result of {@link #begun}
      */
     public static void ended(
             @Nullable ConversionEvent event,

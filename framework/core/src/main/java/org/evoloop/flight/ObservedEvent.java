@@ -8,14 +8,14 @@ import jdk.jfr.Name;
 import jdk.jfr.StackTrace;
 import org.jspecify.annotations.Nullable;
 
-/** A converter has been told of an occurrence. */
+/** An occurrence was reported to a converter. */
 @Name("org.evoloop.Observed")
 @Label("Observed")
 @Description("An occurrence has come to a converter")
 @Category("Evoloop")
 @StackTrace(false)
 public final class ObservedEvent extends Event {
-    /** Tells whether somebody records; one made for each question would be garbage. */
+    /** Used to ask whether a recording is running; a new one for each question would be garbage. */
     private static final ObservedEvent PROBE = new ObservedEvent();
 
     @Label("Converter")
@@ -33,7 +33,7 @@ public final class ObservedEvent extends Event {
 
     private ObservedEvent() {}
 
-    /** Records it, if somebody does. */
+    /** Records the event, if a recording is running. */
     public static void record(String converter, Object occurrence, String admission) {
         if (PROBE.isEnabled()) {
             ObservedEvent event = new ObservedEvent();

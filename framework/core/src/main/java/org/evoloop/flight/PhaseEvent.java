@@ -15,7 +15,7 @@ import org.jspecify.annotations.Nullable;
 @Category("Evoloop")
 @StackTrace(false)
 public final class PhaseEvent extends Event {
-    /** Tells whether somebody records; one made for each question would be garbage. */
+    /** Used to ask whether a recording is running; a new one for each question would be garbage. */
     private static final PhaseEvent PROBE = new PhaseEvent();
 
     @Label("Loop")
@@ -36,7 +36,7 @@ public final class PhaseEvent extends Event {
 
     private PhaseEvent() {}
 
-    /** The call begins; null if nobody records. */
+    /** The call begins; null if no recording is running. */
     public static @Nullable PhaseEvent begun() {
         if (!PROBE.isEnabled()) {
             return null;
@@ -49,7 +49,7 @@ public final class PhaseEvent extends Event {
     /**
      * The call has returned, or thrown.
      *
-     * @param event what {@link #begun} has returned
+     * @param event the result of {@link #begun}
      */
     public static void ended(@Nullable PhaseEvent event, String loop, String phase, String component, Object input) {
         if (event != null && event.shouldCommit()) {

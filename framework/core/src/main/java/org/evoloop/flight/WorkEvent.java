@@ -15,7 +15,7 @@ import org.jspecify.annotations.Nullable;
 @Category("Evoloop")
 @StackTrace(false)
 public final class WorkEvent extends Event {
-    /** Tells whether somebody records; one made for each question would be garbage. */
+    /** Used to ask whether a recording is running; a new one for each question would be garbage. */
     private static final WorkEvent PROBE = new WorkEvent();
 
     /** What was done. */
@@ -41,7 +41,7 @@ public final class WorkEvent extends Event {
 
     private WorkEvent() {}
 
-    /** It begins; null if nobody records. */
+    /** The work begins; null if no recording is running. */
     public static @Nullable WorkEvent begun() {
         if (!PROBE.isEnabled()) {
             return null;
@@ -52,9 +52,9 @@ public final class WorkEvent extends Event {
     }
 
     /**
-     * It is over, however it has ended.
+     * The work has ended, successfully or not.
      *
-     * @param event what {@link #begun} has returned
+     * @param event the result of {@link #begun}
      */
     public static void ended(@Nullable WorkEvent event, String converter, Kind kind, Object what) {
         if (event != null && event.shouldCommit()) {

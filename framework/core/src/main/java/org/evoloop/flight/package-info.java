@@ -1,6 +1,6 @@
 /**
- * Events of Java Flight Recorder (JDK Flight Recorder, package {@code jdk.jfr}): what a loop and a converter do, and how long
- * it takes. As long as nobody records, they cost the look at one flag.
+ * Events of Java Flight Recorder (JDK Flight Recorder, package {@code jdk.jfr}): what a loop and a converter do, and
+ * how long it takes. While no recording is running, they cost one check of a flag.
  *
  * <p>This package uses nothing else of Evoloop, and is not exported: a recording knows the events by their names.
  */

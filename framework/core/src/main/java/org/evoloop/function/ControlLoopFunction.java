@@ -28,7 +28,7 @@ public abstract class ControlLoopFunction<O, A, P> implements NewFunction {
     protected ControlLoopFunction() {}
 
     /**
-     * Reads what a loop monitors.
+     * Reads the value that a loop monitors.
      *
      * @param <O> an occurrence of the loop
      */
@@ -47,13 +47,13 @@ public abstract class ControlLoopFunction<O, A, P> implements NewFunction {
     /**
      * Analyzes or plans.
      *
-     * @param <I> what comes in
-     * @param <R> what comes of it
+     * @param <I> the input
+     * @param <R> the result
      */
     @FunctionalInterface
     public interface Transformation<I, R> {
         /**
-         * What comes of {@code input}.
+         * The result for {@code input}.
          *
          * @return null if there is nothing to do, which ends the cycle
          * @throws Exception any failure: it is reported, and this cycle ends here
@@ -78,20 +78,20 @@ public abstract class ControlLoopFunction<O, A, P> implements NewFunction {
     }
 
     /**
-     * A small loop as four functions: it reads the sensor when the state is entered and once a period from then on. A
-     * thermostat, say:
+     * A small loop made of four functions: it reads the sensor when the state is entered and then once a period. For
+     * example, a thermostat:
      *
      * <pre>{@code
      * function("Heating", ControlLoopFunction.every(Duration.ofSeconds(10),
      *         () -> thermometer.celsius(), celsius -> 21 - celsius, gap -> gap > 0.5, on -> heater.set(on)));
      * }</pre>
      *
-     * <p>Threading: each of the four is called on the thread of its component, {@code sensor} also while the others work; in a
-     * converter without threads all on that which lets time pass.
+     * <p>Threading: each of the four is called on the thread of its component, {@code sensor} also while the others
+     * work; in a converter without threads, all are called on the thread that advances the clock.
      *
-     * @param period of the converter's clock, more than 0
-     * @param analyze what a reading means
-     * @param plan what is to be done about it
+     * @param period in the converter's time, more than 0
+     * @param analyze interprets a reading
+     * @param plan decides what to do about it
      * @throws IllegalArgumentException if {@code period} is zero, negative, or longer than {@link Clock#LONGEST}
      */
     public static <O, A, P> NewFunction every(
@@ -103,7 +103,7 @@ public abstract class ControlLoopFunction<O, A, P> implements NewFunction {
         return new PeriodicLoop<O, A, P>(period, sensor, analyze, plan, effector);
     }
 
-    /** Adds the components for {@code visit} to {@code loop}, and with {@link Visit#onEnd} what must be cleaned up. */
+    /** Adds the components for {@code visit} to {@code loop}, and registers clean-up with {@link Visit#onEnd}. */
     protected abstract void assemble(MapeLoop<O, A, P> loop, Visit visit) throws Exception;
 
     /**
@@ -127,7 +127,7 @@ public abstract class ControlLoopFunction<O, A, P> implements NewFunction {
         try {
             loop.buildAndStart();
         } catch (IllegalStateException closed) {
-            // The state was left meanwhile, which has closed the loop.
+            // The state was left meanwhile, which closed the loop.
             if (visit.isActive()) {
                 throw closed;
             }

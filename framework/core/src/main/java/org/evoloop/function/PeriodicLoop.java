@@ -9,7 +9,7 @@ import org.evoloop.loop.Plan;
 import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 
-/** A loop that looks once a period, written as four functions; see {@link ControlLoopFunction#every}. */
+/** A loop that reads its sensor once a period, written as four functions; see {@link ControlLoopFunction#every}. */
 final class PeriodicLoop<O, A, P> extends ControlLoopFunction<O, A, P> {
     private final Duration period;
     private final Sensor<? extends O> sensor;
@@ -76,7 +76,7 @@ final class PeriodicLoop<O, A, P> extends ControlLoopFunction<O, A, P> {
         };
     }
 
-    /** Without threads nobody else takes the loop's steps. */
+    /** Without threads, no one else takes the loop's steps. */
     private void stepAfter(Duration delay, MapeLoop<O, A, P> loop, Monitor<O> monitor, Visit visit) {
         visit.after(delay, () -> {
             try {

@@ -7,18 +7,18 @@ import java.math.RoundingMode;
 import java.util.Locale;
 
 /**
- * One thing that is known of a device or of how far a function is, for people and programs: {@code battery 93 %}.
+ * One value describing a device or a function's progress, for people and programs: {@code battery 93 %}.
  *
  * <p>Threading: immutable.
  *
- * @param name what it is, in lower camel case, such as {@code timeLeft}; the key in JSON
+ * @param name its name in lower camel case, such as {@code timeLeft}; the key in JSON
  * @param value a {@link Boolean}, a {@link Long}, a finite {@link Double} or a {@link String}
- * @param unit of a number, such as {@code %} or {@code s}; else empty
+ * @param unit the unit of a number, such as {@code %} or {@code s}; else empty
  * @since 0.1
  */
 public record Reading(String name, Object value, String unit) {
 
-    /** Longer times are shown in minutes, too. */
+    /** Longer times are also shown in minutes. */
     private static final int SHOWN_IN_SECONDS = 120;
 
     /** @throws IllegalArgumentException if the name is empty, or the value of another type or not finite */
@@ -37,12 +37,12 @@ public record Reading(String name, Object value, String unit) {
         }
     }
 
-    /** Whether something is so. */
+    /** A boolean. */
     public static Reading of(String name, boolean value) {
         return new Reading(name, value, "");
     }
 
-    /** A word or two. */
+    /** A short text. */
     public static Reading of(String name, String value) {
         return new Reading(name, value, "");
     }

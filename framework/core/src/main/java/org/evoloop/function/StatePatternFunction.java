@@ -3,7 +3,7 @@ package org.evoloop.function;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A new function whose state is a composite: it passes through sub-states, each a concrete state of the state pattern
+ * A new function whose state is composite: it passes through sub-states, each a concrete state of the state pattern
  * (paper, section V.B).
  *
  * <p>Threading: as {@link NewFunction}; all sub-states of a visit run on its one thread.

@@ -9,21 +9,21 @@ import org.evoloop.time.Clock;
 import org.evoloop.time.TimesOfDay;
 
 /**
- * One stay of the evolved system in a state. What belongs to a visit ends with it: its function, its timers, and the
- * events it has raised that were not handled yet.
+ * One visit of the evolved system to a state. Everything that belongs to a visit ends with it: its function, its
+ * timers, and events that it raised and that have not been handled yet.
  *
  * <p>Threading: all methods may be called from any thread.
  *
  * @since 0.1
  */
 public interface Visit {
-    /** The state that is visited. */
+    /** The visited state. */
     State state();
 
     /** The number of the visit; no two are equal. */
     long number();
 
-    /** The converter's time; durations of a function are durations of this clock. */
+    /** The converter's clock, by which all durations of a function are measured. */
     Clock clock();
 
     /** Whether functions have threads of their own; without, nothing may block. */
@@ -33,9 +33,9 @@ public interface Visit {
     boolean isActive();
 
     /**
-     * Waits until the state is left, which a function's own thread learns by an interrupt.
+     * Waits until the state is left, which interrupts a function's own thread.
      *
-     * @throws IllegalStateException in a converter without threads, which would wait for itself
+     * @throws IllegalStateException in a converter without threads, where it would wait for itself
      */
     void awaitEnd() throws InterruptedException;
 
@@ -49,8 +49,8 @@ public interface Visit {
     void sleep(Duration duration) throws InterruptedException;
 
     /**
-     * Whether the new model has a transition for {@code event} in this state: a function that can end in several ways asks
-     * which of them its owner has drawn.
+     * Whether the new model has a transition for {@code event} in this state: a function that can end in several ways
+     * uses it to find out which of them its owner has drawn.
      */
     boolean accepts(String event);
 
@@ -62,37 +62,37 @@ public interface Visit {
     void raise(String event) throws InterruptedException;
 
     /**
-     * Has the device take {@code event}, which its model must know in the state in which the device is by then, and
-     * continues: the event waits for its turn like all others, and the new model stays in this state. The history shows
-     * what became of it. Nothing happens if the state has been left, or is left first.
+     * Sends {@code event} to the device and continues: the event waits for its turn like all others, and the new model
+     * stays in this state. The device's model must have a transition for it in the state of the device at that time.
+     * The history shows the outcome. Nothing happens if the state has been left, or is left first.
      *
      * @throws InterruptedException if the state is left while this waits for room in the queue
      */
     void send(String event) throws InterruptedException;
 
-    /** Says in a few words how far the function is: as {@link #progress(String, List)}, without readings. */
+    /** Reports the function's progress in a few words: as {@link #progress(String, List)}, without readings. */
     default void progress(String text) {
         progress(text, List.of());
     }
 
     /**
-     * Says how far the function is, in words and numbers: the converter's status shows the last that was said, and the
-     * history where the function was when its state was left. Cheap enough to be called 100 times a second.
+     * Reports the function's progress, in words and numbers. The converter's status shows the last report, and the
+     * history shows the one with which the state was left. Cheap enough to be called 100 times a second.
      *
      * @param text for people, such as {@code looking around}
      * @param readings for people and programs, such as {@code distance 1.25 m}
      */
     void progress(String text, List<Reading> readings);
 
-    /** What was said last; empty if nothing was. */
+    /** The last reported progress; empty if there is none. */
     String progress();
 
-    /** The readings that were given last. */
+    /** The last reported readings. */
     List<Reading> readings();
 
     /**
-     * Ends the function with {@code event}, its last: the event is raised when {@link NewFunction#run} has returned. Only
-     * the first call counts, and none once the state has been left.
+     * Ends the function with {@code event}, which is raised when {@link NewFunction#run} has returned. Only the first
+     * call counts, and none after the state has been left.
      */
     void finish(String event);
 
@@ -104,26 +104,26 @@ public interface Visit {
     void finishAfter(Duration delay, String event);
 
     /**
-     * Runs {@code task} after {@code delay}, unless the state is left first, on a thread that all tasks of this visit share;
-     * in a converter without threads on the clock's, where it must not wait. What it throws is reported like what the
-     * function throws.
+     * Runs {@code task} after {@code delay}, unless the state is left first, on a thread that all tasks of this visit
+     * share, or, in a converter without threads, on the clock's thread, where it must not wait. Its exceptions are
+     * reported like the function's.
      *
-     * @throws IllegalStateException if 10,000 tasks of this visit wait for their time
+     * @throws IllegalStateException if 10,000 tasks of this visit are waiting
      * @throws IllegalArgumentException if {@code delay} is negative, or longer than {@link Clock#LONGEST}
      */
     void after(Duration delay, Runnable task);
 
     /**
-     * Runs {@code task} as {@link #after} does, when the clock on the wall next shows {@code time}, unless the state is left first.
-     * Summer time, a clock that is set and a computer that has slept are dealt with as {@link TimesOfDay} says; what came while
-     * the program did not run is not made up for.
+     * Runs {@code task} as {@link #after} does, when the time of day is next {@code time}, unless the state is left
+     * first. For daylight saving time, a clock that is set and a computer that has slept, see {@link TimesOfDay}; times
+     * that passed while the program was not running are not made up for.
      *
-     * @param zone whose time of day counts
+     * @param zone the time zone of {@code time}
      * @throws IllegalStateException as {@link #after}
      */
     void at(LocalTime time, ZoneId zone, Runnable task);
 
-    /** The same by this computer's time of day. */
+    /** As the method with a zone, in this computer's time zone. */
     default void at(LocalTime time, Runnable task) {
         at(time, ZoneId.systemDefault(), task);
     }
@@ -131,20 +131,20 @@ public interface Visit {
     /** Runs {@code task} every day at {@code time} until the state is left; else as {@link #at(LocalTime, ZoneId, Runnable)}. */
     void daily(LocalTime time, ZoneId zone, Runnable task);
 
-    /** The same by this computer's time of day. */
+    /** As the method with a zone, in this computer's time zone. */
     default void daily(LocalTime time, Runnable task) {
         daily(time, ZoneId.systemDefault(), task);
     }
 
     /**
-     * Ends the function with {@code event} when the clock on the wall next shows {@code time}, unless the state is left or it has
-     * finished before; else as {@link #at(LocalTime, ZoneId, Runnable)}.
+     * Ends the function with {@code event} when the time of day is next {@code time}, unless the state is left or it
+     * has finished before; else as {@link #at(LocalTime, ZoneId, Runnable)}.
      *
      * @throws IllegalArgumentException if neither model knows the event
      */
     void finishAt(LocalTime time, ZoneId zone, String event);
 
-    /** The same by this computer's time of day. */
+    /** As the method with a zone, in this computer's time zone. */
     default void finishAt(LocalTime time, String event) {
         finishAt(time, ZoneId.systemDefault(), event);
     }

@@ -3,23 +3,23 @@ package org.evoloop.loop;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Superclass of the one component that finds out what an occurrence means.
+ * Superclass of the one component that decides what an occurrence means.
  *
- * <p>Threading: {@link #analyze} is called as {@link Component} says, once an occurrence, never while an earlier
- * occurrence is still being planned or executed.
+ * <p>Threading: {@link #analyze} is called as described in {@link Component}, once for each occurrence, never while an
+ * earlier occurrence is still being planned or executed.
  *
  * @param <O> an occurrence
- * @param <A> what it means, what {@link Plan} takes
+ * @param <A> an analysis, the input of {@link Plan}
  * @since 0.1
  */
 public abstract non-sealed class Analyze<O, A> extends Component {
 
-    /** A component that is called like its class. */
+    /** A component named after its class. */
     protected Analyze() {
         this("");
     }
 
-    /** @param name what the console calls it, unique within a loop */
+    /** @param name its name in the console, unique within a loop */
     protected Analyze(String name) {
         super(name);
     }
@@ -30,9 +30,9 @@ public abstract non-sealed class Analyze<O, A> extends Component {
     }
 
     /**
-     * Finds out what {@code occurrence} means.
+     * Decides what {@code occurrence} means.
      *
-     * @return the meaning, or null if there is nothing to do, which ends the cycle
+     * @return the analysis, or null if there is nothing to do, which ends the cycle
      * @throws Exception any failure: it is reported, and this occurrence ends here
      */
     protected abstract @Nullable A analyze(O occurrence) throws Exception;

@@ -7,7 +7,7 @@ import java.util.concurrent.atomic.AtomicLong;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A queue of a fixed capacity, first come first served; what finds it full is lost.
+ * A queue of a fixed capacity, first come first served; an occurrence that finds it full is lost.
  *
  * <p>Threading: as {@link Intake}; monitors that report more than there is room for must not hold up the threads that make
  * room, so {@link #atOnce} takes no lock.
@@ -58,7 +58,7 @@ final class Backlog<O> implements Intake<O> {
         return first ? Admission.FIRST_DROPPED : Admission.DROPPED;
     }
 
-    /** An idle loop has room for the one that it takes at once, even without any queue. */
+    /** An idle loop has room for the occurrence that it takes at once, even with capacity 0. */
     @Override
     public boolean hasRoom() {
         return waiting.size() < Math.max(capacity, busy ? 0 : 1);

@@ -3,14 +3,14 @@ package org.evoloop.loop;
 import java.util.concurrent.locks.LockSupport;
 import org.jspecify.annotations.Nullable;
 
-/** A thread that runs analyze, plan and execute components: the one whose turn it is stands in its slot. */
+/** A thread that runs analyze, plan and execute components: its slot holds the one whose turn it is. */
 final class CarrierThread extends LoopThread {
     private final WaitStrategy waiting;
-    // Volatile fields, not atomic ones: a press seldom comes, and what those go through is interpreted by then.
+    // Volatile fields, not atomic objects: events are rare, so the code of those would still be interpreted.
     private volatile @Nullable StageWorker<?> slot;
     private volatile boolean asleep;
 
-    /** Whether its turn came soon the last time, so that it is worth staying awake. The thread's own. */
+    /** Whether its turn came soon last time, so that it is worth staying awake. Used by the thread itself only. */
     private boolean patient = true;
 
     CarrierThread(Object owner, String name, WaitStrategy waiting) {
@@ -30,7 +30,7 @@ final class CarrierThread extends LoopThread {
         }
     }
 
-    /** Whether the thread might not see by itself what was put into its slot. */
+    /** Whether the thread may be asleep and not see its slot being filled. */
     boolean hasToBeWoken() {
         // The slot was filled before the flag is read; with the same order in maySleep(), one of the two sees the
         // other.
@@ -54,7 +54,7 @@ final class CarrierThread extends LoopThread {
             }
             patient = System.nanoTime() - begun < WaitStrategy.SOON_NANOS;
         }
-        // An interrupt that is still pending was meant for work that was given up, unless the thread itself shall end.
+        // A pending interrupt was meant for work that was given up, unless the thread itself is to end.
         boolean interrupted = Thread.interrupted();
         if (!(interrupted && isRetired())) {
             runGiven();
@@ -65,7 +65,7 @@ final class CarrierThread extends LoopThread {
         return slot == null && !isRetired();
     }
 
-    /** Says that the thread is about to sleep; whether there is still nothing to do. */
+    /** Announces that the thread is about to sleep; returns whether there is still nothing to do. */
     boolean maySleep() {
         asleep = true;
         return isIdle();
@@ -81,7 +81,7 @@ final class CarrierThread extends LoopThread {
         }
     }
 
-    /** Runs what is in the slot, if anything is, and whatever goes on on this thread. */
+    /** Runs the component in the slot, if any, and those that follow it on this thread. */
     void runGiven() {
         StageWorker<?> stage = slot;
         if (stage != null) {
@@ -89,12 +89,12 @@ final class CarrierThread extends LoopThread {
         }
         while (stage != null) {
             stage = stage.runGiven();
-            // One component's interrupt is none of the next one's.
+            // An interrupt of one component must not affect the next.
             Thread.interrupted();
         }
     }
 
-    /** What is left in the slot was given up, for the thread would not have been retired before; so it is not run. */
+    /** Work left in the slot was given up, or the thread would not have been retired; so it is not run. */
     @Override
     void ended() {
         runGiven();

@@ -3,10 +3,10 @@ package org.evoloop.loop;
 import java.util.Objects;
 
 /**
- * What a loop is made of. The methods of a component are called by one thread at a time, and what it did for one call it
- * sees in the next, so a component needs no locks for what it keeps to itself. Which thread that is says the loop's {@link
- * ThreadingModel}; with {@link ThreadingModel#SINGLE_CARRIER} it may be another one after some component was given up, so
- * nothing should be kept by thread.
+ * A component of a loop. Its methods are called by one thread at a time, and each call sees the effects of the previous
+ * one, so a component needs no locks for its private state. The loop's {@link ThreadingModel} determines the thread;
+ * with {@link ThreadingModel#SINGLE_CARRIER} it may change after a component was given up, so do not use thread-local
+ * state.
  *
  * <p>A component may be part of one loop at a time.
  *
@@ -20,7 +20,7 @@ public abstract sealed class Component permits Monitor, Analyze, Plan, Execute {
         MONITOR,
         /** Decides what an event means. */
         ANALYZE,
-        /** Makes the steps. */
+        /** Plans the steps. */
         PLAN,
         /** Carries the steps out. */
         EXECUTE
@@ -35,7 +35,7 @@ public abstract sealed class Component permits Monitor, Analyze, Plan, Execute {
         this.name = !name.isEmpty() ? name : ownName.isEmpty() ? "anonymous" : ownName;
     }
 
-    /** What the console, the logs and the thread call this component; unique within a loop. */
+    /** The name of this component in the console, the logs and the thread's name; unique within a loop. */
     public final String name() {
         return name;
     }

@@ -1,15 +1,15 @@
 package org.evoloop.loop;
 
 /**
- * What is to be known of one component.
+ * The status of one component.
  *
- * <p>Threading: immutable; a picture of one moment.
+ * <p>Threading: immutable; a snapshot of one moment.
  *
  * @param name the component's name
- * @param role its place in the loop
- * @param thread the name of the thread that calls it, which it may share with others, or in which it is stuck; empty in a
+ * @param role its role in the loop
+ * @param thread the name of the thread that calls it, possibly shared with others, or in which it is stuck; empty in a
  *     loop without threads
- * @param activity what it does now: waiting, working, stuck or ended
+ * @param activity its present activity: waiting, working, stuck or ended
  * @param failures how often it has failed
  * @param lastFailure the message of the last failure, empty if there was none
  * @since 0.1
@@ -17,15 +17,15 @@ package org.evoloop.loop;
 public record ComponentStatus(
         String name, Component.Role role, String thread, Activity activity, long failures, String lastFailure) {
 
-    /** What a component does. */
+    /** The activity of a component. */
     public enum Activity {
         /** It waits for work; of a monitor, for something to occur. */
         WAITING,
         /** It works on an occurrence. */
         WORKING,
-        /** It was interrupted and has not returned; exchange it. */
+        /** It was interrupted and has not returned; it should be exchanged. */
         STUCK,
-        /** No thread calls it, or none any more. */
+        /** No thread calls it, or no longer. */
         ENDED
     }
 }

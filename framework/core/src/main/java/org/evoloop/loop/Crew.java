@@ -5,7 +5,7 @@ import org.evoloop.time.OwnedThread;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Which thread carries an occurrence through which component, and who succeeds one that hangs.
+ * Assigns threads to components, and replaces a thread that hangs.
  *
  * <p>Threading: read from any thread; changed under the loop's lock.
  */
@@ -31,7 +31,7 @@ final class Crew {
         return "mapek-" + config.name() + "-" + rest;
     }
 
-    /** What the thread of {@code component} is called if it has one of its own. */
+    /** The name of the thread of {@code component}, if it has one of its own. */
     static String threadName(LoopConfig config, Component component) {
         return threadName(config, component.role().name().toLowerCase(Locale.ROOT) + "-" + component.name());
     }
@@ -44,13 +44,13 @@ final class Crew {
                 : null;
     }
 
-    /** The thread that carries for all components without one of their own; null if there is none. */
+    /** The thread shared by all components without one of their own; null if there is none. */
     @Nullable
     CarrierThread shared() {
         return shared;
     }
 
-    /** Whether the caller's thread calls components, or has called one until it was given up or taken out. */
+    /** Whether the caller's thread calls components, or did so until its component was given up or removed. */
     boolean ownsCurrentThread() {
         return OwnedThread.isCurrentOf(this);
     }
@@ -63,7 +63,7 @@ final class Crew {
     }
 
     /**
-     * Interrupts a thread whose work was given up. One that others need is succeeded, and ends when the component in which it
+     * Interrupts a thread whose work was given up. A shared thread is replaced, and ends when the component in which it
      * hangs returns.
      */
     void giveUp(CarrierThread late) {

@@ -4,7 +4,7 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Says which {@link Execute} takes a plan next.
+ * Chooses which {@link Execute} takes a plan next.
  *
  * <p>Threading: called on the threads of the loop, one at a time.
  *
@@ -15,7 +15,7 @@ import org.jspecify.annotations.Nullable;
 public interface Dispatch<P> {
 
     /**
-     * The execute component that goes on with {@code plan}.
+     * The execute component that continues {@code plan}.
      *
      * @param executes all of them, in the order in which they were added, never empty
      * @param last the one that has just returned, null at first

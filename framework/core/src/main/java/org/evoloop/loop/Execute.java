@@ -1,23 +1,23 @@
 package org.evoloop.loop;
 
 /**
- * Superclass of the components that act. A loop may have several; its {@link Dispatch} says which of them takes a plan,
- * and in what order.
+ * Superclass of the components that act. A loop may have several; its {@link Dispatch} decides which of them take a
+ * plan, and in what order.
  *
- * <p>Threading: {@link #execute} is called as {@link Component} says. It may wait, for instance until the device is
- * ready: occurrences queue up meanwhile. One that waits longer than the loop's step limit is interrupted.
+ * <p>Threading: {@link #execute} is called as described in {@link Component}. It may wait, for instance until the
+ * device is ready: occurrences queue up meanwhile. One that waits longer than the loop's step limit is interrupted.
  *
  * @param <P> a plan
  * @since 0.1
  */
 public abstract non-sealed class Execute<P> extends Component {
 
-    /** A component that is called like its class. */
+    /** A component named after its class. */
     protected Execute() {
         this("");
     }
 
-    /** @param name what the console calls it, unique within a loop */
+    /** @param name its name in the console, unique within a loop */
     protected Execute(String name) {
         super(name);
     }

@@ -10,8 +10,8 @@ import org.jspecify.annotations.Nullable;
  * @param component its name
  * @param phase what it was doing, such as {@code getEvent} or {@code execute}
  * @param cycle the number of the cycle, 0 outside of one
- * @param occurrence what it was working on, null if nothing
- * @param cause what it threw, or what was found wrong with it
+ * @param occurrence the occurrence that it was working on; null if none
+ * @param cause the exception that it threw, or one that describes the problem found
  * @param <O> an occurrence
  * @since 0.1
  */
@@ -29,7 +29,7 @@ public record Failure<O>(
         return component + "." + phase + ": " + message();
     }
 
-    /** What was thrown is not ours: its message may be missing, as long as a book, or throw by itself. */
+    /** The exception is user code: its message may be missing, be huge, or throw itself. */
     private String message() {
         String message;
         try {

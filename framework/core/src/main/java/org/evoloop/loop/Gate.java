@@ -6,7 +6,7 @@ import org.evoloop.time.OwnedThread;
 /**
  * Opens and closes the loop, and holds the next occurrence back while the loop is changed.
  *
- * <p>Threading: called by one thread at a time, which is none of the loop's own.
+ * <p>Threading: called by one thread at a time, never one of the loop's own.
  */
 final class Gate<O> {
     private final LoopConfig config;
@@ -29,7 +29,7 @@ final class Gate<O> {
         }
     }
 
-    /** Closes it if it is open; for any thread, at any time. */
+    /** Closes the loop if it is open; for any thread, at any time. */
     void shut() {
         lock.acquire();
         try {
@@ -62,17 +62,18 @@ final class Gate<O> {
     }
 
     /**
-     * Changes the loop between two occurrences. The one that is in the loop may finish within the join limit; then it is
-     * given up.
+     * Changes the loop between two occurrences. The one in the loop may finish within the join limit; then it is given
+     * up.
      */
     void quietly(Runnable change) {
         quietly(false, change);
     }
 
     /**
-     * The same, unless the caller is a function, or another thread that somebody waits for, and is told to end meanwhile.
+     * As {@link #quietly}, unless the caller is a function, or another thread that someone waits for, and is asked to
+     * end meanwhile.
      *
-     * @throws IllegalStateException if it was told to end; nothing was changed
+     * @throws IllegalStateException if it was asked to end; nothing was changed
      */
     void quietlyUnlessTold(Runnable change) {
         quietly(Thread.currentThread() instanceof OwnedThread, change);
@@ -81,8 +82,8 @@ final class Gate<O> {
     /**
      * Runs {@code change} while no occurrence is in the loop and none begins; nothing is given up for it.
      *
-     * @param limit how long the occurrence that is in the loop is waited for
-     * @return whether it came to its end; if not, nothing was changed
+     * @param limit how long to wait for the occurrence in the loop
+     * @return whether it ended in time; if not, nothing was changed
      */
     boolean between(Duration limit, Runnable change) {
         boolean interrupted = false;
@@ -133,7 +134,7 @@ final class Gate<O> {
         } finally {
             sequencer.hold(false);
             sequencer.release();
-            // Also after a change that was refused: what was given up for it must be reported, or nothing else begins.
+            // Also after a refused change: work that was given up for it must be reported, or nothing else begins.
             if (late != null) {
                 sequencer.goOnWithout(late, failure);
             }

@@ -3,7 +3,7 @@ package org.evoloop.loop;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Where the occurrences of a loop wait for their turn, and what decides which of them are taken.
+ * The queue of a loop, which also decides which occurrences are taken.
  *
  * <p>Threading: guarded by the loop's lock, but for {@link #atOnce}; nothing in it may wait.
  *
@@ -12,15 +12,15 @@ import org.jspecify.annotations.Nullable;
  */
 public interface Intake<O> {
 
-    /** What became of an occurrence that was offered. */
+    /** The result of offering an occurrence. */
     enum Admission {
-        /** It waits for its turn, or has come to its end already. */
+        /** It waits for its turn, or has already ended. */
         TAKEN,
         /** The loop is closed. */
         REFUSED,
-        /** There was no room, for the first time since there was some. */
+        /** There was no room, for the first time since there was last room. */
         FIRST_DROPPED,
-        /** There was no room, once more. */
+        /** There was no room again. */
         DROPPED
     }
 
@@ -32,7 +32,7 @@ public interface Intake<O> {
         return null;
     }
 
-    /** Takes an occurrence, or does not. */
+    /** Takes or refuses an occurrence. */
     Admission offer(O occurrence);
 
     /** Whether one more occurrence would be taken. */
@@ -42,7 +42,7 @@ public interface Intake<O> {
     @Nullable
     O next();
 
-    /** The one that had its turn has come to its end, whatever that was. */
+    /** The occurrence that had its turn has ended, in whatever way. */
     void ended();
 
     /** The loop is open from now on. */
@@ -51,6 +51,6 @@ public interface Intake<O> {
     /** The loop is closed from now on. */
     void closed();
 
-    /** What waits and what was lost. */
+    /** How many wait and how many were lost. */
     QueueStatus status();
 }

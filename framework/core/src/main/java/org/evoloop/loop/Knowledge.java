@@ -1,10 +1,10 @@
 package org.evoloop.loop;
 
 /**
- * Superclass of what the four components of a loop share.
+ * Superclass of the knowledge shared by the four kinds of components of a loop.
  *
- * <p>Threading: knowledge is read and written from several threads and must be safe for that. Within one cycle the loop
- * orders the components strictly, so what one of them wrote the next one sees.
+ * <p>Threading: knowledge is read and written by several threads and must be thread-safe. Within one cycle the loop
+ * orders the components strictly, so each sees what the previous one wrote.
  *
  * @since 0.1
  */
@@ -13,7 +13,7 @@ public abstract class Knowledge {
     /** For subclasses. */
     protected Knowledge() {}
 
-    /** What the console and the logs call it: the name of its class. */
+    /** Its name in the console and the logs: that of its class. */
     public String name() {
         return getClass().getSimpleName();
     }

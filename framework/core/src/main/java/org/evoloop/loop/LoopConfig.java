@@ -8,7 +8,7 @@ import java.util.List;
 import org.evoloop.time.Clock;
 
 /**
- * How a loop runs.
+ * The options of a loop.
  *
  * <p>Threading: immutable.
  *
@@ -46,7 +46,10 @@ public final class LoopConfig {
         this.threading = threading;
     }
 
-    /** 8 waiting occurrences, 30 s a step, 2 s to stop, one carrier for all components. */
+    /**
+     * The defaults: room for 8 waiting occurrences, a step limit of 30 s, a join limit of 2 s, one carrier for all
+     * components.
+     */
     public static LoopConfig defaults(String name, Clock clock) {
         return new LoopConfig(
                 name,
@@ -58,32 +61,32 @@ public final class LoopConfig {
                 ThreadingModel.SINGLE_CARRIER);
     }
 
-    /** The same with room for {@code capacity} waiting occurrences. */
+    /** A copy with room for {@code capacity} waiting occurrences. */
     public LoopConfig withQueueCapacity(int capacity) {
         return new LoopConfig(name, clock, capacity, stepLimit, joinLimit, waiting, threading);
     }
 
-    /** The same with another limit for one step, in the clock's time. */
+    /** A copy with another limit for one step, in the clock's time. */
     public LoopConfig withStepLimit(Duration limit) {
         return new LoopConfig(name, clock, queueCapacity, limit, joinLimit, waiting, threading);
     }
 
-    /** The same with another limit for threads that were interrupted, in real time. */
+    /** A copy with another limit for threads that were interrupted, in real time. */
     public LoopConfig withJoinLimit(Duration limit) {
         return new LoopConfig(name, clock, queueCapacity, stepLimit, limit, waiting, threading);
     }
 
-    /** The same with another way to wait for one's turn. */
+    /** A copy with another wait strategy. */
     public LoopConfig withWaiting(WaitStrategy strategy) {
         return new LoopConfig(name, clock, queueCapacity, stepLimit, joinLimit, strategy, threading);
     }
 
-    /** The same with other threads that call the components. */
+    /** A copy with another threading model. */
     public LoopConfig withThreading(ThreadingModel model) {
         return new LoopConfig(name, clock, queueCapacity, stepLimit, joinLimit, waiting, model);
     }
 
-    /** The same without threads: the caller of {@link MapeLoop#observe} and {@link MapeLoop#step} drives it. */
+    /** A copy without threads: the caller of {@link MapeLoop#observe} and {@link MapeLoop#step} drives it. */
     public LoopConfig withoutThreads() {
         return withThreading(ThreadingModel.CALLER);
     }
@@ -120,14 +123,14 @@ public final class LoopConfig {
         return name;
     }
 
-    /** The time of back-off and limits. */
+    /** The clock for back-off and limits. */
     public Clock clock() {
         return clock;
     }
 
     /**
-     * How many occurrences may wait behind the one that is in the loop, 0 to 1,000,000; with 0, an occurrence that comes
-     * while the loop is busy is lost.
+     * How many occurrences may wait behind the one in the loop, 0 to 1,000,000; with 0, an occurrence that comes while
+     * the loop is busy is lost.
      */
     public int queueCapacity() {
         return queueCapacity;

@@ -5,8 +5,8 @@ import java.util.concurrent.locks.ReentrantLock;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The one lock of a loop. It is never held while a component or a listener runs, and whoever was given work under it is woken
- * when it has been given back: a thread that woke up to find it taken would have to wait once more.
+ * The one lock of a loop. It is never held while a component or a listener runs, and a thread that was given work under
+ * it is woken after its release: a thread that woke up to find it taken would have to wait again.
  */
 final class LoopLock {
     private static final int TRIES = 10;
@@ -15,7 +15,7 @@ final class LoopLock {
     private @Nullable CarrierThread given;
 
     void acquire() {
-        // Whoever holds it gives it back at once: a thread that slept for it would come much later.
+        // It is held only briefly: a thread that slept for it would get it much later.
         for (int tries = 0; tries < TRIES; tries++) {
             if (lock.tryLock()) {
                 return;
@@ -38,7 +38,7 @@ final class LoopLock {
         }
     }
 
-    /** This one was given work. */
+    /** Notes that this thread was given work. */
     void wakeAfterRelease(CarrierThread carrier) {
         given = carrier;
     }

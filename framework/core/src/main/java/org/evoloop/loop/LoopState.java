@@ -1,7 +1,7 @@
 package org.evoloop.loop;
 
 /**
- * The life of a loop.
+ * The lifecycle of a loop.
  *
  * <pre>
  *          build()            start()
@@ -20,7 +20,7 @@ package org.evoloop.loop;
 public enum LoopState {
     /** Being put together; there are no threads yet. */
     NEW,
-    /** The threads run, but the loop is closed: what occurs is refused. */
+    /** The threads run, but the loop is closed: occurrences are refused. */
     STOPPED,
     /** The loop is open. */
     RUNNING,

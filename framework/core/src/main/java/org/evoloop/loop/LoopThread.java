@@ -5,7 +5,7 @@ import java.util.concurrent.locks.LockSupport;
 import org.evoloop.time.OwnedThread;
 import org.evoloop.time.Threads;
 
-/** A thread of the loop: one round after the other, until it is retired. */
+/** A thread of the loop: it runs one round after another, until it is retired. */
 abstract class LoopThread implements Runnable {
     private final Thread thread;
     private volatile boolean retired;
@@ -15,10 +15,10 @@ abstract class LoopThread implements Runnable {
         thread = OwnedThread.within(owner, name, this);
     }
 
-    /** One round on this thread; returns when it is time to look whether the thread is still wanted. */
+    /** One round on this thread; returns when it is time to check whether the thread is still needed. */
     abstract void round() throws InterruptedException;
 
-    /** The last that happens on this thread. */
+    /** Called last on this thread. */
     void ended() {}
 
     @Override
@@ -27,7 +27,8 @@ abstract class LoopThread implements Runnable {
             try {
                 round();
             } catch (InterruptedException stop) {
-                // Whoever interrupts the thread retires it or gives its work up; the condition above tells which.
+                // An interrupt means that the thread is retired or its work is given up; the condition above tells
+                // which.
             }
         }
         ended();
@@ -66,7 +67,7 @@ abstract class LoopThread implements Runnable {
         return retired;
     }
 
-    /** Has the thread end after the round that it is in, which is interrupted. */
+    /** Ends the thread after its present round, which is interrupted. */
     final void retire() {
         retired = true;
         interrupt();
@@ -76,7 +77,7 @@ abstract class LoopThread implements Runnable {
      * Waits for the thread to end, unless it is the caller's. An interrupt of the caller does not cut the wait short; its
      * flag is restored.
      *
-     * @return whether it has ended, or is the caller's
+     * @return whether it has ended, or is the caller's thread
      */
     final boolean join(Duration limit) {
         return isCurrent() || Threads.join(thread, limit);

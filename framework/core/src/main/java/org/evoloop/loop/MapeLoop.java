@@ -12,17 +12,18 @@ import org.slf4j.LoggerFactory;
 /**
  * A MAPE-K loop of one or more monitors, one analyze, one plan and one or more execute components.
  *
- * <p>Lifecycle: see {@link LoopState}. The threads ({@link ThreadingModel}) live from {@link #build} until the loop is {@link
- * #close closed}, that of a component alone from when it is added until it is removed; {@link #start} and {@link #stop} open
- * and close the loop as often as one likes.
+ * <p>Lifecycle: see {@link LoopState}. The threads ({@link ThreadingModel}) live from {@link #build} until the loop is
+ * {@link #close closed}, a component's own thread from when it is added until it is removed; {@link #start} and {@link
+ * #stop} open and close the loop any number of times.
  *
- * <p>An occurrence that a monitor reports waits in a bounded queue. One occurrence at a time goes through analyze, plan and
- * execute; the next one is taken when the last execute component has returned. Components may be added, removed and
- * exchanged at any time: that happens between two occurrences, and one that does not come to its end is given up.
+ * <p>An occurrence that a monitor reports waits in a bounded queue. One occurrence at a time goes through analyze, plan
+ * and execute; the next one is taken when the last execute component has returned. Components may be added, removed and
+ * exchanged at any time: that happens between two occurrences, and one that does not end in time is given up.
  *
- * <p>Errors: what a component throws is reported to the {@link LoopListener} and counted, and the loop goes on.
+ * <p>Errors: exceptions of a component are reported to the {@link LoopListener} and counted, and the loop continues.
  *
- * <p>Threading: all methods may be called from any thread, but those that change the loop not from its own.
+ * <p>Threading: all methods may be called from any thread, but those that change the loop not from the loop's own
+ * threads.
  *
  * @param <O> an occurrence
  * @param <A> an analysis
@@ -48,8 +49,8 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
     }
 
     /**
-     * @param dispatch which execute component takes a plan
-     * @param intake where occurrences wait for their turn
+     * @param dispatch chooses the execute component that takes a plan
+     * @param intake the queue of occurrences
      * @throws IllegalArgumentException if an option is out of range; the message lists all of them
      */
     public MapeLoop(LoopConfig config, LoopListener<O> listener, Dispatch<P> dispatch, Intake<O> intake) {
@@ -116,8 +117,8 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
     }
 
     /**
-     * Whether the caller is a thread of this loop or of one that was made on such a thread, also after its component was
-     * given up or taken out.
+     * Whether the caller is a thread of this loop, or of a loop made on such a thread, also after its component was
+     * given up or removed.
      */
     public boolean ownsCurrentThread() {
         return roster.ownsCurrentThread();
@@ -143,7 +144,7 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
     }
 
     /**
-     * Puts {@code next} in the place of the component {@code name}, between two occurrences.
+     * Replaces the component {@code name} by {@code next}, between two occurrences.
      *
      * @throws IllegalArgumentException if there is none of that name, or it has another role
      * @throws IllegalStateException if the loop has ended, or {@code next} is part of it already
@@ -152,7 +153,10 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
         exchange(name, next, () -> {});
     }
 
-    /** The same, and {@code meanwhile}, which must be quick, runs before the next occurrence is taken from the queue. */
+    /**
+     * As {@link #exchange(String, Component)}; {@code meanwhile}, which must be quick, runs before the next occurrence
+     * is taken from the queue.
+     */
     public void exchange(String name, Component next, Runnable meanwhile) {
         synchronized (admin) {
             requireUsable();
@@ -167,11 +171,11 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
     }
 
     /**
-     * Runs {@code change}, of which user code may be part, between two occurrences: none is in the loop, and none begins
+     * Runs {@code change}, which may call user code, between two occurrences: none is in the loop, and none begins
      * meanwhile.
      *
-     * @param limit how long the occurrence that is in the loop is waited for
-     * @return whether it came to its end; if not, {@code change} was not run
+     * @param limit how long to wait for the occurrence in the loop
+     * @return whether it ended in time; if not, {@code change} was not run
      * @throws IllegalStateException if the loop has ended, or the caller is one of its threads
      */
     public boolean between(Duration limit, Runnable change) {
@@ -181,7 +185,7 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
         }
     }
 
-    /** Refuses what {@link #exchange} would refuse of these two, before anything is changed. */
+    /** Throws what {@link #exchange} would throw for these two, before anything is changed. */
     public void requireExchangeable(String name, Component next) {
         Component old = roster.require(name).component();
         if (old.role() != next.role()) {
@@ -196,13 +200,14 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
     /**
      * Starts the threads.
      *
-     * @throws IllegalStateException if a component is missing or this was done before; the message names all problems
+     * @throws IllegalStateException if a component is missing or the loop has been built already; the message lists all
+     *     problems
      */
     public void build() {
         build(LoopState.STOPPED);
     }
 
-    /** The same, and opens the loop before any monitor is called, so that no reported event is refused. */
+    /** As {@link #build}, and opens the loop before any monitor is called, so that no reported event is refused. */
     public void buildAndStart() {
         build(LoopState.RUNNING);
     }
@@ -227,8 +232,8 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
     }
 
     /**
-     * The same, and {@code beginning} runs before the first occurrence is taken from the queue; those that come meanwhile
-     * wait. It does not run if the loop is open already.
+     * As {@link #start()}; {@code beginning} runs before the first occurrence is taken from the queue, and occurrences
+     * that come meanwhile wait. It does not run if the loop is open already.
      */
     public void start(Runnable beginning) {
         synchronized (admin) {
@@ -243,8 +248,7 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
     }
 
     /**
-     * Closes the loop: the occurrence that is in it comes to its end, those that wait are refused. Does nothing if it is
-     * closed.
+     * Closes the loop: the occurrence in it is completed, those that wait are refused. Does nothing if it is closed.
      */
     public void stop() {
         if (sequencer.state() == LoopState.RUNNING) {
@@ -255,14 +259,14 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
     }
 
     /**
-     * Closes the loop at once, for any thread and whatever hangs: nothing begins any more, and what waits is refused.
-     * {@link #awaitQuiet} has to follow. Does nothing if it is closed.
+     * Closes the loop at once, on any thread and even if something hangs: nothing begins any more, and waiting
+     * occurrences are refused. Call {@link #awaitQuiet} afterwards. Does nothing if it is closed.
      */
     public void shut() {
         gate.shut();
     }
 
-    /** After {@link #shut}: has the occurrence that is in the loop come to its end, or be given up. */
+    /** After {@link #shut}: waits until the occurrence in the loop has ended or been given up. */
     public void awaitQuiet() {
         synchronized (admin) {
             if (sequencer.state() == LoopState.STOPPED) {
@@ -274,8 +278,8 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
 
     /**
      * Ends the loop and its threads. Waits for each up to the join limit and names in the log any that does not end.
-     * Idempotent; an interrupt of the caller does not cut it short. Called by a component it returns at once, and the loop
-     * ends when that component has returned.
+     * Idempotent; an interrupt of the caller does not cut it short. When called by a component, it returns at once, and
+     * the loop ends after that component has returned.
      */
     @Override
     public void close() {
@@ -311,7 +315,7 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
     }
 
     /**
-     * Queues what a monitor of this loop reports, on the caller's thread instead of the monitor's.
+     * Queues an occurrence reported by a monitor of this loop, on the caller's thread instead of the monitor's.
      *
      * @return false if that has to be left to the monitor: the loop has no threads or is not built yet, or the monitor
      *     is not part of it
@@ -372,17 +376,17 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
         return roster.workerOf(monitor) != null;
     }
 
-    /** Where the loop is in its life. */
+    /** The state of the loop's lifecycle. */
     public LoopState state() {
         return sequencer.state();
     }
 
-    /** How the queue fares. */
+    /** The status of the queue. */
     public QueueStatus queueStatus() {
         return sequencer.queueStatus();
     }
 
-    /** Counts a failure outside of the loop as one of the component that it names, if that is part of the loop. */
+    /** Counts a failure outside the loop as one of the component that it names, if that is part of the loop. */
     public void count(Failure<O> failure) {
         Worker worker = roster.find(failure.component());
         if (worker != null) {

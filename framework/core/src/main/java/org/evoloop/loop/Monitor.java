@@ -3,24 +3,24 @@ package org.evoloop.loop;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Superclass of monitors: they wait for something to occur and report it. A loop may have several; what one of them reports
- * stays in order.
+ * Superclass of monitors: they wait for something to occur and report it. A loop may have several; the reports of each
+ * stay in order.
  *
- * <p>Threading: {@link #getEvent} is called again and again on the monitor's own thread, from when the loop is built. It is
- * called while the loop is closed, too: what the monitor reports then is refused, and so cannot be taken for news when the
- * loop opens.
+ * <p>Threading: {@link #getEvent} is called again and again on the monitor's own thread, from when the loop is built.
+ * It is also called while the loop is closed: its reports are then refused, so that they are not mistaken for news when
+ * the loop opens.
  *
- * @param <O> an occurrence, what {@link Analyze} takes
+ * @param <O> an occurrence, the input of {@link Analyze}
  * @since 0.1
  */
 public abstract non-sealed class Monitor<O> extends Component {
 
-    /** A component that is called like its class. */
+    /** A component named after its class. */
     protected Monitor() {
         this("");
     }
 
-    /** @param name what the console calls it, unique within a loop */
+    /** @param name its name in the console, unique within a loop */
     protected Monitor(String name) {
         super(name);
     }

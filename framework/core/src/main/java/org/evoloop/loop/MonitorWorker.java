@@ -14,7 +14,7 @@ final class MonitorWorker<O> extends Worker {
     private static final long FIRST_PAUSE_MILLIS = 100;
     private static final long LONGEST_PAUSE_MILLIS = 5000;
 
-    /** A monitor that takes this long has waited for something. */
+    /** A monitor that takes at least this long has waited for something. */
     private static final long WAITS_NANOS = 100_000;
 
     private static final int PATIENCE = 1000;
@@ -26,7 +26,7 @@ final class MonitorWorker<O> extends Worker {
     private final @Nullable LoopThread thread;
     private long pauseMillis = FIRST_PAUSE_MILLIS;
 
-    /** How often in a row it has returned null at once. */
+    /** How many times in a row it has returned null at once. */
     private long idle;
 
     MonitorWorker(Monitor<O> monitor, LoopConfig config, Sequencer<O> sequencer, Crew crew) {
@@ -55,7 +55,7 @@ final class MonitorWorker<O> extends Worker {
         }
     }
 
-    /** Asks the monitor once, on the caller's thread; false if it failed. */
+    /** Calls the monitor once, on the caller's thread; false if it failed. */
     boolean observe() throws InterruptedException {
         try {
             long asked = thread == null ? 0 : System.nanoTime();
@@ -65,7 +65,7 @@ final class MonitorWorker<O> extends Worker {
             } else {
                 idle = 0;
                 if (!sequencer.offer(occurrence)) {
-                    // It tells more than there is room for; at least it shall not starve the others.
+                    // It reports more than there is room for; at least it must not starve the others.
                     LoopThread.giveWay();
                 }
             }
@@ -80,8 +80,8 @@ final class MonitorWorker<O> extends Worker {
     }
 
     /**
-     * Before a monitor is asked again that had nothing to tell: one that waits by itself need not rest, and one that does
-     * not shall not keep a processor busy.
+     * Pauses before a monitor that reported nothing is called again: one that waits by itself needs no pause, and any
+     * other must not keep a processor busy.
      */
     private void rest(long askedNanos) {
         idle = thread != null && System.nanoTime() - askedNanos < WAITS_NANOS ? idle + 1 : 0;

@@ -6,10 +6,10 @@ import org.evoloop.flight.PhaseEvent;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The way of an occurrence through the loop: analyze, plan, and one execute component after the other that the dispatch
- * names. Each hands its result to the next by way of the sequencer, which says whose turn it is.
+ * The path of an occurrence through the loop: analyze, plan, and the execute components that the dispatch chooses, one
+ * after another. Each hands its result to the next through the sequencer, which decides whose turn it is.
  *
- * <p>Threading: walked by one thread at a time; changed only between two occurrences.
+ * <p>Threading: used by one thread at a time; changed only between two occurrences.
  */
 final class Passage<O, A, P> {
     private final String loop;
@@ -19,7 +19,7 @@ final class Passage<O, A, P> {
     private volatile List<StageWorker<P>> executes = List.of();
     private volatile List<Execute<P>> executeOrder = List.of();
 
-    /** @param loop its name, for recordings */
+    /** @param loop the loop's name, for recordings */
     Passage(String loop, Dispatch<P> dispatch, Sequencer<O> sequencer) {
         this.loop = loop;
         this.dispatch = dispatch;
@@ -77,7 +77,7 @@ final class Passage<O, A, P> {
         return sequencer.passOn(by, planned, worker);
     }
 
-    /** From now on it leads through these. */
+    /** Sets the components. */
     @SuppressWarnings("unchecked") // nothing else is enlisted there
     void lead(@Nullable StageWorker<O> nowAnalyze, @Nullable StageWorker<A> nowPlan, List<StageWorker<P>> nowExecutes) {
         sequencer.setAnalyze(nowAnalyze);

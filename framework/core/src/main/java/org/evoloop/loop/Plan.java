@@ -5,20 +5,20 @@ import org.jspecify.annotations.Nullable;
 /**
  * Superclass of the one component that decides what to do.
  *
- * <p>Threading: {@link #plan} is called as {@link Component} says, once an occurrence.
+ * <p>Threading: {@link #plan} is called as described in {@link Component}, once for each occurrence.
  *
  * @param <A> an analysis
- * @param <P> a plan, what {@link Execute} takes
+ * @param <P> a plan, the input of {@link Execute}
  * @since 0.1
  */
 public abstract non-sealed class Plan<A, P> extends Component {
 
-    /** A component that is called like its class. */
+    /** A component named after its class. */
     protected Plan() {
         this("");
     }
 
-    /** @param name what the console calls it, unique within a loop */
+    /** @param name its name in the console, unique within a loop */
     protected Plan(String name) {
         super(name);
     }

@@ -1,13 +1,13 @@
 package org.evoloop.loop;
 
 /**
- * How the queue before the loop fares.
+ * The status of the queue before the loop.
  *
- * <p>Threading: immutable; a picture of one moment.
+ * <p>Threading: immutable; a snapshot of one moment.
  *
  * @param depth how many occurrences wait
  * @param capacity how many may wait
- * @param highest how many have ever waited at once
+ * @param highest the most that have ever waited at once
  * @param taken how many have been queued
  * @param dropped how many were lost because the queue was full
  * @param refused how many came while the loop was closed, or still waited when it closed

@@ -6,7 +6,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Who is part of a loop.
+ * The components of a loop.
  *
  * <p>Threading: read from any thread; changed only between two occurrences, by one thread at a time.
  */
@@ -28,9 +28,9 @@ final class Roster<O, A, P> {
     }
 
     /**
-     * Enlists a component of any role; one that was made for another loop fails when it is first called.
+     * Adds a component of any role; one made for a loop of other types fails when it is first called.
      *
-     * @param position among those of its role, if there may be several
+     * @param position its position among those of its role, if there may be several
      */
     @SuppressWarnings("unchecked")
     Worker enlist(Component component, int position) {
@@ -68,7 +68,7 @@ final class Roster<O, A, P> {
         }
     }
 
-    /** Whether the caller is a thread that calls one of the components, or one that was given up or taken out. */
+    /** Whether the caller is a thread that calls one of the components, or one that was given up or removed. */
     boolean ownsCurrentThread() {
         return crew.ownsCurrentThread();
     }
@@ -79,13 +79,13 @@ final class Roster<O, A, P> {
         workers().forEach(Worker::start);
     }
 
-    /** Tells every thread to end. */
+    /** Asks every thread to end. */
     void retire() {
         workers().forEach(Worker::retire);
         crew.retire();
     }
 
-    /** Those that {@link #retire} has told to end. */
+    /** The threads that {@link #retire} has asked to end. */
     List<LoopThread> threads() {
         List<LoopThread> all = new ArrayList<>();
         for (Worker worker : workers()) {
@@ -101,7 +101,7 @@ final class Roster<O, A, P> {
         }
     }
 
-    /** Takes a component out; a thread of its own is told to end. Returns its position among those of its role. */
+    /** Removes a component and asks its own thread to end. Returns its position among those of its role. */
     int drop(Worker worker) {
         worker.retire();
         int position = 0;
@@ -120,12 +120,12 @@ final class Roster<O, A, P> {
         return position;
     }
 
-    /** Whether the loop could not go on without this component. */
+    /** Whether the loop cannot run without this component. */
     boolean needs(Worker worker) {
         return worker == analyze || worker == plan || executes.equals(List.of(worker));
     }
 
-    /** The roles for which a component is missing, as problems. */
+    /** A problem for each role without a component. */
     List<String> problems() {
         List<String> problems = new ArrayList<>();
         if (analyze == null) {
@@ -169,7 +169,7 @@ final class Roster<O, A, P> {
         return null;
     }
 
-    /** @throws IllegalArgumentException if there is none of that name; the message lists those there are */
+    /** @throws IllegalArgumentException if there is none of that name; the message lists the names */
     Worker require(String name) {
         Worker worker = find(name);
         if (worker == null) {

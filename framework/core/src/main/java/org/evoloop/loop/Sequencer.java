@@ -9,12 +9,12 @@ import org.jspecify.annotations.Nullable;
 /**
  * The order of the loop: the queue before it, the one occurrence that is in it, and whose turn it is.
  *
- * <p>All of it is guarded by the loop's lock, but for one move: the component that has the turn hands it to the next without.
- * Whoever takes the turn away replaces it in the same way, so one of the two comes too late and does nothing: what a component
- * still returns that was given up is ignored.
+ * <p>Everything is guarded by the loop's lock, except one move: the component that has the turn hands it to the next
+ * one without the lock. Taking the turn away replaces it by the same atomic operation, so one of the two comes too late
+ * and does nothing: the result of a component that was given up is ignored.
  */
 final class Sequencer<O> {
-    // Unlike an atomic reference it is quick before it has been compiled: a press seldom comes.
+    // Unlike an atomic reference, it is fast before it has been compiled, which matters for rare events.
     @SuppressWarnings("rawtypes") // a class literal has no type arguments
     private static final AtomicReferenceFieldUpdater<Sequencer, StageWorker> TURN =
             AtomicReferenceFieldUpdater.newUpdater(Sequencer.class, StageWorker.class, "busy");
@@ -36,7 +36,7 @@ final class Sequencer<O> {
     private @Nullable O occurrence;
     private volatile @Nullable StageWorker<?> busy;
 
-    /** What came to an analyze component that is stuck; reported after the lock was released. */
+    /** An occurrence that came to a stuck analyze component; reported after the lock is released. */
     private @Nullable Failure<O> refused;
 
     Sequencer(LoopConfig config, LoopListener<O> listener, Intake<O> intake, LoopLock lock) {
@@ -87,7 +87,7 @@ final class Sequencer<O> {
 
     // Turns
 
-    /** Starts the next cycle if there is something to do and nothing in the way; the lock is held. */
+    /** Starts the next cycle if something waits and nothing prevents it; the lock is held. */
     private void begin() {
         StageWorker<O> first = analyze;
         boolean mayBegin =
@@ -114,7 +114,7 @@ final class Sequencer<O> {
     /**
      * Hands the result of a stage on; a null result or nobody to take it ends the cycle.
      *
-     * @return who goes on on the caller's thread; null if nobody does
+     * @return the stage that continues on the caller's thread; null if none does
      */
     <I> @Nullable StageWorker<I> passOn(StageWorker<?> from, @Nullable I result, @Nullable StageWorker<I> next) {
         int nulls = from.countNull(result == null);
@@ -129,7 +129,7 @@ final class Sequencer<O> {
         if (TURN.compareAndSet(this, from, next)) {
             return next.goOn(from.cycle(), result);
         }
-        // Whoever gave it up marks it as stuck under the lock, and it must know that before it returns.
+        // It may be being marked as stuck under the lock, and must see that before it returns.
         lock.acquire();
         lock.release();
         return null;
@@ -185,7 +185,7 @@ final class Sequencer<O> {
         return first != null;
     }
 
-    // What goes wrong
+    // Failures
 
     /** A stage threw; the cycle ends unless it was given up before. */
     void failed(StageWorker<?> worker, Throwable cause) {
@@ -214,8 +214,8 @@ final class Sequencer<O> {
     }
 
     /**
-     * Takes the turn from a component that does not return; the lock is held, and {@link #goOnWithout} has to follow. Null if it
-     * does not have the turn any more.
+     * Takes the turn from a component that does not return; the lock is held, and {@link #goOnWithout} has to follow.
+     * Returns null if it no longer has the turn.
      */
     @Nullable
     Failure<O> giveUp(StageWorker<?> worker, String why) {
@@ -227,8 +227,8 @@ final class Sequencer<O> {
     }
 
     /**
-     * Takes the occurrence out of the loop. The next one does not begin before the failure was reported, see
-     * {@link #goOnAfter}: the listener may have to put things in order first.
+     * Takes the occurrence out of the loop. The next one does not begin before the failure has been reported, see
+     * {@link #goOnAfter}: the listener may have to clean up first.
      */
     private Failure<O> breakOff(Worker worker, String what) {
         Failure<O> failure = new Failure<>(
@@ -237,14 +237,14 @@ final class Sequencer<O> {
         return failure;
     }
 
-    /** Reports that {@code late} was given up and begins with the next; the lock is not held. */
+    /** Reports that {@code late} was given up, and begins the next occurrence; the lock is not held. */
     void goOnWithout(StageWorker<?> late, @Nullable Failure<O> failure) {
-        // What comes next may be about the same component: whether its step had its effect, say.
+        // The next occurrence may need the same component, for example to find out whether its step had its effect.
         late.letReturn();
         goOnAfter(late, failure);
     }
 
-    /** Reports what was broken off and begins with the next; the lock is not held. */
+    /** Reports the failure and begins the next occurrence; the lock is not held. */
     void goOnAfter(Worker worker, @Nullable Failure<O> failure) {
         Worker about = worker;
         Failure<O> next = failure;
@@ -269,7 +269,7 @@ final class Sequencer<O> {
         return taken;
     }
 
-    /** Gives the lock back, and tells what came to a component that is stuck. */
+    /** Releases the lock, and reports an occurrence that came to a stuck component. */
     void release() {
         Worker first = analyze;
         Failure<O> failure = takeRefused();
@@ -279,9 +279,9 @@ final class Sequencer<O> {
         }
     }
 
-    // For changes; the lock is held
+    // Changes; the lock is held
 
-    /** Whose turn it is; null if it is nobody's. May be read without the lock. */
+    /** The component that has the turn; null if none has. May be read without the lock. */
     @Nullable
     StageWorker<?> busy() {
         return busy;
@@ -313,13 +313,13 @@ final class Sequencer<O> {
         return busy == null && !breakingOff;
     }
 
-    /** While it is held, nothing begins. */
+    /** Holds or releases the loop; while it is held, nothing begins. */
     void hold(boolean nowHeld) {
         held = nowHeld;
         begin();
     }
 
-    /** Moves to another state; those who wait for room look again. */
+    /** Moves to another state; threads that wait for room check again. */
     void become(LoopState next) {
         state = next;
         room.signalAll();

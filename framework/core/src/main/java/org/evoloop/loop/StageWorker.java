@@ -3,17 +3,17 @@ package org.evoloop.loop;
 import org.jspecify.annotations.Nullable;
 
 /**
- * An analyze, plan or execute component in the loop, with the piece of work that it was given.
+ * An analyze, plan or execute component in the loop, with its present work.
  *
- * <p>Threading: given work by whoever has the turn or the loop's lock, and given up under that; run by the thread that it was
- * given to.
+ * <p>Threading: work is given by the thread that has the turn or the loop's lock, and given up under the lock; it is
+ * run by the thread to which it was given.
  *
- * @param <I> what its component works on
+ * @param <I> the input of its component
  */
 final class StageWorker<I> extends Worker {
     private static final long RETURN_NANOS = 50_000_000;
 
-    /** What the component does with its input; tells who goes on on the same thread, null if nobody does. */
+    /** Calls the component with its input; returns the stage that continues on the same thread, null if none does. */
     interface Work<I> {
         @Nullable
         StageWorker<?> run(StageWorker<I> by, I input) throws Exception;
@@ -26,13 +26,13 @@ final class StageWorker<I> extends Worker {
     private @Nullable I input;
     private long cycle;
 
-    /** How often in a row it has returned null; for whoever has the turn. */
+    /** How many times in a row it has returned null; for the thread that has the turn. */
     private int nulls;
 
-    /** The cycle in which it was given up and has not returned from since; 0 if there is none. */
+    /** The cycle in which it was given up and from which it has not returned; 0 if there is none. */
     private volatile long stuckSince;
 
-    /** Where it hangs; null if it does not, or in a loop without threads. */
+    /** The thread in which it hangs; null if it does not hang, or in a loop without threads. */
     private volatile @Nullable CarrierThread stuckIn;
 
     StageWorker(Component component, Crew crew, Sequencer<?> sequencer, Work<I> work) {
@@ -43,7 +43,7 @@ final class StageWorker<I> extends Worker {
         this.own = crew.own(component);
     }
 
-    /** Gives it a piece of work. Returns the thread that has to be woken for it, null in a loop without threads. */
+    /** Gives it work. Returns the thread to wake for it; null in a loop without threads. */
     @Nullable
     CarrierThread give(long givenCycle, I givenInput) {
         cycle = givenCycle;
@@ -60,7 +60,7 @@ final class StageWorker<I> extends Worker {
     }
 
     /**
-     * Gives it what the component before it has made.
+     * Gives it the result of the previous component.
      *
      * @return itself if it is to be run by the caller's thread; null if its own thread runs it
      */
@@ -76,21 +76,21 @@ final class StageWorker<I> extends Worker {
         return null;
     }
 
-    /** The cycle in which it was given its work. */
+    /** The cycle of its present work. */
     long cycle() {
         return cycle;
     }
 
-    /** It has returned null, or something. Tells how often in a row it has returned null. */
+    /** Counts a result; returns how many times in a row it has been null. */
     int countNull(boolean isNull) {
         nulls = isNull ? nulls + 1 : 0;
         return nulls;
     }
 
     /**
-     * Does the work that it was given, on the caller's thread, unless that was given up before it was begun.
+     * Does its work on the caller's thread, unless that was given up before it began.
      *
-     * @return who goes on on this thread; null if nobody does
+     * @return the stage that continues on this thread; null if none does
      */
     @Nullable
     StageWorker<?> runGiven() {
@@ -123,7 +123,7 @@ final class StageWorker<I> extends Worker {
         }
     }
 
-    /** Gives a component that was interrupted a moment to return, so that what comes next does not find it stuck. */
+    /** Gives an interrupted component a moment to return, so that the next occurrence does not find it stuck. */
     void letReturn() {
         long deadline = System.nanoTime() + RETURN_NANOS;
         while (stuckIn != null && System.nanoTime() < deadline) {

@@ -25,7 +25,7 @@ final class Supervisor<O> {
         this.watches = config.threads();
     }
 
-    /** The turn is about to go to the next component: it must be told before, so that no limit counts for two of them. */
+    /** The turn is about to go to the next component. Called beforehand, so that no limit covers two of them. */
     void goesOn() {
         if (watches) {
             begunNanos = clock.nanoTime();

@@ -1,11 +1,11 @@
 package org.evoloop.loop;
 
 /**
- * How a thread of the loop waits for its turn: it looks again and again a few times, then it gives way to other threads a
- * few times, then it sleeps until it is woken. Looking and giving way cost processor time while little happens at once;
- * waking a thread that sleeps costs the one that wakes it, and comes late. One that has just slept for long sleeps at once
- * the next time: where little happens, being awake does not help, and who gives way to others that have much to do (someone
- * who looks at pictures, say) gets the processor back late.
+ * How a thread of the loop waits for its turn: it checks a few times, then yields to other threads a few times, then
+ * sleeps until it is woken. Checking and yielding cost processor time; waking a sleeping thread costs time in the
+ * thread that wakes it, and adds delay. A thread that has just slept for long sleeps at once the next time: where
+ * little happens, staying awake does not help, and a thread that yields to busy ones (image processing, for example)
+ * gets the processor back late.
  *
  * <p>Threading: immutable.
  *
@@ -14,15 +14,15 @@ package org.evoloop.loop;
  * @since 0.1
  */
 public record WaitStrategy(int looks, int yields) {
-    /** A thread that was woken within this time does not sleep at once the next time. */
+    /** A thread woken within this time does not sleep at once the next time. */
     static final long SOON_NANOS = 200_000;
 
     /** Sleeps at once: the least processor time. */
     public static final WaitStrategy PARK = new WaitStrategy(0, 0);
 
     /**
-     * Yields first: on few processors the thread that has the turn then runs at once, and the next one is still awake
-     * when its turn comes. The fastest of those measured, see {@code docs/performance.md}.
+     * Yields first: on few processors, the thread that has the turn then runs at once, and the next one is still awake
+     * when its turn comes. The fastest strategy measured, see {@code docs/performance.md}.
      */
     public static final WaitStrategy YIELD_THEN_PARK = new WaitStrategy(0, 30);
 

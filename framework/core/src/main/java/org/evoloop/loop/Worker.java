@@ -4,7 +4,7 @@ import java.util.Locale;
 import java.util.concurrent.atomic.AtomicLong;
 import org.jspecify.annotations.Nullable;
 
-/** One component in the loop: the thread by which it is known, and how it fares. */
+/** One component in the loop: its thread and its status. */
 abstract class Worker {
     private final Component component;
     private final AtomicLong failures = new AtomicLong();
@@ -18,7 +18,7 @@ abstract class Worker {
         return component;
     }
 
-    /** Its place in the loop: {@code monitor}, {@code analyze}, {@code plan} or {@code execute}. */
+    /** Its role in the loop: {@code monitor}, {@code analyze}, {@code plan} or {@code execute}. */
     final String roleName() {
         return component.role().name().toLowerCase(Locale.ROOT);
     }
@@ -26,7 +26,7 @@ abstract class Worker {
     /** The thread that calls the component; null if the loop has no threads. */
     abstract @Nullable LoopThread thread();
 
-    /** The thread that nobody else's component is called on; null if there is none. */
+    /** The thread that calls only this component; null if there is none. */
     abstract @Nullable LoopThread ownThread();
 
     /** The thread that ends when the component leaves the loop; null if none does. */
@@ -39,7 +39,7 @@ abstract class Worker {
 
     abstract boolean isStuck();
 
-    /** Starts the thread that is its own. */
+    /** Starts its own thread. */
     final void start() {
         LoopThread own = ownThread();
         if (own != null) {
@@ -47,7 +47,7 @@ abstract class Worker {
         }
     }
 
-    /** Has the thread that is its own end. */
+    /** Ends its own thread. */
     final void retire() {
         LoopThread own = threadToEnd();
         if (own != null) {

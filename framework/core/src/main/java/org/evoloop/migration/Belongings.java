@@ -13,7 +13,7 @@ import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
 
 /**
- * What becomes of the timers and the function of a state.
+ * How the timers and the function of a state are carried over.
  *
  * <p>Threading: immutable.
  */
@@ -33,9 +33,9 @@ final class Belongings {
     }
 
     /**
-     * Timers first, those of {@code from} before those that only {@code to} has.
+     * The fates: timers first, those of {@code from} before those that only {@code to} has.
      *
-     * @param atOnce whether nothing has to be sent before {@code to} begins; no function runs meanwhile
+     * @param atOnce whether nothing has to be sent before {@code to} begins; else no function runs meanwhile
      */
     List<Carried> carried(State from, State to, boolean atOnce) {
         List<Carried> all = new ArrayList<>();

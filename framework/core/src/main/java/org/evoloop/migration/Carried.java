@@ -3,32 +3,32 @@ package org.evoloop.migration;
 import java.util.Locale;
 
 /**
- * What becomes of a timer or a function.
+ * The fate of a timer or a function.
  *
  * <p>Threading: immutable.
  *
- * @param name of a timer's event; of a function's do activity, or its state where no activity is drawn
- * @param becomes what it is called in the next model; the same as {@code name} unless a mapping says otherwise
+ * @param name the timer's event; or the function's do activity, or its state where no activity is drawn
+ * @param becomes its name in the next model; the same as {@code name} unless a mapping says otherwise
  * @since 0.1
  */
 public record Carried(Part part, String name, String becomes, How how) {
-    /** What it is. */
+    /** The kind of part. */
     public enum Part {
-        /** An event that is raised by itself in a state. */
+        /** A timer event of a state. */
         TIMER,
-        /** What runs in a new state. */
+        /** The function of a new state. */
         FUNCTION
     }
 
-    /** What becomes of it. */
+    /** How it is carried over. */
     public enum How {
-        /** It goes on: a timer with what is left of its time. */
+        /** It continues: a timer with its remaining time. */
         KEPT,
-        /** It ends and begins anew. */
+        /** It ends and starts again. */
         RESTARTED,
         /** It ends. */
         ENDED,
-        /** It begins. */
+        /** It starts. */
         STARTED
     }
 

@@ -6,7 +6,7 @@ import org.evoloop.evolution.Step;
 import org.evoloop.statemachine.Event;
 
 /**
- * What becomes of a pair of states of the running models in a swap.
+ * The fate of a pair of states of the running models in a swap.
  *
  * <p>Threading: immutable.
  *
@@ -16,10 +16,10 @@ public sealed interface Fate {
     /**
      * The swap is possible.
      *
-     * @param at where device and evolved system are as soon as the next models take over
-     * @param to where they stand when all steps have been sent
-     * @param steps what is sent to get there; mostly nothing
-     * @param carried what becomes of the timers and the functions of both states
+     * @param at the states of device and evolved system as soon as the next models take over
+     * @param to their states when all steps have been sent
+     * @param steps the steps sent to get there; usually none
+     * @param carried how the timers and the functions of both states are carried over
      */
     record Maps(Configuration at, Configuration to, List<Step> steps, List<Carried> carried) implements Fate {
         public Maps {
@@ -32,8 +32,8 @@ public sealed interface Fate {
      * The swap has to wait until other states are current.
      *
      * @param because why it is not possible here
-     * @param exits events that lead towards states in which it is
-     * @param uncertain those of them that may never come: all but timers without a guard
+     * @param exits events that lead towards states in which it is possible
+     * @param uncertain the exits that may never come: all but timers without a guard
      */
     record Waits(String because, List<Event> exits, List<Event> uncertain) implements Fate {
         public Waits {
@@ -43,9 +43,9 @@ public sealed interface Fate {
     }
 
     /**
-     * No swap is possible here, and nothing leads to where one is.
+     * No swap is possible here, and no event leads to a state in which one is.
      *
-     * @param because for people, with what can be done about it
+     * @param because the reason and the remedy, for people
      */
     record Stuck(String because) implements Fate {}
 }

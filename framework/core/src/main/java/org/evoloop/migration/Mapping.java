@@ -12,17 +12,17 @@ import org.evoloop.statemachine.ModelException;
 import org.evoloop.statemachine.State;
 
 /**
- * What the author of a swap says of states, timers and functions that do not go by their names. All that it does not name
- * goes by name.
+ * The exceptions, given by the author of a swap, for states, timers and functions that are not mapped by name.
+ * Everything else is mapped by name.
  *
  * <p>Threading: immutable.
  *
- * @param device what states of the running original model become
- * @param states what states of the running new model become
- * @param timers what timers become
- * @param restartedTimers timers that begin anew instead of going on
- * @param restartedFunctions states whose function begins anew, though it could go on
- * @param keptFunctions states whose function goes on, though the next state's has another name
+ * @param device states of the running original model, with their successors
+ * @param states states of the running new model, with their successors
+ * @param timers timers, with their successors
+ * @param restartedTimers timers that start again instead of continuing
+ * @param restartedFunctions states whose function starts again, though it could continue
+ * @param keptFunctions states whose function continues, though the next state's has another name
  * @since 0.1
  */
 public record Mapping(
@@ -44,25 +44,26 @@ public record Mapping(
     /** A timer of a state of the running new model, by the name of its event. */
     public record TimerOf(State state, String timer) {}
 
-    /** Everything goes by name. */
+    /** Maps everything by name. */
     public static Mapping byName() {
         return new Mapping(Map.of(), Map.of(), Map.of(), Set.of(), Set.of(), Set.of());
     }
 
     /**
-     * Reads a mapping, a rule a line: {@code state A -> B} and {@code device A -> B} for a state of the new and of the original
-     * model, {@code timer T of A -> T2}, {@code timer T of A restarts}, {@code function of A restarts}, {@code function of A
-     * goes on}. Empty lines, and those that begin with {@code #}, count for nothing.
+     * Reads a mapping, one rule per line: {@code state A -> B} and {@code device A -> B} for a state of the new and of
+     * the original model, {@code timer T of A -> T2}, {@code timer T of A restarts}, {@code function of A restarts},
+     * {@code function of A goes on}. Empty lines and lines that begin with {@code #} are ignored.
      *
      * @param file for messages
-     * @throws ModelException naming file, line and mend of all that cannot be understood or that the models lack
+     * @throws ModelException if a line cannot be understood or names something that the models lack; the message gives
+     *     the file and, for each problem, the line and the remedy
      */
     public static Mapping parse(String file, String text, ModelPair running, ModelPair next) {
         return MappingText.parse(file, text, running, next);
     }
 
     /**
-     * What leads back. Of several states that become one, the first by name is what that one becomes again.
+     * The mapping back. Where several states have one successor, that is mapped back to the first of them by name.
      */
     public Mapping reversed() {
         Map<State, State> back = reversed(states);
@@ -87,35 +88,35 @@ public record Mapping(
         return back;
     }
 
-    /** The same with {@code next} in place of {@code state} of the running new model. */
+    /** A copy in which {@code state} of the running new model becomes {@code next}. */
     public Mapping withState(State state, State next) {
         Map<State, State> all = new HashMap<>(states);
         all.put(state, next);
         return new Mapping(device, all, timers, restartedTimers, restartedFunctions, keptFunctions);
     }
 
-    /** The same with {@code next} in place of {@code state} of the running original model. */
+    /** A copy in which {@code state} of the running original model becomes {@code next}. */
     public Mapping withDeviceState(State state, State next) {
         Map<State, State> all = new HashMap<>(device);
         all.put(state, next);
         return new Mapping(all, states, timers, restartedTimers, restartedFunctions, keptFunctions);
     }
 
-    /** The same where {@code timer} goes on as the timer {@code next} of the next state. */
+    /** A copy in which {@code timer} continues as the timer {@code next} of the next state. */
     public Mapping withTimer(TimerOf timer, String next) {
         Map<TimerOf, String> all = new HashMap<>(timers);
         all.put(timer, next);
         return new Mapping(device, states, all, restartedTimers, restartedFunctions, keptFunctions);
     }
 
-    /** The same where {@code timer} begins anew. */
+    /** A copy in which {@code timer} starts again. */
     public Mapping withRestarted(TimerOf timer) {
         Set<TimerOf> all = new HashSet<>(restartedTimers);
         all.add(timer);
         return new Mapping(device, states, timers, all, restartedFunctions, keptFunctions);
     }
 
-    /** The same where the function of {@code state} goes on, whatever its name, or else begins anew. */
+    /** A copy in which the function of {@code state} continues, whatever its name, or else starts again. */
     public Mapping withFunction(State state, boolean goesOn) {
         Set<State> kept = new HashSet<>(keptFunctions);
         Set<State> restarted = new HashSet<>(restartedFunctions);

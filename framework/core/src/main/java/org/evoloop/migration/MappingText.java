@@ -16,7 +16,7 @@ import org.evoloop.statemachine.StateMachine;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Reads a mapping, a rule a line:
+ * Reads a mapping, one rule per line:
  *
  * <pre>
  * # Muting is what Fading was called
@@ -122,7 +122,7 @@ final class MappingText {
                 timer, known(becomes.get(), timers(next.evolved(), there), "timer of " + there + " in the next model"));
     }
 
-    /** Of all states that are this one but for what is remembered in them. */
+    /** The timers of all states that differ from this one only in the history that they remember. */
     private static List<String> timers(StateMachine machine, State plain) {
         return machine.states().stream()
                 .filter(state -> machine.withoutMemory(state).equals(plain))
@@ -132,7 +132,7 @@ final class MappingText {
                 .toList();
     }
 
-    /** The state of that name, without what is remembered in it. */
+    /** The state of that name, without remembered history. */
     private static State state(StateMachine machine, String model, String name) {
         Stream<String> names = machine.states().stream()
                 .map(state -> machine.withoutMemory(state).name());

@@ -17,12 +17,12 @@ import org.evoloop.evolution.Turn;
 import org.evoloop.statemachine.Event;
 
 /**
- * The plan of a swap: what becomes of every pair of states that the running models can reach. Where a pair can stand, and
- * what has to be sent to get there, the next models' decision table says.
+ * The plan of a swap: the fate of every pair of states that the running models can reach. The next models' decision
+ * table tells which pairs are reachable there, and what has to be sent to get to them.
  *
  * <p>Threading: immutable.
  *
- * @param lines one for each pair of states, in the order in which they are reached
+ * @param lines one for each pair of states, in the order of exploration
  * @since 0.1
  */
 public record Migration(List<Line> lines) {
@@ -30,7 +30,7 @@ public record Migration(List<Line> lines) {
         lines = List.copyOf(lines);
     }
 
-    /** What becomes of one pair of states. */
+    /** The fate of one pair of states. */
     public record Line(Configuration at, Fate fate) {}
 
     /** Whether no pair of states is stuck. */
@@ -38,14 +38,14 @@ public record Migration(List<Line> lines) {
         return lines.stream().noneMatch(line -> line.fate() instanceof Fate.Stuck);
     }
 
-    /** The plan of a swap from the models of {@code running} to those of {@code next}, with the timers that are drawn. */
+    /** The plan of a swap from the models of {@code running} to those of {@code next}, with the drawn timers. */
     public static Migration plan(DecisionTable running, DecisionTable next, Mapping mapping) {
         Timers drawn = Timers.drawnIn(running.models().evolved());
         Timers nextDrawn = Timers.drawnIn(next.models().evolved());
         return plan(running, new Succession(running, drawn, next, nextDrawn, mapping));
     }
 
-    /** The plan of a swap from the models of {@code running}, as {@code succession} tells of each pair of states. */
+    /** The plan of a swap from the models of {@code running}, by {@code succession}. */
     public static Migration plan(DecisionTable running, Succession succession) {
         Map<Configuration, Fate> fates = new LinkedHashMap<>();
         running.configurations().forEach(at -> fates.put(at, succession.fate(at)));
@@ -55,7 +55,10 @@ public record Migration(List<Line> lines) {
         return new Migration(lines);
     }
 
-    /** How many events lead from each pair of states to the nearest in which a swap is possible; none for the others. */
+    /**
+     * The number of events from each pair of states to the nearest one in which a swap is possible; without pairs that
+     * have none.
+     */
     private static Map<Configuration, Integer> distances(DecisionTable running, Map<Configuration, Fate> fates) {
         Map<Configuration, Set<Configuration>> comingFrom = new HashMap<>();
         Map<Configuration, Integer> distances = new HashMap<>();
@@ -82,7 +85,7 @@ public record Migration(List<Line> lines) {
         return distances;
     }
 
-    /** What can happen there and leads elsewhere. */
+    /** The turns in {@code at} that lead to another pair of states. */
     private static List<Turn> turns(DecisionTable running, Configuration at) {
         List<Turn> turns = new ArrayList<>(running.expected(at));
         turns.addAll(running.interference(at));

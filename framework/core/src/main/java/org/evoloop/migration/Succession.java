@@ -13,8 +13,8 @@ import org.evoloop.statemachine.Transition;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What becomes of what is known in the running models when the next ones take over. A state is where the mapping says, else
- * under the same name, else drawn in the same place.
+ * Translates the running models' state into the next models' when these take over. A state is found by the mapping,
+ * else by its name, else by its place in the drawing.
  *
  * <p>Threading: thread-safe.
  *
@@ -29,8 +29,8 @@ public final class Succession {
     private final Belongings belongings;
 
     /**
-     * @param runningTimers of the running new model
-     * @param nextTimers of the next new model
+     * @param runningTimers the timers of the running new model
+     * @param nextTimers the timers of the next new model
      */
     public Succession(
             DecisionTable running, Timers runningTimers, DecisionTable next, Timers nextTimers, Mapping mapping) {
@@ -42,7 +42,9 @@ public final class Succession {
         this.belongings = new Belongings(running, runningTimers, next, nextTimers, mapping);
     }
 
-    /** What becomes of {@code at} now; {@link Fate.Stuck} if nothing can, whatever may happen later. */
+    /**
+     * The fate of {@code at} now; {@link Fate.Stuck} if no swap is possible in it, even if one may be possible later.
+     */
     public Fate fate(Configuration at) {
         State device = deviceState(at.original());
         if (device == null) {
@@ -54,7 +56,7 @@ public final class Succession {
         }
         Configuration there = new Configuration(device, system);
         if (!running.standsTogether(at)) {
-            // A plan broke off, the new model has not followed the device yet, or somebody has operated that.
+            // A plan failed, the new model has not followed the device yet, or someone has operated the device.
             return new Fate.Maps(there, there, List.of(), belongings.carried(at.evolved(), system, true));
         }
         Decision settled = next.settle(there);
@@ -65,12 +67,12 @@ public final class Succession {
         return new Fate.Maps(there, settled.after(), steps, belongings.carried(at.evolved(), system, steps.isEmpty()));
     }
 
-    /** What {@code state} of the running original model is in the next one; null if it is nothing there. */
+    /** The successor of {@code state} of the running original model; null if it has none. */
     public @Nullable State deviceState(State state) {
         return same(state, oldDevice, next.models().original(), mapping.device(), null);
     }
 
-    /** What {@code step} of the running original model is in the next one; null if it is nothing there. */
+    /** The successor of {@code step} of the running original model; null if it has none. */
     public @Nullable Step step(Step step) {
         State source = deviceState(step.source());
         Transition transition = source == null
@@ -80,8 +82,8 @@ public final class Succession {
     }
 
     /**
-     * The transition of the next new model that leads into {@code state} as {@code by} led into its predecessor; for a new
-     * state of which there is none, the one drawn first. It tells which function runs there.
+     * The transition of the next new model that leads into {@code state} as {@code by} led into its predecessor; for a
+     * new state without such a transition, the one drawn first. It determines which function runs there.
      */
     public @Nullable Transition entry(State state, @Nullable Transition by) {
         StateMachine now = next.models().evolved();
@@ -105,7 +107,9 @@ public final class Succession {
                 + state + " -> STATE");
     }
 
-    /** @param device where the device will be, which tells apart states that differ in what is remembered; null if not known */
+    /**
+     * @param device the device's state then, which distinguishes states that differ in their history; null if unknown
+     */
     private @Nullable State same(
             State state, StateMachine old, StateMachine now, Map<State, State> mapped, @Nullable State device) {
         State plain = old.withoutMemory(state);

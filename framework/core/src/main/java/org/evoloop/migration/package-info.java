@@ -1,6 +1,6 @@
 /**
- * The plan of a swap of models while a converter runs: what becomes of each pair of states that can be reached, before
- * anything changes.
+ * The plan of a swap of models while a converter runs: the fate of each reachable pair of states, known before anything
+ * changes.
  *
  * <p>This package may use {@code org.evoloop.evolution} and {@code org.evoloop.statemachine} only. It knows no threads, clocks or
  * files.

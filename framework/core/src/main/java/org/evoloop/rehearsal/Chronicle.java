@@ -12,7 +12,7 @@ import org.evoloop.evolution.Occurrence;
 import org.evoloop.statemachine.Transition;
 
 /**
- * Listens to a core, and tells what became of each event and how.
+ * Receives a core's outputs, and reports how each event ended.
  *
  * <p>Threading: not thread-safe.
  *
@@ -26,9 +26,9 @@ public class Chronicle implements Outputs {
     private long visit;
 
     /**
-     * Tells of every event that comes to its end.
+     * Reports every event that ends.
      *
-     * @param visit in which the core begins
+     * @param visit the visit in which the core begins
      */
     public Chronicle(long visit, Consumer<Ending> endings) {
         this.visit = visit;
@@ -59,7 +59,7 @@ public class Chronicle implements Outputs {
         }
     }
 
-    /** Doubts and violations are no events of the models. */
+    /** Doubts and violations are not events of the models. */
     private static boolean isOfModels(Occurrence occurrence) {
         return !(occurrence instanceof Occurrence.InDoubt || occurrence instanceof Occurrence.Violated);
     }

@@ -18,11 +18,11 @@ import org.evoloop.statemachine.State;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Tells other models what a converter is told, and compares what both make of each event.
+ * Gives other models the inputs of a converter, and compares both decisions on each event.
  *
- * <p>Each step and effect of the other models succeeds at once, unless a step for the same event failed in the converter;
- * guards hold that held there; timers are due by the other models' own deadlines; an event of a function occurs only while
- * both new models are in the same state.
+ * <p>Each step and effect of the other models succeeds at once, unless a step for the same event failed in the
+ * converter. A guard holds if it held there. Timers are due by the other models' own deadlines. An event of a function
+ * occurs only while both new models are in the same state.
  *
  * <p>Threading: not thread-safe.
  *
@@ -33,39 +33,42 @@ public final class Comparison {
     private final Consumer<Ending> endings;
     private @Nullable Rehearsal other;
 
-    /** What the converter made of the event that has its turn. */
+    /** How the event that has its turn ended in the converter. */
     private @Nullable Ending recorded;
 
-    /** What the other models made of it. */
+    /** How it ended in the other models. */
     private @Nullable Ending answered;
 
-    /** What the other models made of events that have not come to their end in the converter. */
+    /** How events ended in the other models that have not ended in the converter. */
     private final List<Ending> early = new ArrayList<>();
 
-    /** Hears what came of an event. */
+    /** Receives the comparison of an event. */
     @FunctionalInterface
     public interface Compared {
         /**
-         * An event was dealt with by both, or by one of the two.
+         * An event was handled by both, or by one of the two.
          *
-         * @param then what the converter made of it; null for a timer that it does not have
-         * @param now what the other models make of it; null if it would not have happened
+         * @param then the converter's verdict; null for a timer that it does not have
+         * @param now the other models' verdict; null if it would not have happened
          */
         void compared(Occurrence occurrence, @Nullable Verdict then, @Nullable Verdict now);
     }
 
-    /** @param endings hears of every event that the other models have dealt with */
+    /** @param endings receives every event that the other models have handled */
     public Comparison(Compared compared, Consumer<Ending> endings) {
         this.compared = compared;
         this.endings = endings;
     }
 
-    /** Where nothing has happened yet: closed, and no timer runs. */
+    /** A snapshot in which nothing has happened yet: closed, and no timer runs. */
     public static Snapshot still(Configuration at, long nowNanos) {
         return still(false, at, new Snapshot.OpenVisit(0, true, null, Map.of()), List.of(), nowNanos);
     }
 
-    /** Where {@code from} is, with its timers; of what waits, only that the device has to follow other models. */
+    /**
+     * A snapshot in the states of {@code from}, with its timers; of its queue, only a takeover that has not settled
+     * yet.
+     */
     public static Snapshot still(Snapshot from) {
         List<Pending> waiting = from.waiting().stream()
                 .filter(pending -> pending.occurrence() instanceof Occurrence.Evolved)
@@ -79,7 +82,7 @@ public final class Comparison {
         return new Snapshot(open, at, null, 0, nowNanos, visit, waiting, false, false, null, nothing, nowNanos);
     }
 
-    /** The other models begin, or go on in another process, after {@link #rest}. */
+    /** The other models begin, or continue in another process, after {@link #rest}. */
     public void begin(Rules rules, Snapshot from) {
         other = new Rehearsal(rules, from, this::recordedOf, this::otherEnded);
     }
@@ -91,7 +94,7 @@ public final class Comparison {
         return other;
     }
 
-    /** Where device and evolved system would be. */
+    /** The states in which device and evolved system would be. */
     public Configuration at() {
         return other().at();
     }
@@ -99,18 +102,19 @@ public final class Comparison {
     /**
      * An event was observed.
      *
-     * @param raisedIn the state of the converter's new model, if the event belongs to its visit; null if it does to an older one
+     * @param raisedIn the state of the converter's new model, if the event belongs to its visit; null if it belongs to
+     *     an older one
      */
     public void observed(Occurrence occurrence, @Nullable State raisedIn, long atNanos) {
         other().hear(occurrence, raisedIn, atNanos);
     }
 
-    /** The converter was opened or closed, or its process was; other inputs are ignored. */
+    /** The converter was opened or closed, or recovered in a new process; other inputs are ignored. */
     public void follow(Input input, long atNanos) {
         other().follow(input, atNanos);
     }
 
-    /** An event has come to its end in the converter. */
+    /** An event has ended in the converter. */
     public void ended(Ending ending, long atNanos) {
         Occurrence occurrence = ending.ended().occurrence();
         recorded = ending;
@@ -123,12 +127,12 @@ public final class Comparison {
         }
     }
 
-    /** Time has passed: timers have their turns that only the other models have. */
+    /** Time has passed: timers that only the other models have get their turns. */
     public void pass(long atNanos) {
         other().fire(atNanos);
     }
 
-    /** Nothing more comes from this process: what waits has its turn. */
+    /** Nothing more comes from this process: waiting events get their turns. */
     public void rest(long atNanos) {
         if (other != null) {
             other.rest(atNanos);

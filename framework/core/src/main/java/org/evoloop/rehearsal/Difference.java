@@ -5,13 +5,13 @@ import org.evoloop.evolution.Occurrence;
 import org.jspecify.annotations.Nullable;
 
 /**
- * An event of which the other models make something else.
+ * An event that the other models decide differently.
  *
  * <p>Threading: immutable.
  *
  * @param at when it occurred
- * @param recorded what became of it; null for a timer that only the other models have
- * @param other what would have; null if the event would not have happened
+ * @param recorded the verdict in the recording; null for a timer that only the other models have
+ * @param other the other models' verdict; null if the event would not have happened
  * @since 0.1
  */
 public record Difference(
@@ -20,12 +20,12 @@ public record Difference(
         @Nullable Verdict recorded,
         @Nullable Verdict other) {
 
-    /** For messages: what became of it. */
+    /** The recorded verdict, for messages. */
     public String then() {
         return recorded == null ? "had no such timer" : recorded.toString();
     }
 
-    /** For messages: what the other models make of it. */
+    /** The other models' verdict, for messages. */
     public String now() {
         return other == null ? "would not have happened" : other.toString();
     }

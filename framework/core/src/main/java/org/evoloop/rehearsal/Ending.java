@@ -9,10 +9,10 @@ import org.evoloop.core.Output;
  *
  * <p>Threading: immutable.
  *
- * @param ended what the core has said
+ * @param ended the core's output
  * @param verdict the same in words
- * @param took how many steps had had their effect by then
- * @param guards that the decision supposed to hold
+ * @param took how many steps had had their effect
+ * @param guards the guards that held for the decision
  * @since 0.1
  */
 public record Ending(Output.Ended ended, Verdict verdict, int took, Set<String> guards) {
@@ -20,7 +20,7 @@ public record Ending(Output.Ended ended, Verdict verdict, int took, Set<String> 
         guards = Set.copyOf(guards);
     }
 
-    /** Whether a step failed on the way. */
+    /** Whether a step failed. */
     boolean isBroken() {
         return ended.outcome() == Outcome.FAILED && ended.decision() == null;
     }

@@ -28,19 +28,22 @@ import org.evoloop.statemachine.State;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Tells another core what a converter is told, as {@link Comparison} says.
+ * Gives another core the inputs of a converter, as described in {@link Comparison}.
  *
  * <p>Threading: not thread-safe.
  */
 final class Rehearsal extends Chronicle {
-    /** A timer of the converter is told a moment after it is due, and the other core enters its states a moment later. */
+    /**
+     * A tolerance: a timer of the converter is reported a moment after it is due, and the other core enters its states
+     * a moment later.
+     */
     private static final long SAME_TIMER_NANOS = Duration.ofSeconds(1).toNanos();
 
     private final Function<Occurrence, @Nullable Ending> then;
     private final Core core;
     private final Deque<Output.Directive> toDo = new ArrayDeque<>();
     private final Map<Event, Long> timers = new HashMap<>();
-    /** What was told and has not come to its end here, first come first. */
+    /** Observed events that have not ended here, in order. */
     private final List<Occurrence> outstanding = new ArrayList<>();
 
     private @Nullable Pending begun;
@@ -49,8 +52,8 @@ final class Rehearsal extends Chronicle {
     /**
      * Begins.
      *
-     * @param then how an event ended in the converter; null if it did not come there, or has not ended
-     * @param endings hears how each event ends here
+     * @param then tells how an event ended in the converter; null if it did not come there, or has not ended
+     * @param endings receives how each event ends here
      */
     Rehearsal(Rules rules, Snapshot from, Function<Occurrence, @Nullable Ending> then, Consumer<Ending> endings) {
         super(from.visit().number(), endings);
@@ -91,7 +94,7 @@ final class Rehearsal extends Chronicle {
         }
     }
 
-    /** Whether both are the same event, whichever models it is told to. */
+    /** Whether both are the same event, for whichever models. */
     static boolean isSame(Occurrence one, Occurrence other) {
         long apart = Math.abs(one.observedNanos() - other.observedNanos());
         return one.source() == other.source()
@@ -99,14 +102,14 @@ final class Rehearsal extends Chronicle {
                 && apart <= (one.source() == Source.TIMER ? SAME_TIMER_NANOS : 0);
     }
 
-    /** Where the other models stand. */
+    /** The other models' states. */
     Configuration at() {
         return core.at();
     }
 
     /**
-     * An event is observed; it has its {@link #turn} later. What belongs to a visit is heard only if the other models are in
-     * the state of that visit.
+     * An event is observed; it has its {@link #turn} later. An event that belongs to a visit counts only if the other
+     * models are in the state of that visit.
      *
      * @param raisedIn the current state of the converter, if the event belongs to its visit; null if it belongs to an older one
      */
@@ -122,7 +125,7 @@ final class Rehearsal extends Chronicle {
         }
     }
 
-    /** An event has come to its end in the converter: here it has its turn, after those that came before it. */
+    /** An event has ended in the converter: here it has its turn, after those that came before it. */
     void turn(Occurrence occurrence, long atNanos) {
         fire(atNanos);
         if (occurrence.source() == Source.TIMER && like(occurrence) == 0) {
@@ -141,7 +144,7 @@ final class Rehearsal extends Chronicle {
         settle(atNanos);
     }
 
-    /** How many of the same event have not come to their end here; there are two where a test's clock stands still. */
+    /** How many equal events have not ended here; there may be two while a test's clock stands still. */
     private long like(Occurrence occurrence) {
         return outstanding.stream().filter(each -> isSame(each, occurrence)).count();
     }
@@ -158,7 +161,9 @@ final class Rehearsal extends Chronicle {
         settle(atNanos);
     }
 
-    /** Timers that are due by then, the earliest first. One that the converter may have, too, waits for its turn there. */
+    /**
+     * Fires the timers due by then, earliest first. A timer that the converter may also have waits for its turn there.
+     */
     void fire(long atNanos) {
         expire(atNanos);
         while (true) {
@@ -182,7 +187,7 @@ final class Rehearsal extends Chronicle {
         core.timerDue(visit(), timer, due);
     }
 
-    /** Timers have their turns that the converter does not have. */
+    /** Gives timers that the converter does not have their turns. */
     private void expire(long atNanos) {
         boolean goesOn = true;
         while (goesOn && !outstanding.isEmpty()) {
@@ -194,7 +199,7 @@ final class Rehearsal extends Chronicle {
         }
     }
 
-    /** What follows from what has happened; what the converter has not dealt with yet waits. */
+    /** Carries out what follows; events that the converter has not handled yet wait. */
     private void settle(long atNanos) {
         boolean goesOn = true;
         while (goesOn && outstanding.isEmpty()) {
@@ -202,7 +207,7 @@ final class Rehearsal extends Chronicle {
         }
     }
 
-    /** What waits has its turn, as nothing more comes. */
+    /** Gives waiting events their turns, since nothing more comes. */
     void rest(long atNanos) {
         boolean goesOn = true;
         while (goesOn) {
@@ -210,7 +215,7 @@ final class Rehearsal extends Chronicle {
         }
     }
 
-    /** One event has its turn; false if there is none. */
+    /** Gives one event its turn; false if there is none. */
     private boolean convert(long atNanos) {
         begun = null;
         if (core.hasNext()) {

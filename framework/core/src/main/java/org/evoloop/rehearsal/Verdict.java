@@ -5,14 +5,14 @@ import org.evoloop.core.Outcome;
 import org.evoloop.evolution.Configuration;
 
 /**
- * What became of an event.
+ * The result of an event.
  *
  * <p>Threading: immutable.
  *
- * @param before where device and evolved system stood
- * @param after where they stood then
- * @param sent what the device was to be sent, in order
- * @param why for people: the decision's kind and reason, or why it came to nothing
+ * @param before the states of device and evolved system before it
+ * @param after their states after it
+ * @param sent the events to be sent to the device, in order
+ * @param why for people: the decision's kind and reason, or why the event had no effect
  * @since 0.1
  */
 public record Verdict(Configuration before, Configuration after, Outcome outcome, List<String> sent, String why) {
@@ -20,7 +20,7 @@ public record Verdict(Configuration before, Configuration after, Outcome outcome
         sent = List.copyOf(sent);
     }
 
-    /** Whether the same was decided, wherever the names of states have come from. */
+    /** Whether both are the same, compared by the names of states. */
     public boolean isSame(Verdict other) {
         return outcome == other.outcome && sent.equals(other.sent) && after.equals(other.after);
     }

@@ -1,4 +1,6 @@
-/** What other models would have made of what a converter is told: the same events, told to a core that performs nothing. */
+/**
+ * Finds out what other models would have decided: gives the same events to a core whose directives are not carried out.
+ */
 @NullMarked
 package org.evoloop.rehearsal;
 

@@ -10,8 +10,9 @@ import org.jspecify.annotations.Nullable;
 /**
  * An event that may trigger transitions; its identity is its name, as drawn on the transition, and its guards.
  *
- * <p>A guarded trigger is an event of its own, which exists only while its conditions hold: so T stays a function of
- * states and events. What a monitor tells is the name alone; which of the guarded events it is, is decided when it comes.
+ * <p>A guarded trigger is an event of its own, which exists only while its conditions hold, so that T remains a
+ * function of states and events. A monitor reports only the name; which of the guarded events it is, is decided when it
+ * comes.
  *
  * <p>Threading: immutable.
  *
@@ -20,12 +21,12 @@ import org.jspecify.annotations.Nullable;
 public final class Event implements Comparable<Event> {
     private final String name;
     private final List<String> guards;
-    /** Kept, as that of a {@link State}. */
+    /** Cached, like that of a {@link State}. */
     private final int hash;
 
     /**
      * @param name as drawn, not blank; a name such as {@code tm(2s)} is a time trigger
-     * @param guards the conditions that must all hold, as drawn; empty for an event that always counts
+     * @param guards the conditions that must all hold, as drawn; empty for an event without conditions
      * @throws ModelException if {@code name} is blank
      */
     public Event(String name, List<String> guards) {
@@ -47,18 +48,18 @@ public final class Event implements Comparable<Event> {
         return name;
     }
 
-    /** The conditions that must all hold, as drawn; empty for an event that always counts. */
+    /** The conditions that must all hold, as drawn; empty for an event without conditions. */
     public List<String> guards() {
         return guards;
     }
 
-    /** The same event without its guards: what a monitor tells and what can be sent. */
+    /** The event without its guards, as monitors report it and as it can be sent. */
     public Event trigger() {
         return guards.isEmpty() ? this : new Event(name);
     }
 
     /**
-     * How long a state must last before this event is raised by itself; empty for an event that somebody must raise.
+     * How long a state must last before this event is raised automatically; empty for any other event.
      *
      * @throws ModelException if the name has the form of a time trigger but holds no duration, see {@link TimeTrigger}
      */
@@ -67,9 +68,9 @@ public final class Event implements Comparable<Event> {
     }
 
     /**
-     * The name of a time trigger with a unit, where it has a number without one; any other name as it is.
+     * The name of a time trigger with a unit added if its number has none; any other name unchanged.
      *
-     * @param name of an event, such as {@code after 2}
+     * @param name the name of an event, such as {@code after 2}
      * @param unit milliseconds or seconds
      */
     public static String withTimeUnit(String name, ChronoUnit unit) {

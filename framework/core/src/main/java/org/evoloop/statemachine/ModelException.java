@@ -8,12 +8,12 @@ package org.evoloop.statemachine;
  */
 public final class ModelException extends RuntimeException {
 
-    /** The message is for the user, see above. */
+    /** @param message for the user, see above */
     public ModelException(String message) {
         super(message);
     }
 
-    /** With what was thrown by a library, which the message repeats as far as a user needs it. */
+    /** @param message for the user; includes what the user needs to know of {@code cause}, thrown by a library */
     public ModelException(String message, Throwable cause) {
         super(message, cause);
     }

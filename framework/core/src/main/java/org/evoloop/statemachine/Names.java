@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.stream.Stream;
 
 /**
- * What people may have meant by a name that there is not.
+ * Suggestions for a misspelt name.
  *
  * @since 0.1
  */
@@ -14,12 +14,12 @@ public final class Names {
     private static final int NEAREST = 3;
     private static final int LISTED = 20;
 
-    /** A longer name is no slip of the pen; to look for similar ones would take the square of its length. */
+    /** A longer name is not a typing error, and the search for similar ones takes time quadratic in its length. */
     private static final int LONGEST = 200;
 
     private Names() {}
 
-    /** {@code name} for messages: what is longer than {@value #LONGEST} letters is cut off. */
+    /** {@code name} for messages, truncated to {@value #LONGEST} characters. */
     public static String shown(String name) {
         return name.length() <= LONGEST ? name : name.substring(0, LONGEST) + "... (" + name.length() + " letters)";
     }
@@ -46,7 +46,7 @@ public final class Names {
         return near.isEmpty() ? "" : "; did you mean " + String.join(" or ", near) + "?";
     }
 
-    /** Those that differ by few letters, or only in capitals, blanks, hyphens and the like; the nearest first. */
+    /** Names that differ by few letters, or only in capitals, blanks, hyphens and the like; the nearest first. */
     private static List<String> nearest(String wrong, Stream<String> known) {
         if (wrong.length() > LONGEST) {
             return List.of();
@@ -62,7 +62,7 @@ public final class Names {
     }
 
     private static String plain(String name) {
-        // By hand: misspelt events may come in masses.
+        // By hand, for speed: misspelt events may come in large numbers.
         StringBuilder plain = new StringBuilder(name.length());
         for (int index = 0; index < name.length(); index++) {
             char letter = name.charAt(index);
@@ -73,7 +73,9 @@ public final class Names {
         return plain.toString();
     }
 
-    /** Letters that must be added, left out, changed, or put in the place of their neighbour (optimal string alignment). */
+    /**
+     * The number of letters to add, delete, change or swap with their neighbour (optimal string alignment distance).
+     */
     private static int distance(String from, String to) {
         int[][] distance = new int[from.length() + 1][to.length() + 1];
         for (int i = 0; i <= from.length(); i++) {

@@ -12,7 +12,7 @@ import org.jspecify.annotations.Nullable;
  * <p>Threading: not thread-safe while it is written, thread-safe afterwards.
  */
 final class Row {
-    /** So many are looked through sooner than hashed, and most states have no more. */
+    /** Up to this many are searched faster than hashed, and most states have no more. */
     private static final int FEW = 8;
 
     private final List<State> alone;
@@ -24,14 +24,14 @@ final class Row {
         this.alone = List.of(state);
     }
 
-    /** What {@code same} holds now. */
+    /** A copy of {@code same}. */
     Row(Row same) {
         this.alone = same.alone;
         this.transitions = List.copyOf(same.transitions);
         this.byEvent = same.byEvent == null ? null : new HashMap<>(same.byEvent);
     }
 
-    /** Adds a transition unless there is one on its event: then that one, else null. */
+    /** Adds a transition unless there is one on its event; returns that one, else null. */
     @Nullable
     Transition putIfAbsent(Transition transition) {
         Transition present = find(transition.event());
@@ -67,12 +67,12 @@ final class Row {
         return null;
     }
 
-    /** The state, as the machine names it, and no other. */
+    /** A list of only this state, as the machine names it. */
     List<State> alone() {
         return alone;
     }
 
-    /** All of them; of a copy the list cannot be changed. */
+    /** All transitions; the list of a copy is unmodifiable. */
     List<Transition> transitions() {
         return transitions;
     }

@@ -13,7 +13,7 @@ import org.jspecify.annotations.Nullable;
  */
 public final class State implements Comparable<State> {
     private final String name;
-    /** Kept, since the states of a large pair are looked up a million times before anything runs. */
+    /** Cached, since the states of a large pair are looked up a million times before anything runs. */
     private final int hash;
 
     /**

@@ -34,9 +34,9 @@ public final class StateMachine {
     private final Set<Event> spontaneous;
     private final Set<String> guards;
     private final List<String> initialEffects;
-    /** Only of states that have any. */
+    /** Only for states that have any. */
     private final Map<State, StateTraits> traits;
-    /** By what they are without memory; only where that is not each by itself. */
+    /** States that differ only in their memory, by the state without memory; only where there are several. */
     private final Map<State, List<State>> alike;
 
     StateMachine(
@@ -98,16 +98,16 @@ public final class StateMachine {
         return found;
     }
 
-    /** The same machine, which messages call {@code otherName}. */
+    /** A copy with this name. */
     public StateMachine withName(String otherName) {
         return new StateMachine(this, otherName);
     }
 
     /**
-     * The same machine with other names for some of its states.
+     * A copy with other names for some of its states.
      *
-     * @param names by state, and by what states are {@linkplain #withoutMemory without memory}
-     * @throws ModelException if two would have one name
+     * @param names the new names by state, including states {@linkplain #withoutMemory without memory}
+     * @throws ModelException if two states would have the same name
      */
     public StateMachine withStateNames(Map<State, String> names) {
         UnaryOperator<State> renamed = state -> names.containsKey(state) ? new State(names.get(state)) : state;
@@ -137,12 +137,12 @@ public final class StateMachine {
         return builder.build();
     }
 
-    /** Starts a machine of this name; the name is what messages call it. */
+    /** Starts a machine of this name, which is used in messages. */
     public static StateMachineBuilder named(String name) {
         return new StateMachineBuilder(name);
     }
 
-    /** What messages call this machine; the diagram name when it was read from a file. */
+    /** The name of this machine in messages; the diagram name when it was read from a file. */
     public String name() {
         return name;
     }
@@ -157,7 +157,7 @@ public final class StateMachine {
         return initialEffects;
     }
 
-    /** What is raised by itself while {@code state} lasts, without guards, and after how long, as drawn. */
+    /** The timer events of {@code state}, without guards, and their delays, as drawn. */
     public Map<Event, Duration> timers(State state) {
         Map<Event, Duration> timers = new LinkedHashMap<>();
         for (Transition transition : transitionsFrom(state)) {
@@ -167,24 +167,24 @@ public final class StateMachine {
         return timers;
     }
 
-    /** Names of the behaviors that go on while {@code state} lasts (UML's do activities), outer ones first. */
+    /** Names of the behaviors that run while {@code state} lasts (UML's do activities), outer ones first. */
     public List<String> activities(State state) {
         return traitsOf(state).activities();
     }
 
     /**
-     * The events that {@code state} defers where no transition of it counts for them, in order; with guards where they are
-     * deferred under those alone.
+     * The events that {@code state} defers where none of its transitions applies, in order; with guards where they are
+     * deferred only under those.
      */
     public Set<Event> deferred(State state) {
         return traitsOf(state).deferred();
     }
 
     /**
-     * Whether {@code event} is to wait, if it comes in {@code state}, until a state that does not defer it. A transition that
-     * counts goes first.
+     * Whether {@code state} defers {@code event}, so that it waits for a state that does not. A transition that applies
+     * takes precedence.
      *
-     * @param event under the guards under which it comes; as it is told by a monitor if none of those drawn for it hold
+     * @param event the event with the guards under which it comes; without guards if none of those drawn for it hold
      */
     public boolean defers(State state, Event event) {
         Set<Event> waiting = traitsOf(state).deferred();
@@ -197,9 +197,9 @@ public final class StateMachine {
     }
 
     /**
-     * What {@code state} is if nothing is said of what the machine remembers in it: which state a history restores, or that
-     * an activity has ended. {@code Off} for {@code Off [history Dim]}, the state itself for most. It need not be one of
-     * {@link #states()}; drawn states of this name are what people mean.
+     * {@code state} without what the machine remembers in it: which state a history restores, or that an activity has
+     * ended. {@code Off} for {@code Off [history Dim]}; for most states, the state itself. It need not be one of {@link
+     * #states()}; it is the state as drawn.
      */
     public State withoutMemory(State state) {
         State plain = traitsOf(state).withoutMemory();
@@ -207,8 +207,8 @@ public final class StateMachine {
     }
 
     /**
-     * The states, as this machine names them, that differ from {@code state} at most in what the machine remembers, itself
-     * included, in order.
+     * The states of this machine that differ from {@code state} at most in what the machine remembers, including
+     * itself, in order.
      *
      * @param state with its memory or without, see {@link #withoutMemory}
      * @return empty if this machine has none
@@ -228,20 +228,20 @@ public final class StateMachine {
     }
 
     /**
-     * Where {@code state} is drawn: the path {@code Outer.Inner} of the innermost state that is active in it, of regions
-     * side by side one for each. Its name where nothing else is known.
+     * Where {@code state} is drawn: the path {@code Outer.Inner} of the innermost active state, one for each region of
+     * orthogonal regions. Its name where nothing else is known.
      */
     public List<String> paths(State state) {
         List<String> known = traitsOf(state).paths();
         return known.isEmpty() ? List.of(state.name()) : known;
     }
 
-    /** Whether every state is drawn where its name says, inside no other and with nothing remembered. */
+    /** Whether every state is drawn at the top level, inside no other and without memory. */
     public boolean isDrawnFlat() {
         return traits.values().stream().allMatch(some -> some.paths().isEmpty() && some.withoutMemory() == null);
     }
 
-    /** Whether {@code state} is where the machine ends: nothing but final states, or a terminate pseudostate. */
+    /** Whether the machine ends in {@code state}: only final states, or a terminate pseudostate. */
     public boolean isEnd(State state) {
         return traitsOf(state).end();
     }
@@ -256,7 +256,10 @@ public final class StateMachine {
         return events;
     }
 
-    /** E without guards: what can be told by a monitor or sent. The same as {@link #events()} where no guard is drawn. */
+    /**
+     * E without guards: the events that a monitor can report or that can be sent. The same as {@link #events()} where
+     * no guard is drawn.
+     */
     public Set<Event> triggers() {
         Set<Event> triggers = new LinkedHashSet<>();
         for (Event event : events) {
@@ -300,7 +303,7 @@ public final class StateMachine {
         return find(source, event) != null;
     }
 
-    /** Whether {@code trigger} is acceptable in {@code source}, be it under a guard. */
+    /** Whether {@code trigger} is acceptable in {@code source}, even if only under a guard. */
     public boolean hasTrigger(State source, Event trigger) {
         for (Transition transition : transitionsFrom(source)) {
             if (transition.event().name().equals(trigger.name())) {
@@ -315,7 +318,7 @@ public final class StateMachine {
         return Optional.ofNullable(find(source, event));
     }
 
-    /** Where {@code event} leads from {@code source} (the paper's {@code getNextState}). */
+    /** The state to which {@code event} leads from {@code source} (the paper's {@code getNextState}). */
     public Optional<State> nextState(State source, Event event) {
         Transition transition = find(source, event);
         return transition == null ? Optional.empty() : Optional.of(transition.target());

@@ -23,7 +23,7 @@ public final class StateMachineBuilder {
     private final Map<State, Row> rows = new LinkedHashMap<>();
 
     private final Set<Event> events = new LinkedHashSet<>();
-    /** Only of transitions that stand somewhere. */
+    /** Only for transitions with a place. */
     private final IdentityHashMap<Transition, String> places = new IdentityHashMap<>();
 
     private final List<String> problems = new ArrayList<>();
@@ -47,7 +47,7 @@ public final class StateMachineBuilder {
         return this;
     }
 
-    /** Adds a state; states that a transition or {@link #initial} names need no call of their own. */
+    /** Adds a state; not needed for states named by a transition or {@link #initial}. */
     public StateMachineBuilder state(String state) {
         row(new State(state));
         return this;
@@ -68,7 +68,7 @@ public final class StateMachineBuilder {
         return this;
     }
 
-    /** Adds a state and the behaviors that go on while it lasts. */
+    /** Adds a state and the behaviors that run while it lasts. */
     public StateMachineBuilder activities(String state, List<String> names) {
         return names.isEmpty() ? state(state) : traits(state, known -> known.withActivities(names));
     }
@@ -76,7 +76,7 @@ public final class StateMachineBuilder {
     /**
      * Adds a state that defers an event, see {@link StateMachine#defers}.
      *
-     * @param event with the guards under which it is deferred, if under others it is not
+     * @param event the event, with guards if it is deferred only under those
      */
     public StateMachineBuilder defers(String state, Event event) {
         addEvent(event, "");
@@ -112,7 +112,7 @@ public final class StateMachineBuilder {
         return this;
     }
 
-    /** Adds an event that no transition needs to carry. */
+    /** Adds an event, which need not occur on any transition. */
     public StateMachineBuilder event(String event) {
         return event(new Event(event));
     }
@@ -128,23 +128,23 @@ public final class StateMachineBuilder {
         return event(event);
     }
 
-    /** Adds a transition, and its states and event with it. */
+    /** Adds a transition, with its states and event. */
     public StateMachineBuilder transition(String source, String event, String target) {
         return transition(source, event, target, "");
     }
 
     /**
-     * Adds a transition that stands in a file.
+     * Adds a transition read from a file.
      *
-     * @param place where, for messages, such as {@code line 12}; empty if it stands nowhere
+     * @param place its place for messages, such as {@code line 12}; empty if it has none
      */
     public StateMachineBuilder transition(String source, String event, String target, String place) {
         return transition(new Transition(new State(source), new Event(event), new State(target)), place);
     }
 
     /**
-     * Adds a transition that stands in a file, with its guards and effects. Of those of one state with the same trigger
-     * the one that was added first and whose guards hold counts.
+     * Adds a transition read from a file, with its guards and effects. Of those of one state with the same trigger, the
+     * first added whose guards hold is taken.
      *
      * @param place as above
      */
@@ -156,8 +156,8 @@ public final class StateMachineBuilder {
     }
 
     /**
-     * Adds the transitions that leave a state, in order, between states that have all been added: a hundred thousand
-     * transitions need not ask for each of their ends.
+     * Adds the transitions that leave a state, in order. Their states must have been added: this saves a look-up for
+     * each end of a hundred thousand transitions.
      */
     public StateMachineBuilder transitions(State source, List<Transition> leaving) {
         Row row = row(source);
@@ -194,7 +194,7 @@ public final class StateMachineBuilder {
         }
     }
 
-    /** What {@link #build()} would refuse in the transitions added so far. */
+    /** The problems that {@link #build()} would report in the transitions added so far. */
     public List<String> problems() {
         return List.copyOf(problems);
     }

@@ -7,7 +7,7 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a machine says of one of its states beside its transitions.
+ * The properties of a state other than its transitions.
  *
  * @param activities see {@link StateMachine#activities}
  * @param deferred see {@link StateMachine#deferred}

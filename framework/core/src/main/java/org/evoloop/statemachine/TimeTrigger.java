@@ -15,9 +15,9 @@ import org.jspecify.annotations.Nullable;
  * The text of a UML time trigger: {@code tm(2s)}, {@code after(500 ms)}, {@code after 2 s}, {@code after 1.5 minutes}, and
  * with or without those words a duration of ISO 8601 such as {@code PT1M30S}.
  *
- * <p>Where states around each other have equal time triggers, their names tell whose timer it is: {@code tm(2s) in On}.
+ * <p>Where nested states have equal time triggers, their names include the state: {@code tm(2s) in On}.
  *
- * <p>A unit is required, since UML leaves it to the reader and a wrong guess is a thousand times too long.
+ * <p>A unit is required: UML does not define one, and a wrong guess may be a thousand times too long.
  */
 final class TimeTrigger {
     private static final String OWNER = "(?:\\s+in\\s+.*)?";
@@ -69,7 +69,7 @@ final class TimeTrigger {
         return "(?:" + NUMBER + unit + ")?";
     }
 
-    /** The form of a time trigger, with what should be a duration as its first group; null for any other event. */
+    /** Matches the form of a time trigger, with the supposed duration as its first group; null for any other event. */
     private static @Nullable Matcher form(String eventName) {
         String text = eventName.strip();
         for (Pattern pattern : FORMS) {
@@ -134,7 +134,7 @@ final class TimeTrigger {
         return Duration.ofNanos(nanos.longValue());
     }
 
-    /** The same text with the unit of this abbreviation if it is a time trigger that has none. */
+    /** The text with this unit added if it is a time trigger without one. */
     static String withUnit(String eventName, String abbreviation) {
         Matcher form = form(eventName);
         if (form == null || !WITHOUT_UNIT.matcher(form.group(1).strip()).matches()) {

@@ -12,17 +12,17 @@ import java.util.Set;
  *
  * @param effects names of the behaviors that run when it is taken, in order: those on leaving states, its own, and those
  *     on entering states
- * @param internal whether the state is neither left nor entered, so that its timers and its function go on; then source
- *     and target are the same
- * @param keeps the time triggers and activities of the source that go on in the target, since they belong to a state
- *     around both which is not left: names of events as in {@link Event#name} and of activities as in
- *     {@link StateMachine#activities}. An internal transition keeps all
+ * @param internal whether the state is neither left nor entered, so that its timers and its function continue; then
+ *     source and target are the same
+ * @param keeps the time triggers and activities of the source that continue in the target, since they belong to an
+ *     enclosing state of both that is not left: names of events as in {@link Event#name} and of activities as in {@link
+ *     StateMachine#activities}. An internal transition keeps all
  * @since 0.1
  */
 public record Transition(
         State source, Event event, State target, List<String> effects, boolean internal, Set<String> keeps) {
 
-    /** @throws ModelException if it is internal and leads elsewhere */
+    /** @throws ModelException if it is internal and leads to another state */
     public Transition {
         effects = List.copyOf(effects);
         keeps = keeps.isEmpty() ? Set.of() : Collections.unmodifiableSet(new LinkedHashSet<>(keeps));
@@ -32,7 +32,7 @@ public record Transition(
         }
     }
 
-    /** A transition of a machine without hierarchy, whose states have nothing in common. */
+    /** A transition of a machine without hierarchy. */
     public Transition(State source, Event event, State target, List<String> effects, boolean internal) {
         this(source, event, target, effects, internal, Set.of());
     }

@@ -6,34 +6,37 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
 /**
- * How something that fails is tried again, such as connecting to a device: after longer and longer pauses, and with each
- * fault reported once, until the connection has lasted for {@link #STABLE}.
+ * Controls retries, for example of a connection to a device: the pauses grow, and each fault is reported once, until
+ * the connection has lasted for {@link #STABLE}.
  *
  * <p>Threading: thread-safe.
  *
  * @since 0.1
  */
 public final class Attempts {
-    /** The first pause; each is twice as long as the one before. */
+    /** The first pause; each further one is twice as long. */
     public static final Duration FIRST = Duration.ofMillis(250);
 
-    /** No pause is longer. */
+    /** The longest pause. */
     public static final Duration LONGEST = Duration.ofSeconds(30);
 
-    /** What is lost sooner counts as one more failed attempt: two clients of one name drop each other for ever. */
+    /**
+     * A connection lost sooner counts as another failed attempt: for example, two clients of one name disconnect each
+     * other for ever.
+     */
     public static final Duration STABLE = Duration.ofSeconds(3);
 
     private final Set<String> said = new HashSet<>();
     private Duration next = FIRST;
     private @Nullable Long wellSinceNanos;
 
-    /** Nothing has been tried yet. */
+    /** Creates an instance without attempts so far. */
     public Attempts() {}
 
     /**
-     * All is well.
+     * The attempt succeeded, or the connection still works.
      *
-     * @param nowNanos by a monotonic clock
+     * @param nowNanos the time on a monotonic clock
      * @return whether that is news
      */
     public synchronized boolean succeeded(long nowNanos) {
@@ -45,11 +48,11 @@ public final class Attempts {
     }
 
     /**
-     * An attempt has failed, or what was well is over.
+     * An attempt has failed, or the connection was lost.
      *
-     * @param why for people
-     * @param nowNanos by the same clock
-     * @return whether {@code why} is news, and to be reported
+     * @param why the reason, for people
+     * @param nowNanos the time on the same clock
+     * @return whether {@code why} is news and should be reported
      */
     public synchronized boolean failed(String why, long nowNanos) {
         Long since = wellSinceNanos;

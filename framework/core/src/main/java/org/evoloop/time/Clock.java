@@ -5,7 +5,7 @@ import java.time.Instant;
 import java.util.concurrent.CountDownLatch;
 
 /**
- * Two clocks and a timer: monotonic time for durations, wall time for stamps that people read.
+ * Two clocks and a timer: monotonic time for durations, wall time for timestamps.
  *
  * <p>Threading: all methods may be called from any thread.
  *
@@ -17,7 +17,7 @@ public interface Clock extends AutoCloseable {
     Duration LONGEST = Duration.ofDays(36_500);
 
     /**
-     * {@code delay}, if it is one that a clock takes.
+     * Returns {@code delay} after checking that a clock accepts it.
      *
      * @throws IllegalArgumentException if it is negative, or longer than {@link #LONGEST}
      */
@@ -29,7 +29,7 @@ public interface Clock extends AutoCloseable {
         return delay;
     }
 
-    /** Nanoseconds since some moment; never goes back. Only differences mean something. */
+    /** Nanoseconds since an arbitrary origin; never goes back. Only differences are meaningful. */
     long nanoTime();
 
     /** The time of day; may jump. */
@@ -45,7 +45,7 @@ public interface Clock extends AutoCloseable {
     /**
      * Waits for {@code duration} of this clock's time.
      *
-     * @throws InterruptedException if the thread is told to stop first
+     * @throws InterruptedException if the thread is interrupted first
      * @throws IllegalStateException if the caller is a task of this clock, which would wait for itself
      */
     default void sleep(Duration duration) throws InterruptedException {
@@ -70,7 +70,7 @@ public interface Clock extends AutoCloseable {
 
     /** A task that waits for its time. */
     interface Timer {
-        /** Calls the task off, unless it has begun; it holds nothing afterwards. Idempotent. */
+        /** Cancels the task, unless it has begun, and releases it. Idempotent. */
         void cancel();
     }
 }

@@ -21,10 +21,10 @@ public final class ManualClock implements Clock {
     private long nowNanos;
     private long scheduled;
 
-    /** On which a task runs. */
+    /** The thread on which a task runs. */
     private volatile @Nullable Thread working;
 
-    /** @param order counts what was scheduled; of tasks that are due at one time the first one runs first */
+    /** @param order the order of scheduling, in which tasks due at the same time run */
     private record Task(long dueNanos, long order, Runnable action) {}
 
     /** A clock that stands at zero. */
@@ -51,7 +51,10 @@ public final class ManualClock implements Clock {
         tasks.remove(task);
     }
 
-    /** Lets {@code duration} pass and runs what falls due meanwhile, tasks that those tasks schedule included. */
+    /**
+     * Lets {@code duration} pass and runs the tasks that become due meanwhile, including those that these tasks
+     * schedule.
+     */
     public void advance(Duration duration) {
         long until = nanoTime() + duration.toNanos();
         for (Task due = pollDue(until); due != null; due = pollDue(until)) {
@@ -77,7 +80,7 @@ public final class ManualClock implements Clock {
         return tasks.poll();
     }
 
-    /** How long it is until the next task is due; empty if none waits. */
+    /** The time until the next task is due; empty if none waits. */
     public synchronized Optional<Duration> untilNext() {
         Task next = tasks.peek();
         return next == null ? Optional.empty() : Optional.of(Duration.ofNanos(Math.max(0, next.dueNanos() - nowNanos)));

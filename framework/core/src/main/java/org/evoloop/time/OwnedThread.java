@@ -4,7 +4,8 @@ import java.util.HashSet;
 import java.util.Set;
 
 /**
- * A daemon thread that knows for whom it works: who waits for it to end must not be waited for on it.
+ * A daemon thread with an owner. Code on this thread must not wait for its owner, which may be waiting for the thread
+ * to end.
  *
  * <p>Threading: immutable but for what {@link Thread} is.
  *
@@ -16,7 +17,7 @@ public final class OwnedThread extends Thread {
     private OwnedThread(Set<Object> owners, String name, Runnable task) {
         super(task, name);
         this.owners = owners;
-        // What cannot be stopped must not keep the program alive.
+        // Code that cannot be stopped must not keep the program alive.
         setDaemon(true);
     }
 
@@ -25,7 +26,7 @@ public final class OwnedThread extends Thread {
         return new OwnedThread(Set.of(owner), name, task);
     }
 
-    /** The same, and for all for whom the caller's thread works, because they wait for {@code owner} to end. */
+    /** A thread that also works for all owners of the caller's thread, since they wait for {@code owner} to end. */
     public static OwnedThread within(Object owner, String name, Runnable task) {
         Set<Object> owners = new HashSet<>();
         owners.add(owner);

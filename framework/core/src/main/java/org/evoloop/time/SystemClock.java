@@ -10,7 +10,7 @@ import org.jspecify.annotations.Nullable;
 /**
  * The machine's clock, optionally running faster: at speed 20 a second of this clock lasts 50 ms.
  *
- * <p>Threading: thread-safe. Tasks run one after the other on a daemon thread that sleeps while none is due.
+ * <p>Threading: thread-safe. Tasks run one after another on a daemon thread that sleeps while none is due.
  *
  * @since 0.1
  */
@@ -21,7 +21,7 @@ public final class SystemClock implements Clock {
     private final ScheduledThreadPoolExecutor timers;
     private volatile @Nullable Thread own;
 
-    /** The machine's clock as it is. */
+    /** The machine's clock at normal speed. */
     public SystemClock() {
         this(1);
     }

@@ -3,7 +3,7 @@ package org.evoloop.time;
 import java.time.Duration;
 
 /**
- * What everybody who begins and ends threads needs.
+ * Utilities for starting and joining threads.
  *
  * <p>Threading: any thread may call it. Waiting takes real time, whatever {@link Clock} is in use.
  *

@@ -15,20 +15,20 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * What falls due at times of the day.
+ * A schedule by time of day.
  *
- * <p>A time that a day skips for summer time comes as much later, and one that a day has twice counts the first time. Whoever looks
- * after each {@link #pause} finds out soon that the computer's clock was set, or that the computer has slept: what was missed by
- * up to {@link #LATEST} is due then, what is older is left out, and nothing is due twice, unless the clock goes back by more than
- * that.
+ * <p>A time that a day skips for daylight saving time comes later by the same amount, and of a time that occurs twice
+ * the first counts. A caller that checks after each {@link #pause} soon notices that the computer's clock was set, or
+ * that the computer has slept: items missed by up to {@link #LATEST} are due then, older ones are skipped, and nothing
+ * is due twice, unless the clock goes back by more than that.
  *
- * <p>Threading: times are added before the first look; one thread at a time looks.
+ * <p>Threading: times are added before the first check; one thread at a time checks.
  *
- * @param <T> what is due
+ * @param <T> an item that becomes due
  * @since 0.1
  */
 public final class TimesOfDay<T> {
-    /** How late something is still due. */
+    /** How late an item is still due. */
     public static final Duration LATEST = Duration.ofHours(1);
 
     private static final Logger LOG = LoggerFactory.getLogger(TimesOfDay.class);
@@ -37,7 +37,7 @@ public final class TimesOfDay<T> {
     private final ZoneId zone;
     private final List<Entry<T>> entries = new CopyOnWriteArrayList<>();
 
-    /** Up to when everything has been due; the clock's own. */
+    /** The time up to which everything has been returned. */
     private Instant told;
 
     private record Entry<T>(LocalTime time, Set<DayOfWeek> days, T what) {}
@@ -45,22 +45,22 @@ public final class TimesOfDay<T> {
     private record Due<T>(Instant at, T what) {}
 
     /**
-     * No times.
+     * An empty schedule.
      *
-     * @param zone whose time of day counts
-     * @param now what has come up to then is not made up for
+     * @param zone the time zone of the times
+     * @param now the present time; earlier items are skipped
      */
     public TimesOfDay(ZoneId zone, Instant now) {
         this.zone = zone;
         this.told = now;
     }
 
-    /** Adds a time of these days of the week. */
+    /** Adds a time on these days of the week. */
     public void add(LocalTime time, Set<DayOfWeek> days, T what) {
         entries.add(new Entry<>(time, Set.copyOf(days), what));
     }
 
-    /** How long to wait before the next look: until something is due, but a minute at most. */
+    /** How long to wait before the next check: until an item is due, but at most a minute. */
     public Duration pause(Instant now) {
         List<Due<T>> soon = between(now, now.plus(LONGEST_PAUSE));
         return soon.isEmpty()
@@ -68,7 +68,7 @@ public final class TimesOfDay<T> {
                 : Duration.between(now, soon.get(0).at());
     }
 
-    /** What has become due since the last look, in order. */
+    /** The items that have become due since the last check, in order. */
     public List<T> due(Instant now) {
         if (now.isBefore(told.minus(LATEST))) {
             LOG.info("the clock has gone back from {} to {}; times of the day go on from there", told, now);
@@ -83,10 +83,10 @@ public final class TimesOfDay<T> {
         return due.stream().map(Due::what).toList();
     }
 
-    /** What falls due after {@code begin} and not after {@code end}, at most some hours later; in order. */
+    /** The items due after {@code begin} and not after {@code end}, at most some hours later; in order. */
     private List<Due<T>> between(Instant begin, Instant end) {
         List<Due<T>> due = new ArrayList<>();
-        // A time that summer time skips may come on the next day.
+        // A time skipped for daylight saving time may come on the next day.
         LocalDate day = begin.atZone(zone).toLocalDate().minusDays(1);
         for (LocalDate last = end.atZone(zone).toLocalDate(); !day.isAfter(last); day = day.plusDays(1)) {
             for (Entry<T> entry : entries) {

@@ -1,7 +1,7 @@
 /**
- * Time as Evoloop sees it: a clock that is injected, so that a test or a simulation decides how it passes.
+ * Time in Evoloop: an injected clock, so that a test or a simulation controls how time passes.
  *
- * <p>This room uses nothing of Evoloop; nothing else in it may read the time of the machine or put a thread to sleep.
+ * <p>This package uses nothing else of Evoloop; no other package may read the machine's time or put a thread to sleep.
  */
 @NullMarked
 package org.evoloop.time;

@@ -8,9 +8,9 @@ import org.evoloop.time.Clock;
 import org.evoloop.time.TimesOfDay;
 
 /**
- * Something that a visit does at a time of the day.
+ * A task that a visit runs at a time of day.
  *
- * <p>Threading: the clock's thread looks, as long as the visit lasts.
+ * <p>Threading: the clock's thread checks the time as long as the visit lasts.
  */
 final class Alarm {
     private final HostedVisit visit;

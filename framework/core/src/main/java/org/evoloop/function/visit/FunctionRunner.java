@@ -19,7 +19,7 @@ import org.slf4j.LoggerFactory;
 public final class FunctionRunner {
     private static final Logger LOG = LoggerFactory.getLogger(FunctionRunner.class);
 
-    /** With more threads left behind than these, no further function begins. */
+    /** No further function begins if more threads than this have been abandoned. */
     private static final int MOST_ABANDONED = 16;
 
     private final VisitHost host;
@@ -28,7 +28,7 @@ public final class FunctionRunner {
     private volatile @Nullable Thread thread;
     private volatile boolean hasFunction;
 
-    /** Threads that were left to themselves. */
+    /** Abandoned threads. */
     private final List<Thread> abandoned = new CopyOnWriteArrayList<>();
 
     /** @param joinLimit how long a function may take to end once it is interrupted, in real time */
@@ -37,7 +37,7 @@ public final class FunctionRunner {
         this.joinLimit = joinLimit;
     }
 
-    /** Begins {@code next}, with nothing to run in it. */
+    /** Begins {@code next}, without a function. */
     public void begin(HostedVisit next) {
         end();
         visit = next;
@@ -71,8 +71,8 @@ public final class FunctionRunner {
     }
 
     /**
-     * Ends the current visit and waits for its function. One that does not end in time is left to itself, named in the
-     * log; nothing it still raises is heard. Idempotent.
+     * Ends the current visit and waits for its function. A function that does not end in time is abandoned and named in
+     * the log; events that it still raises are ignored. Idempotent.
      */
     public void end() {
         HostedVisit ending = visit;
@@ -105,7 +105,7 @@ public final class FunctionRunner {
                 ending.state());
     }
 
-    /** Whether the caller is a thread of a function, or was made by one for a loop. */
+    /** Whether the caller is a thread of a function, or of a loop that a function made. */
     public boolean ownsCurrentThread() {
         return OwnedThread.isCurrentOf(host);
     }
@@ -115,7 +115,10 @@ public final class FunctionRunner {
         return hasFunction ? visit : null;
     }
 
-    /** The name of the function's thread while it is alive, or of that in which a task of it hangs; else empty. */
+    /**
+     * The name of the function's thread while it is alive, or of the thread in which one of its tasks hangs; else
+     * empty.
+     */
     public String threadName() {
         Thread own = thread;
         if (own != null && own.isAlive()) {

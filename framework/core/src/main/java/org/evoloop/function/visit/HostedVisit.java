@@ -19,12 +19,12 @@ import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A visit of a converter, which takes what the visit raises.
+ * A visit in a converter, which takes the events that the visit raises.
  *
  * <p>Threading: all methods may be called from any thread.
  */
 public final class HostedVisit implements Visit {
-    /** So many times may be waited for at once. */
+    /** The most tasks that may wait at once. */
     static final int MOST_TIMERS = 10_000;
 
     private volatile State state;
@@ -33,12 +33,12 @@ public final class HostedVisit implements Visit {
     private final Object lock = new Object();
     private volatile boolean ended;
 
-    /** How far the function is. */
+    /** The function's reported progress. */
     private record Said(String text, List<Reading> readings) {
         static final Said NOTHING = new Said("", List.of());
     }
 
-    /** Something that will happen; until its time has come it can be called off. */
+    /** A scheduled task; can be cancelled until its time has come. */
     private final class Appointment implements Runnable {
         private final Runnable task;
         Clock.@Nullable Timer timer;
@@ -77,7 +77,7 @@ public final class HostedVisit implements Visit {
         this.host = host;
     }
 
-    /** It goes on in a state of other models. */
+    /** Continues the visit in a state of other models. */
     public void goOnIn(State next) {
         state = next;
     }
@@ -206,7 +206,7 @@ public final class HostedVisit implements Visit {
         new Alarm(this, time, zone, () -> finish(event)).once();
     }
 
-    /** What the clock has to do for {@code task} to be run. */
+    /** What the clock runs for {@code task}. */
     private Runnable asTask(Runnable task) {
         requireNonNull(task, "the task is null");
         Runnable unlessOver = () -> {
@@ -229,7 +229,8 @@ public final class HostedVisit implements Visit {
     }
 
     /**
-     * As {@link #after}, for what is no function's: {@code task} neither waits nor throws, and runs on the clock's thread.
+     * As {@link #after}, for tasks that are not a function's: {@code task} neither waits nor throws, and runs on the
+     * clock's thread.
      *
      * @throws IllegalStateException if {@value #MOST_TIMERS} are pending
      */
@@ -306,7 +307,7 @@ public final class HostedVisit implements Visit {
         }
     }
 
-    /** The state is left: timers are called off and endings run. Idempotent. */
+    /** The state is left: cancels timers and runs endings. Idempotent. */
     void end() {
         Set<Appointment> toCancel;
         VisitTasks toEnd;
@@ -336,7 +337,10 @@ public final class HostedVisit implements Visit {
         }
     }
 
-    /** After {@link #end}: waits for the task that runs. Returns its thread if it does not return; else null. */
+    /**
+     * After {@link #end}: waits for the running task. Returns its thread if the task does not return in time; else
+     * null.
+     */
     @Nullable
     Thread awaitTasks(Duration limit) {
         VisitTasks ending;

@@ -5,7 +5,7 @@ import org.evoloop.statemachine.Event;
 import org.evoloop.time.Clock;
 
 /**
- * What a visit needs of the converter that it belongs to.
+ * What a visit needs from its converter.
  *
  * <p>Threading: called from any thread.
  */
@@ -17,7 +17,7 @@ public interface VisitHost {
     /** Whether functions have threads of their own. */
     boolean threads();
 
-    /** Whether the new model has a transition for the event in the state that is visited. */
+    /** Whether the new model has a transition for the event in the visited state. */
     boolean accepts(Visit visit, Event event);
 
     /**
@@ -35,19 +35,19 @@ public interface VisitHost {
     void raise(Visit visit, Event event) throws InterruptedException;
 
     /**
-     * Queues an event that the device shall do; waits while the queue is full.
+     * Queues an event to be sent to the device; waits while the queue is full.
      *
      * @throws InterruptedException if the thread is interrupted while it waits
      */
     void send(Visit visit, Event event) throws InterruptedException;
 
     /**
-     * Queues the last event of a visit, however full the queue: it comes once, maybe on the clock's thread, which must not
-     * wait.
+     * Queues the last event of a visit even if the queue is full: it comes only once, possibly on the clock's thread,
+     * which must not wait.
      */
     void finish(Visit visit, Event event);
 
-    /** A line of the transcript. */
+    /** Writes a line into the transcript. */
     void notice(String line);
 
     /** The function failed. */

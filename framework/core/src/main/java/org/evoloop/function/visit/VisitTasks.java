@@ -10,14 +10,14 @@ import org.evoloop.time.Threads;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Runs the tasks that a function has set a time for, one after the other, on a thread of the visit. The clock waits for each
- * for a moment, so that what is short comes in the order of its time; one that hangs holds up the tasks after it, but not the
+ * Runs the scheduled tasks of a function, one after another, on a thread of the visit. The clock waits a moment for
+ * each, so that short tasks run in the order of their times; a task that hangs holds up the tasks after it, but not the
  * clock.
  *
  * <p>Threading: thread-safe. The thread is started with the first task.
  */
 final class VisitTasks {
-    /** So long the clock waits for a task. */
+    /** How long the clock waits for a task. */
     static final long PATIENCE_MILLIS = 250;
 
     private final HostedVisit visit;
@@ -32,7 +32,7 @@ final class VisitTasks {
         this.host = host;
     }
 
-    /** How many are due and have not begun. */
+    /** How many tasks are due and have not begun. */
     int waiting() {
         return due.size();
     }
@@ -78,12 +78,12 @@ final class VisitTasks {
             try {
                 due.take().run();
             } catch (InterruptedException told) {
-                // The visit is over, or a task was interrupted by itself; the condition above tells which.
+                // The visit is over, or a task interrupted itself; the condition above tells which.
             }
         }
     }
 
-    /** No further task runs, and the one that does is interrupted. */
+    /** Prevents further tasks from running, and interrupts the running one. */
     void end() {
         over = true;
         Thread own = own();
@@ -96,7 +96,10 @@ final class VisitTasks {
         return thread;
     }
 
-    /** After {@link #end}: waits for the task that runs. Returns its thread if it does not return; else null. */
+    /**
+     * After {@link #end}: waits for the running task. Returns its thread if the task does not return in time; else
+     * null.
+     */
     @Nullable
     Thread awaitEnd(Duration limit) {
         Thread own = own();
