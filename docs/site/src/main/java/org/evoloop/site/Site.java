@@ -16,8 +16,9 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
- * Every page of {@code docs/}, what lies beside the front page, and everything that they lead to, in the same folders as in
- * the project: a page becomes HTML, anything else is copied. Nothing is fetched, neither now nor by whoever reads it.
+ * Every page of {@code docs/}, what lies beside the front page, and everything that they lead to, in the same folders
+ * as in the project: a page becomes HTML, anything else is copied. Nothing is fetched, neither now nor by whoever reads
+ * it.
  */
 final class Site {
     /** Where Javadoc lies, if somebody has put it there. */
