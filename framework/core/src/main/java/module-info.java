@@ -1,6 +1,6 @@
 /**
- * The MAPE-K loop and the event converter: models, decisions, the deterministic core, new functions, and the superclasses
- * that a converter extends.
+ * The MAPE-K loop and the event converter: models, decisions, the deterministic core, new functions, and the
+ * superclasses that a converter extends.
  */
 module org.evoloop.core {
     requires static org.jspecify;

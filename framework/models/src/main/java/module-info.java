@@ -1,4 +1,6 @@
-/** State machine models on the command line: shown, compared, checked, and made into projects; and converters' journals. */
+/**
+ * State machine models on the command line: shown, compared, checked, and made into projects; and converters' journals.
+ */
 @SuppressWarnings("requires-automatic")
 module org.evoloop.models {
     requires static org.jspecify;

@@ -5,8 +5,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 
 /**
- * The cleaning robot as the paper's authors have drawn it: their new states are called otherwise than ours, and the second
- * press is waited for by a time trigger of the model, which Astah writes with its brackets encoded.
+ * The cleaning robot as the paper's authors have drawn it: their new states are called otherwise than ours, and the
+ * second press is waited for by a time trigger of the model, which Astah writes with its brackets encoded.
  */
 public final class AuthorsPair {
     private AuthorsPair() {}

@@ -26,7 +26,10 @@ import java.util.Random;
 import java.util.Timer;
 import java.util.UUID;
 
-/** The rooms of the core module and the arrows between them; what the modules may use of each other is in their module-info. */
+/**
+ * The rooms of the core module and the arrows between them; what the modules may use of each other is in their
+ * module-info.
+ */
 @AnalyzeClasses(packages = "org.evoloop", importOptions = ImportOption.DoNotIncludeTests.class)
 class ArchitectureTest {
     private static final String CONVERTER = "org.evoloop.converter..";

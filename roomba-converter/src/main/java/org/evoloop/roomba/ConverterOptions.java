@@ -119,7 +119,9 @@ final class ConverterOptions {
 
     private @Nullable RobotModels read;
 
-    /** Says which values these options take beyond their types, which of them are paths, and which exclude each other. */
+    /**
+     * Says which values these options take beyond their types, which of them are paths, and which exclude each other.
+     */
     static CommandOptions refined(CommandOptions options) {
         return options.check("time-unit", ModelReference::unit)
                 .check("search-limit", text -> requireWithin("--search-limit", Double.parseDouble(text), 1, 3600))

@@ -12,8 +12,8 @@ import org.evoloop.roomba.session.Telemetry;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The way that a real robot has driven, as its wheels tell it (dead reckoning): from above, with the direction in which it looked
- * when the session began upwards. Of a long way fewer points are kept, never fewer pieces.
+ * The way that a real robot has driven, as its wheels tell it (dead reckoning): from above, with the direction in which
+ * it looked when the session began upwards. Of a long way fewer points are kept, never fewer pieces.
  *
  * <p>Threading: thread-safe.
  */

@@ -21,13 +21,13 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Sends events to the robot as commands, and keeps it in the mode that each state needs: while it stands by or cleans it
- * is left to itself (Passive), while it is on and idle its buttons must not act on their own (Safe). On its dock it is left to
- * itself, too: there Safe mode would end at once, and charging with it. If its model has a state {@code Asleep}, it is let
- * to fall asleep where it is not used, and woken for the next event.
+ * Sends events to the robot as commands, and keeps it in the mode that each state needs: while it stands by or cleans
+ * it is left to itself (Passive), while it is on and idle its buttons must not act on their own (Safe). On its dock it
+ * is left to itself, too: there Safe mode would end at once, and charging with it. If its model has a state {@code
+ * Asleep}, it is let to fall asleep where it is not used, and woken for the next event.
  *
- * <p>Where the mode shows that a command has had its effect, that is told when it is seen, on the thread that tells what the
- * robot does by itself; elsewhere the command counts as obeyed when it has been sent.
+ * <p>Where the mode shows that a command has had its effect, that is told when it is seen, on the thread that tells
+ * what the robot does by itself; elsewhere the command counts as obeyed when it has been sent.
  */
 final class ExecuteCommand extends EventExecute implements SessionListener {
     /** The robot does not acknowledge commands; it is assumed to be ready this long after one. */
@@ -154,7 +154,9 @@ final class ExecuteCommand extends EventExecute implements SessionListener {
         }
     }
 
-    /** A robot that is on and that nobody uses need not empty its battery: control is let go, and it may fall asleep. */
+    /**
+     * A robot that is on and that nobody uses need not empty its battery: control is let go, and it may fall asleep.
+     */
     private void restLater() {
         synchronized (resting) {
             stayAwake();

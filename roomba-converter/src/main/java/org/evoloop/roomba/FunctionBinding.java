@@ -12,9 +12,9 @@ import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
 
 /**
- * Finds out which function runs in which new state: what {@code --function STATE=NAME} says, else the one that the state's
- * do activity names, and else each function in the one new state that is left by the event it finishes with. What is wrong
- * is told all at once, in terms of the command line.
+ * Finds out which function runs in which new state: what {@code --function STATE=NAME} says, else the one that the
+ * state's do activity names, and else each function in the one new state that is left by the event it finishes with.
+ * What is wrong is told all at once, in terms of the command line.
  */
 final class FunctionBinding {
     private final ModelPair pair;

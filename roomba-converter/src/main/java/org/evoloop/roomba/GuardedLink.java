@@ -8,8 +8,8 @@ import org.evoloop.roomba.link.LinkException.Fault;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A link on which nothing is sent once the guard process has stopped the robot: it is lost then, and the session connects
- * anew.
+ * A link on which nothing is sent once the guard process has stopped the robot: it is lost then, and the session
+ * connects anew.
  */
 final class GuardedLink extends ForwardingLink {
     private final BooleanSupplier maySend;

@@ -46,8 +46,8 @@ public final class Main {
     }
 
     /**
-     * The converter without the commands beside it, whose options take longer to find than a converter needs to start; they
-     * are asked when it does not understand what it is told.
+     * The converter without the commands beside it, whose options take longer to find than a converter needs to start;
+     * they are asked when it does not understand what it is told.
      */
     private static int converterAlone(String... arguments) {
         Thread loading = new Thread(Main::loadWhatTakesLong, "roomba-loading");

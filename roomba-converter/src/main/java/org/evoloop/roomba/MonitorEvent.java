@@ -17,9 +17,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Monitors the robot: its buttons, and what it does by itself as far as its model has events for that: the end of its work,
- * its dock, sleep and trouble. The OI mode tells whether the robot acts on a button by itself or merely reports it. Where
- * what is seen differs from what those events say, the robot counts as found.
+ * Monitors the robot: its buttons, and what it does by itself as far as its model has events for that: the end of its
+ * work, its dock, sleep and trouble. The OI mode tells whether the robot acts on a button by itself or merely reports
+ * it. Where what is seen differs from what those events say, the robot counts as found.
  */
 final class MonitorEvent extends PushMonitor implements SessionListener {
     private static final Logger LOG = LoggerFactory.getLogger(MonitorEvent.class);
@@ -114,7 +114,9 @@ final class MonitorEvent extends PushMonitor implements SessionListener {
         }
     }
 
-    /** Who wakes the robot, or drives it off its dock, tells the end of that; what is seen meanwhile is a part of it. */
+    /**
+     * Who wakes the robot, or drives it off its dock, tells the end of that; what is seen meanwhile is a part of it.
+     */
     private boolean isBeingMoved() {
         return session.isWaking() || session.isUndocking();
     }

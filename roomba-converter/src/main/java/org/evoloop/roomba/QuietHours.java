@@ -9,8 +9,8 @@ import org.evoloop.function.NewFunction;
 import org.evoloop.function.Visit;
 
 /**
- * The hours of the day in which the robot is not to begin by itself, and the new function that waits for their end: it raises
- * {@code quietOver} then, and at once where they are not.
+ * The hours of the day in which the robot is not to begin by itself, and the new function that waits for their end: it
+ * raises {@code quietOver} then, and at once where they are not.
  *
  * <p>Threading: immutable.
  *

@@ -7,8 +7,8 @@ import org.evoloop.roomba.session.Telemetry;
 import org.evoloop.statemachine.State;
 
 /**
- * What comes before a function that drives the robot: it has to be on, on the floor, with charge for the way. What it takes
- * is done by events of its own model, in order with all others.
+ * What comes before a function that drives the robot: it has to be on, on the floor, with charge for the way. What it
+ * takes is done by events of its own model, in order with all others.
  */
 final class Readiness {
     /** With less charge, in percent, the robot is charged first. */

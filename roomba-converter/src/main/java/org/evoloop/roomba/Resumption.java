@@ -1,8 +1,8 @@
 package org.evoloop.roomba;
 
 /**
- * Whether the state that the system is in was entered anew because the converter was started again, not because an event
- * led there. Kept by the component that sends, whatever takes its place.
+ * Whether the state that the system is in was entered anew because the converter was started again, not because an
+ * event led there. Kept by the component that sends, whatever takes its place.
  *
  * <p>Threading: written by one thread at a time, read from any.
  */

@@ -11,8 +11,8 @@ import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
 
 /**
- * The names that the models of the robot and this program have in common (paper, section VI.A). A model need not have all of
- * them: a robot that does what its model has no state for counts as being in the nearest one.
+ * The names that the models of the robot and this program have in common (paper, section VI.A). A model need not have
+ * all of them: a robot that does what its model has no state for counts as being in the nearest one.
  */
 final class RobotEvents {
     static final String CLEAN = "Clean";

@@ -19,11 +19,11 @@ import org.evoloop.service.GuardedDevice;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Has the robot stopped and put into Passive mode when this program has ended or stands still, so that its owner finds it
- * with its buttons and its safety as usual.
+ * Has the robot stopped and put into Passive mode when this program has ended or stands still, so that its owner finds
+ * it with its buttons and its safety as usual.
  *
- * <p>The guard process opens the port only then. jSerialComm locks it by {@code flock} against programs that ask for that
- * lock; the guard does not.
+ * <p>The guard process opens the port only then. jSerialComm locks it by {@code flock} against programs that ask for
+ * that lock; the guard does not.
  *
  * <p>Threading: as {@link GuardedDevice}; all else from any thread.
  */
@@ -92,8 +92,8 @@ final class RobotGuard implements GuardedDevice, AutoCloseable {
     }
 
     /**
-     * What stops the robot. A command that this program had begun takes at most as many of the bytes for its data as its
-     * longest one has; the rest is understood. A robot that works by itself takes no notice.
+     * What stops the robot. A command that this program had begun takes at most as many of the bytes for its data as
+     * its longest one has; the rest is understood. A robot that works by itself takes no notice.
      */
     private static byte[] stop() {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();

@@ -33,8 +33,8 @@ public final class RobotModels {
     }
 
     /**
-     * A function runs in the new states whose do activity names it; Move and SpotWait else in the one new state that is left
-     * by the event they finish with, {@code arriveSpot} and {@code timeout}.
+     * A function runs in the new states whose do activity names it; Move and SpotWait else in the one new state that is
+     * left by the event they finish with, {@code arriveSpot} and {@code timeout}.
      *
      * @throws ModelException if the models are no evolution, or a new state has no function
      */
@@ -67,7 +67,9 @@ public final class RobotModels {
         return moves;
     }
 
-    /** Whether SpotWait raises {@code timeout} somewhere, and no time trigger of the model says when its state is left. */
+    /**
+     * Whether SpotWait raises {@code timeout} somewhere, and no time trigger of the model says when its state is left.
+     */
     boolean hasSpotWait() {
         return functions.entrySet().stream()
                 .anyMatch(entry -> entry.getValue() == RobotFunction.SPOT_WAIT

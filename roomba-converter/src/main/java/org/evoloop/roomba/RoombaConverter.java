@@ -104,8 +104,8 @@ public record RoombaConverter(
     }
 
     /**
-     * Builds a converter for the robot at the cable's other end. It waits for a robot that is not there yet, as it does for one that
-     * was unplugged.
+     * Builds a converter for the robot at the cable's other end. It waits for a robot that is not there yet, as it does
+     * for one that was unplugged.
      */
     static RoombaConverter connectPatiently(
             IntFunction<Link> cable, LoopConfig config, SessionOptions sessionOptions, RoombaOptions options)
@@ -151,8 +151,8 @@ public record RoombaConverter(
     }
 
     /**
-     * Ends the converter and lets go of the robot: one under control is stopped and left in Passive mode, one that cleans by
-     * itself goes on. Idempotent.
+     * Ends the converter and lets go of the robot: one under control is stopped and left in Passive mode, one that
+     * cleans by itself goes on. Idempotent.
      */
     @Override
     public void close() {

@@ -16,8 +16,8 @@ import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 
 /**
- * The robot as a vacuum in Home Assistant. Each command presses the controller's buttons until the new model is where the
- * button of that name leads from On; so a function that the owner has put there runs.
+ * The robot as a vacuum in Home Assistant. Each command presses the controller's buttons until the new model is where
+ * the button of that name leads from On; so a function that the owner has put there runs.
  */
 final class RoombaVacuum implements Vacuum {
     private static final State ON = new State(RobotEvents.STATE_ON);

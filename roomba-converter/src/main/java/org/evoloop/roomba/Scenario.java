@@ -46,7 +46,9 @@ enum Scenario {
         }
     },
 
-    /** While it moves to the starting point the robot learns to clean the spot once more; then it forgets that again. */
+    /**
+     * While it moves to the starting point the robot learns to clean the spot once more; then it forgets that again.
+     */
     EVOLVE {
         @Override
         void play(Play play) throws InterruptedException, Play.Unfulfilled {

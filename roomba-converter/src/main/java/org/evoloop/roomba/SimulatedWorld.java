@@ -145,7 +145,8 @@ interface SimulatedWorld extends AutoCloseable {
     }
 
     /**
-     * A robot in a process of its own: nothing but the port, and its camera's address, joins it with whoever opens that.
+     * A robot in a process of its own: nothing but the port, and its camera's address, joins it with whoever opens
+     * that.
      *
      * @param camera whether it carries one, in a room with a marker
      * @param options more of the simulator's, such as {@code --baud=19200}

@@ -14,9 +14,9 @@ import org.evoloop.statemachine.StateMachineBuilder;
 import org.evoloop.statemachine.Transition;
 
 /**
- * The ways out of a Move that ends without an arrival, which its owner need not draw: back to the state in which the press
- * occurred that led to it, or to where the robot is that somebody has set to work by its own buttons meanwhile. They are
- * transitions of the new model like any other, on events of their own.
+ * The ways out of a Move that ends without an arrival, which its owner need not draw: back to the state in which the
+ * press occurred that led to it, or to where the robot is that somebody has set to work by its own buttons meanwhile.
+ * They are transitions of the new model like any other, on events of their own.
  */
 final class WaysBack {
     static final String PREFIX = "backTo";

@@ -50,8 +50,8 @@ class DemoTest {
     }
 
     /**
-     * What is said of the scenarios. On a computer that is too busy for the demo's speed the simulator complains, too, and what
-     * comes late from the device leaves the record in doubt for a moment.
+     * What is said of the scenarios. On a computer that is too busy for the demo's speed the simulator complains, too,
+     * and what comes late from the device leaves the record in doubt for a moment.
      */
     private static List<String> said(Program.Result result) {
         return result.err()

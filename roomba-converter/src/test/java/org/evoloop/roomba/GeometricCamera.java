@@ -16,8 +16,8 @@ import org.evoloop.time.ManualClock;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A camera whose looks come from the robot's true pose by geometry, with the errors that a real one was measured to have:
- * nothing is rendered, so that many rooms can be tried.
+ * A camera whose looks come from the robot's true pose by geometry, with the errors that a real one was measured to
+ * have: nothing is rendered, so that many rooms can be tried.
  */
 final class GeometricCamera implements MarkerCamera {
     private static final Duration FRAME = Duration.ofNanos(66_666_667);

@@ -21,8 +21,8 @@ import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * Whatever ends the converter, or stops it: within a second of the robot's time the robot stands and is in Passive mode.
- * Robot, converter and guard are processes of their own.
+ * Whatever ends the converter, or stops it: within a second of the robot's time the robot stands and is in Passive
+ * mode. Robot, converter and guard are processes of their own.
  */
 @Timeout(value = 1800, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 @EnabledOnOs(OS.LINUX)
@@ -80,8 +80,8 @@ class GuardedRobotTest {
     /**
      * Starts a converter, types {@code lines}, and waits for what comes of them.
      *
-     * <p>A converter that gets no processor for half a second makes its robot safe and fails the press, as it should: then
-     * another one is started.
+     * <p>A converter that gets no processor for half a second makes its robot safe and fails the press, as it should:
+     * then another one is started.
      */
     private Process startUntil(Predicate<Truth> wanted, String lines, String... options) throws Exception {
         for (int life = 1; ; life++) {

@@ -5,7 +5,9 @@ import java.util.function.IntFunction;
 import org.evoloop.roomba.link.ForwardingLink;
 import org.evoloop.roomba.link.Link;
 
-/** A link on which a test can hold a command, before it leaves or when the robot has it but the send has not returned. */
+/**
+ * A link on which a test can hold a command, before it leaves or when the robot has it but the send has not returned.
+ */
 final class HeldLink extends ForwardingLink {
     private final Hold hold;
 

@@ -41,7 +41,9 @@ final class OtherRobot implements AutoCloseable {
         return world.port().toString();
     }
 
-    /** Starts a converter in a process of its own, and opens its loop; what it prints goes to the end of {@code log}. */
+    /**
+     * Starts a converter in a process of its own, and opens its loop; what it prints goes to the end of {@code log}.
+     */
     Process convert(Path log, String... options) throws IOException {
         List<String> arguments = new ArrayList<>(List.of("--port", port(), "--start"));
         arguments.addAll(List.of(options));

@@ -25,7 +25,9 @@ import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Somebody else has put files where everybody may write, under the names that libraries unpack their native parts to. */
+/**
+ * Somebody else has put files where everybody may write, under the names that libraries unpack their native parts to.
+ */
 @EnabledOnOs(OS.LINUX)
 @Timeout(120)
 class PlantedLibrariesTest {

@@ -22,10 +22,10 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /**
- * The paper's way to the starting point, for comparison: count the red pixels in the picture's quadrants, turn to the side
- * that has more, drive on when both have about the same, stop when there are enough. A red board of the marker's size is
- * where the marker would be; its pixels are always taken for red. The wheels are ideal, furniture stops the robot without
- * harm, and there is no other obstacle handling.
+ * The paper's way to the starting point, for comparison: count the red pixels in the picture's quadrants, turn to the
+ * side that has more, drive on when both have about the same, stop when there are enough. A red board of the marker's
+ * size is where the marker would be; its pixels are always taken for red. The wheels are ideal, furniture stops the
+ * robot without harm, and there is no other obstacle handling.
  */
 class RedQuadrantsTest {
     private static final double GOAL_MM = RandomRooms.GOAL_MM;

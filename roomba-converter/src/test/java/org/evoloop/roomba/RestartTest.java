@@ -16,8 +16,8 @@ import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * A converter with a journal is killed, somebody uses the robot's own buttons, and another process goes on: its record is where
- * the robot is, not where it was. All are processes of their own.
+ * A converter with a journal is killed, somebody uses the robot's own buttons, and another process goes on: its record
+ * is where the robot is, not where it was. All are processes of their own.
  */
 @Timeout(value = 240, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 @EnabledOnOs(OS.LINUX)

@@ -13,7 +13,9 @@ import org.evoloop.roomba.simulator.robot.RobotOptions;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Whatever buttons are pressed: shortly after, the converter knows what the robot truly does, and has it in its mode. */
+/**
+ * Whatever buttons are pressed: shortly after, the converter knows what the robot truly does, and has it in its mode.
+ */
 class SteppedRandomWalkTest {
     private static final int STEPS = 200;
 

@@ -27,8 +27,8 @@ import org.evoloop.time.ManualClock;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The whole Roomba converter and a simulated robot on one thread under a manual clock: the same calls always end the same
- * way.
+ * The whole Roomba converter and a simulated robot on one thread under a manual clock: the same calls always end the
+ * same way.
  */
 final class SteppedRoomba implements AutoCloseable {
     private static final Duration TICK = Duration.ofMillis(SimulatedRoomba.TICK_MILLIS);
@@ -156,8 +156,8 @@ final class SteppedRoomba implements AutoCloseable {
     }
 
     /**
-     * Disturbs both directions from now on, null for not at all. Commands are lost but not changed: one bit makes a Spot
-     * (134) a Clean (135), and the two look alike from outside.
+     * Disturbs both directions from now on, null for not at all. Commands are lost but not changed: one bit makes a
+     * Spot (134) a Clean (135), and the two look alike from outside.
      */
     void disturb(MemoryLink.@Nullable Noise nextNoise) {
         noise = nextNoise;

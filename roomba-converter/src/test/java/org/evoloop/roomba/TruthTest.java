@@ -29,11 +29,13 @@ import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * Whatever people do to the robot and to its cable: once things are quiet, the converter's original model is in the state
- * that the robot truly is in.
+ * Whatever people do to the robot and to its cable: once things are quiet, the converter's original model is in the
+ * state that the robot truly is in.
  */
 class TruthTest {
-    /** The longest that anything takes: a robot is asked at both rates, and then stays on its dock instead of obeying. */
+    /**
+     * The longest that anything takes: a robot is asked at both rates, and then stays on its dock instead of obeying.
+     */
     private static final Duration QUIET = Duration.ofSeconds(15);
 
     private static final Duration SILENCE_SHOWS =
@@ -69,7 +71,10 @@ class TruthTest {
             return name.charAt(0) + name.substring(1).toLowerCase(Locale.ROOT);
         }
 
-        /** The state that the converter believes in. From outside Max looks like Clean; the truth is told in whole percent. */
+        /**
+         * The state that the converter believes in. From outside Max looks like Clean; the truth is told in whole
+         * percent.
+         */
         String belief(SteppedRoomba stepped) {
             String name = stepped.states().original().name();
             return switch (name) {

@@ -15,8 +15,8 @@ import org.openjdk.jmh.results.ResultRole;
 import org.openjdk.jmh.util.SingletonStatistics;
 
 /**
- * The processor time of one operation: that of the quickest of many short windows. On a machine that does other things as
- * well this is what stays the same from run to run.
+ * The processor time of one operation: that of the quickest of many short windows. On a machine that does other things
+ * as well this is what stays the same from run to run.
  *
  * <p>Threading: written by the benchmark's only thread between two calls of the profiler.
  */

@@ -12,8 +12,8 @@ import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.TearDown;
 
 /**
- * One event, by its name, through the public interface of a library: ours decides what it means for a pair of models, the
- * others take a transition of one. What counts is what {@link CpuWindows} adds; JMH's own time is wall time.
+ * One event, by its name, through the public interface of a library: ours decides what it means for a pair of models,
+ * the others take a transition of one. What counts is what {@link CpuWindows} adds; JMH's own time is wall time.
  */
 @State(Scope.Benchmark)
 @BenchmarkMode(Mode.AverageTime)

@@ -12,9 +12,9 @@ import org.evoloop.roomba.link.SerialSettings;
 import org.evoloop.roomba.simulator.Pty;
 
 /**
- * What a way from a byte read to a byte written costs at least on this computer: over the same serial link, in the rhythm of
- * the robot's frames, but with nothing on it than threads that sleep and wake each other. By turns with no thread between,
- * and with as many as a press goes through.
+ * What a way from a byte read to a byte written costs at least on this computer: over the same serial link, in the
+ * rhythm of the robot's frames, but with nothing on it than threads that sleep and wake each other. By turns with no
+ * thread between, and with as many as a press goes through.
  */
 public final class BareChain {
     private static final int THREADS = 3;

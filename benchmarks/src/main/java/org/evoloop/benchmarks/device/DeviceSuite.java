@@ -62,7 +62,9 @@ public final class DeviceSuite implements Suite {
 
     private record Started(double seconds, double megabytes) {}
 
-    /** Starts the program on a simulated robot that runs already; a press of its controller's button is the first event. */
+    /**
+     * Starts the program on a simulated robot that runs already; a press of its controller's button is the first event.
+     */
     private static Started start() throws IOException {
         Path folder = Files.createTempDirectory("evoloop");
         Path port = folder.resolve("roomba");

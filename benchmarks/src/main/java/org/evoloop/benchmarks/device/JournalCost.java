@@ -32,8 +32,9 @@ import org.evoloop.time.SystemClock;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a journal adds to a press: the same as {@link PressToCommand} without one, forced by batch and forced per intent, in
- * turns of {@value #TURN} presses in one process, so that whatever else the computer does concerns all three.
+ * What a journal adds to a press: the same as {@link PressToCommand} without one, forced by batch and forced per
+ * intent, in turns of {@value #TURN} presses in one process, so that whatever else the computer does concerns all
+ * three.
  */
 public final class JournalCost {
     private static final double SPEED = 4;

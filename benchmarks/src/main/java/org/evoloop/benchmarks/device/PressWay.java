@@ -9,8 +9,8 @@ import org.evoloop.loop.LoopConfig;
 import org.evoloop.loop.ThreadingModel;
 
 /**
- * How a press goes through the loop's components, and what it may cost beside the bare way over the same link that is most
- * like it: ratios in one run, since the time itself is that of the machine's threads.
+ * How a press goes through the loop's components, and what it may cost beside the bare way over the same link that is
+ * most like it: ratios in one run, since the time itself is that of the machine's threads.
  */
 enum PressWay {
     /** One thread takes it through all components. */

@@ -8,8 +8,8 @@ import org.evoloop.benchmarks.profile.Profile;
 import org.evoloop.program.Svg;
 
 /**
- * A flame graph that hangs from its top: a thread, and below each method those that it called, as wide as they were seen
- * often. Pointing at one tells its whole name and its share.
+ * A flame graph that hangs from its top: a thread, and below each method those that it called, as wide as they were
+ * seen often. Pointing at one tells its whole name and its share.
  */
 public final class FlameGraph {
     private static final double WIDTH = 1200;

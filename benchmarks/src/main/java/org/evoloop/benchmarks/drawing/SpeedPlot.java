@@ -11,8 +11,8 @@ import org.evoloop.benchmarks.report.Table;
 import org.evoloop.program.Svg;
 
 /**
- * The plot of a run: how long a decision takes, ours and others', and how long the loop takes beside bare rings, each with
- * its goals. A line holds one contender, a full dot for its usual figure and a hollow one for the harder case.
+ * The plot of a run: how long a decision takes, ours and others', and how long the loop takes beside bare rings, each
+ * with its goals. A line holds one contender, a full dot for its usual figure and a hollow one for the harder case.
  */
 public final class SpeedPlot {
     private static final double WIDTH = 860;

@@ -12,8 +12,8 @@ import org.evoloop.benchmarks.report.Row;
 import org.evoloop.evolution.DecisionTable;
 
 /**
- * A pair of 10,000 states and 100,000 transitions, in SCXML: from the files to the decisions, again and again, by turns with
- * a StAX parse of the same two files.
+ * A pair of 10,000 states and 100,000 transitions, in SCXML: from the files to the decisions, again and again, by turns
+ * with a StAX parse of the same two files.
  */
 public final class LargePair {
     private static final int STATES = 10_000;
@@ -24,8 +24,8 @@ public final class LargePair {
     private LargePair() {}
 
     /**
-     * Prints, after as many turns to warm up, the least processor time of the thread in ms, of both, and the median of our
-     * time by the clock.
+     * Prints, after as many turns to warm up, the least processor time of the thread in ms, of both, and the median of
+     * our time by the clock.
      *
      * @param arguments how many turns
      */

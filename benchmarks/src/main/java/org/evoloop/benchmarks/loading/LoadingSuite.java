@@ -13,8 +13,9 @@ import org.evoloop.xmi.ModelFiles;
 /** Reading and compiling in a process that has just begun and in one that is warm. */
 public final class LoadingSuite implements Suite {
     /**
-     * All memory is handed out before the first time: on a virtual machine that takes longer than all the rest, and differs
-     * from run to run. The collector is the one that {@code ./evoloop} chooses; the compiler is the last one, for both.
+     * All memory is handed out before the first time: on a virtual machine that takes longer than all the rest, and
+     * differs from run to run. The collector is the one that {@code ./evoloop} chooses; the compiler is the last one,
+     * for both.
      */
     private static final List<String> WARM_HEAP =
             List.of("-XX:+UseSerialGC", "-Xms1g", "-Xmx1g", "-XX:+AlwaysPreTouch");

@@ -10,7 +10,10 @@ import javax.xml.stream.XMLStreamConstants;
 import javax.xml.stream.XMLStreamException;
 import javax.xml.stream.XMLStreamReader;
 
-/** Reads every element and every attribute of a file with the JDK's StAX parser and keeps nothing: the least that reading costs. */
+/**
+ * Reads every element and every attribute of a file with the JDK's StAX parser and keeps nothing: the least that
+ * reading costs.
+ */
 final class ParseStax {
     private static final XMLInputFactory FACTORY = XMLInputFactory.newDefaultFactory();
 

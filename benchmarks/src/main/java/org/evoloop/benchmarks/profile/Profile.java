@@ -16,8 +16,8 @@ import jdk.jfr.consumer.RecordedThread;
 import jdk.jfr.consumer.RecordingFile;
 
 /**
- * What Flight Recorder has seen: in which methods threads were when it looked, and what was allocated where. It sees threads
- * that run Java code; whoever sleeps, gives way to others or is in the kernel is not seen.
+ * What Flight Recorder has seen: in which methods threads were when it looked, and what was allocated where. It sees
+ * threads that run Java code; whoever sleeps, gives way to others or is in the kernel is not seen.
  *
  * <p>Threading: immutable.
  *
@@ -44,7 +44,8 @@ public record Profile(Load load, Map<Stack, Long> samples, Map<Allocation, Long>
      * A way of calls.
      *
      * @param thread by its name without a number
-     * @param methods as {@code org.evoloop.loop.Monitor.run}, from what was measured, or the thread's first, to the one that it was in
+     * @param methods as {@code org.evoloop.loop.Monitor.run}, from what was measured, or the thread's first, to the one
+     *     that it was in
      */
     public record Stack(String thread, List<String> methods) {
         public Stack {

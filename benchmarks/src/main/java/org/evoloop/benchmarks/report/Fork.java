@@ -10,8 +10,8 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 
 /**
- * A JVM of its own to measure in, so that nothing that was measured before has warmed it up or filled its caches. What it
- * found it prints as lines of a name and a number.
+ * A JVM of its own to measure in, so that nothing that was measured before has warmed it up or filled its caches. What
+ * it found it prints as lines of a name and a number.
  */
 public final class Fork {
     /** As {@code ./evoloop} and the package start programs. */

@@ -14,8 +14,8 @@ import tools.jackson.databind.ObjectWriter;
 import tools.jackson.databind.json.JsonMapper;
 
 /**
- * What a run has found, as JSON for programs: an object with the origin and an array of rows, a line each, so that two runs
- * can be compared line by line.
+ * What a run has found, as JSON for programs: an object with the origin and an array of rows, a line each, so that two
+ * runs can be compared line by line.
  *
  * <p>Threading: immutable.
  */

@@ -11,8 +11,8 @@ import java.util.Locale;
  * @param heapMegabytes what is left of the heap after a collection
  * @param files open file descriptors
  * @param diskMegabytes what the journal takes
- * @param medianMicros from where a monitor has an event to where the execute component is called, of the events since the
- *     sample before
+ * @param medianMicros from where a monitor has an event to where the execute component is called, of the events since
+ *     the sample before
  */
 public record SoakSample(
         long events,

@@ -9,9 +9,9 @@ import org.evoloop.benchmarks.running.Flood;
 import org.evoloop.time.SystemClock;
 
 /**
- * A ring of three threads in a {@link Flood}, and nothing else: monitors push into a bounded queue and drop what finds it
- * full; the first thread takes from it, the third executes and lets the first go on. As in the loop one occurrence is under
- * way at a time.
+ * A ring of three threads in a {@link Flood}, and nothing else: monitors push into a bounded queue and drop what finds
+ * it full; the first thread takes from it, the third executes and lets the first go on. As in the loop one occurrence
+ * is under way at a time.
  */
 final class BareFlood {
     private static final int STAGES = 3;

@@ -13,8 +13,8 @@ import org.evoloop.benchmarks.report.Row;
 import org.evoloop.benchmarks.report.Suite;
 
 /**
- * The loop with a thread a component, and bare rings, by turns in one process. Whether the scheduler puts the threads of a
- * ring on one processor or on two makes a difference of three, and changes by chance: what counts is the median of
+ * The loop with a thread a component, and bare rings, by turns in one process. Whether the scheduler puts the threads
+ * of a ring on one processor or on two makes a difference of three, and changes by chance: what counts is the median of
  * several turns.
  */
 public final class RingSuite implements Suite {

@@ -19,9 +19,9 @@ import org.evoloop.time.Clock;
 import org.evoloop.time.SystemClock;
 
 /**
- * What a camera that is looked at costs the events of a converter in the same process: events at moments left to chance,
- * by turns without a camera and with one. The camera is {@link CameraPlayer}, a process of its own. A turn during which
- * other processes had part of the machine says nothing about the camera, and is repeated.
+ * What a camera that is looked at costs the events of a converter in the same process: events at moments left to
+ * chance, by turns without a camera and with one. The camera is {@link CameraPlayer}, a process of its own. A turn
+ * during which other processes had part of the machine says nothing about the camera, and is repeated.
  */
 public final class CameraCost {
     private static final int PAIRS = 30;
@@ -134,7 +134,9 @@ public final class CameraCost {
                 turns.table());
     }
 
-    /** Waits until the machine is quiet, and repeats the turn until it was quiet all along; empty if there is no time. */
+    /**
+     * Waits until the machine is quiet, and repeats the turn until it was quiet all along; empty if there is no time.
+     */
     private Optional<Histogram> undisturbed(Turn turn) throws InterruptedException {
         boolean quiet = true;
         while (System.nanoTime() < endNanos) {

@@ -19,8 +19,9 @@ import org.evoloop.roomba.simulator.room.Room;
 import org.evoloop.roomba.simulator.webcam.Jpeg;
 
 /**
- * A program that is a camera and, like one, costs next to nothing: pictures drawn before anybody looks, sent to one client
- * at a time over and over as Motion JPEG, 30 a second. They show a robot's way to its marker in a furnished room.
+ * A program that is a camera and, like one, costs next to nothing: pictures drawn before anybody looks, sent to one
+ * client at a time over and over as Motion JPEG, 30 a second. They show a robot's way to its marker in a furnished
+ * room.
  */
 final class CameraPlayer {
     private static final int PICTURES = 60;

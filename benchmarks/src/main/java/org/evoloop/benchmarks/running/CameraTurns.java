@@ -10,9 +10,9 @@ import org.HdrHistogram.Histogram;
 /**
  * What was measured in pairs of turns, without and with, and whether the two differ by more than chance.
  *
- * <p>Turns of one kind differ by themselves. Pairs are therefore drawn again by chance, as many as there are and some more
- * than once, and the difference between all events with and all without is taken each time: 95 % of these differences are
- * in the interval. If it holds 0, no difference was measured.
+ * <p>Turns of one kind differ by themselves. Pairs are therefore drawn again by chance, as many as there are and some
+ * more than once, and the difference between all events with and all without is taken each time: 95 % of these
+ * differences are in the interval. If it holds 0, no difference was measured.
  *
  * <p>Threading: for one thread.
  */

@@ -23,8 +23,8 @@ import org.evoloop.time.SystemClock;
 import org.jspecify.annotations.Nullable;
 
 /**
- * How long no event can begin while other models of {@value #STATES} states take over, to and fro, from a converter that is at
- * work; without a journal and with one.
+ * How long no event can begin while other models of {@value #STATES} states take over, to and fro, from a converter
+ * that is at work; without a journal and with one.
  */
 public final class EvolvePause {
     private static final int STATES = 10_000;

@@ -5,8 +5,8 @@ import java.util.concurrent.atomic.AtomicLong;
 import org.evoloop.time.Clock;
 
 /**
- * What monitors tell as fast as they can, counted where it is executed, by one thread at a time; each monitor's must come in
- * order. What found the queue full is lost.
+ * What monitors tell as fast as they can, counted where it is executed, by one thread at a time; each monitor's must
+ * come in order. What found the queue full is lost.
  */
 public final class Flood {
     /** How many monitors there are. */

@@ -19,8 +19,9 @@ import org.evoloop.page.PageOptions;
 import org.evoloop.time.Threads;
 
 /**
- * What those who look at the live page add to a conversion: the same events without a page, and with {@value #VIEWERS} who
- * read and {@value #SLOW} who never do, in turns in one process, so that whatever else the computer does concerns both.
+ * What those who look at the live page add to a conversion: the same events without a page, and with {@value #VIEWERS}
+ * who read and {@value #SLOW} who never do, in turns in one process, so that whatever else the computer does concerns
+ * both.
  */
 public final class PageCost {
     private static final int VIEWERS = 5;

@@ -22,8 +22,8 @@ public final class PlainLoop {
     }
 
     /**
-     * Such a loop, which is open before a monitor is asked: one that waits for its event to come round would wait for ever if
-     * that were refused.
+     * Such a loop, which is open before a monitor is asked: one that waits for its event to come round would wait for
+     * ever if that were refused.
      *
      * @param mayLose whether an occurrence that finds the queue full is no failure of the measurement
      */

@@ -1,8 +1,8 @@
 /**
  * How the loop and a whole converter run: in steps, flooded, with threads, idle, and beside a camera.
  *
- * <p>This room may use the framework, {@code org.evoloop.benchmarks.profile}, {@code org.evoloop.benchmarks.report}, and of
- * the Roomba converter its camera and the simulated robot.
+ * <p>This room may use the framework, {@code org.evoloop.benchmarks.profile}, {@code org.evoloop.benchmarks.report},
+ * and of the Roomba converter its camera and the simulated robot.
  */
 @NullMarked
 package org.evoloop.benchmarks.running;

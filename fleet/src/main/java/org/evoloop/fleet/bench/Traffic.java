@@ -18,8 +18,8 @@ import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 
 /**
- * What happens at lamps, written beforehand: each is pressed, answers the command that follows, and is switched off at the
- * lamp itself, again and again.
+ * What happens at lamps, written beforehand: each is pressed, answers the command that follows, and is switched off at
+ * the lamp itself, again and again.
  */
 final class Traffic implements AutoCloseable {
     private static final Event SWITCH = new Event("switch");

@@ -18,8 +18,8 @@ import org.apache.kafka.metadata.storage.Formatter;
 import org.apache.kafka.server.common.Feature;
 
 /**
- * A Kafka broker of its own in this process, for demos and tests: one node that is broker and controller (KRaft), without
- * replicas, on two free ports of the loopback interface.
+ * A Kafka broker of its own in this process, for demos and tests: one node that is broker and controller (KRaft),
+ * without replicas, on two free ports of the loopback interface.
  *
  * <p>Threading: not thread-safe.
  *

@@ -21,8 +21,8 @@ import org.evoloop.fleet.wire.Rollout;
 import org.evoloop.fleet.wire.Topic;
 
 /**
- * A thousand lamps at a real broker, and what can happen to them: presses, an instance that leaves, a poison record, models
- * that take over by share, and models that are no good.
+ * A thousand lamps at a real broker, and what can happen to them: presses, an instance that leaves, a poison record,
+ * models that take over by share, and models that are no good.
  *
  * <p>Threading: for one thread.
  *

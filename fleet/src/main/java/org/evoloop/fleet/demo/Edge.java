@@ -34,7 +34,8 @@ import org.evoloop.statemachine.StateMachine;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Simulated lamps at a fleet's topics: what is pressed goes there, and what comes from there is carried out and counted.
+ * Simulated lamps at a fleet's topics: what is pressed goes there, and what comes from there is carried out and
+ * counted.
  *
  * <p>Threading: for one thread.
  */

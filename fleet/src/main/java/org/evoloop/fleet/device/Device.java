@@ -19,8 +19,8 @@ import org.evoloop.statemachine.Event;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The converter of one device. It decides at once, and waits for an answer only after an {@link Order}: between two calls
- * either nothing is in progress, or one order is open. Times are nanoseconds since 1970, and never go back.
+ * The converter of one device. It decides at once, and waits for an answer only after an {@link Order}: between two
+ * calls either nothing is in progress, or one order is open. Times are nanoseconds since 1970, and never go back.
  *
  * <p>A guard holds if the occurrence in progress says so ({@link Occurrence.Heard#holding}).
  *
@@ -108,8 +108,8 @@ public final class Device {
     }
 
     /**
-     * What has become of an order. What is due by then happens before, so that an order may be given up already; an answer to
-     * one that was answered or was never given counts for nothing.
+     * What has become of an order. What is due by then happens before, so that an order may be given up already; an
+     * answer to one that was answered or was never given counts for nothing.
      */
     public void answered(Answer answer) {
         due(answer.atNanos());

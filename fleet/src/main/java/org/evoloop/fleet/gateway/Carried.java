@@ -13,8 +13,8 @@ import java.util.HashMap;
 import java.util.Map;
 
 /**
- * Which command each device was given last, in a file, which says so before the device gets it: after a crash nobody gets a
- * command again.
+ * Which command each device was given last, in a file, which says so before the device gets it: after a crash nobody
+ * gets a command again.
  *
  * <p>Threading: for one thread.
  */

@@ -15,8 +15,8 @@ import java.util.concurrent.TimeUnit;
 import org.evoloop.fleet.wire.Topic;
 
 /**
- * What devices have told and the fleet may not have yet, in a file: a line each, on the disk before it counts. The number of
- * a line is never given twice, so that the fleet knows what comes again.
+ * What devices have told and the fleet may not have yet, in a file: a line each, on the disk before it counts. The
+ * number of a line is never given twice, so that the fleet knows what comes again.
  *
  * <p>Threading: thread-safe.
  */

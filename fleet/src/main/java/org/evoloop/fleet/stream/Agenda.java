@@ -4,9 +4,9 @@ import org.evoloop.fleet.wire.Wire;
 import org.jspecify.annotations.Nullable;
 
 /**
- * When devices are to be looked at because something is due there. By the wall clock, what devices have told before and is
- * still on its way comes first: as long as records are taken that have been lying there nobody is looked at, and what is
- * overdue when that is known waits a little.
+ * When devices are to be looked at because something is due there. By the wall clock, what devices have told before and
+ * is still on its way comes first: as long as records are taken that have been lying there nobody is looked at, and
+ * what is overdue when that is known waits a little.
  */
 final class Agenda {
     private static final long CATCH_UP_MILLIS = 1_000;

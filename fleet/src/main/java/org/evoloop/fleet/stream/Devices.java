@@ -16,7 +16,10 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** What is kept of the devices of one partition: the store's bytes, and those that were met last as they are read from it. */
+/**
+ * What is kept of the devices of one partition: the store's bytes, and those that were met last as they are read from
+ * it.
+ */
 final class Devices {
     private static final Logger LOG = LoggerFactory.getLogger(Devices.class);
 

@@ -5,7 +5,9 @@ import java.util.Collection;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
-/** Writes one JSON object, its members in the order in which they are told, so that the same things give the same bytes. */
+/**
+ * Writes one JSON object, its members in the order in which they are told, so that the same things give the same bytes.
+ */
 final class Json {
     private final StringBuilder text;
 

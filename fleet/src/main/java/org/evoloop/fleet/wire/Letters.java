@@ -29,7 +29,9 @@ public final class Letters implements Hearer {
     @SuppressWarnings("ArrayRecordComponent") // nobody compares letters
     public record Letter(Topic topic, byte[] text) {}
 
-    /** Begins anew with a device that has the models {@code version}, and was left as {@code kept}, if it is not new. */
+    /**
+     * Begins anew with a device that has the models {@code version}, and was left as {@code kept}, if it is not new.
+     */
     public void begin(String version, @Nullable Kept kept) {
         letters.clear();
         before = kept;

@@ -67,7 +67,8 @@ public record Rollout(
     }
 
     /**
-     * How it leads from the models {@code one} to {@code other}, which are those that it names; the other way if it leads back.
+     * How it leads from the models {@code one} to {@code other}, which are those that it names; the other way if it
+     * leads back.
      *
      * @throws ModelException if the mapping does not fit them
      */

@@ -3,8 +3,8 @@ package org.evoloop.fleet.wire;
 import java.util.Locale;
 
 /**
- * What a fleet's topics are for. Each is keyed by the device's id, but for {@link #MODELS} (version) and {@link #ROLLOUTS}
- * and {@link #VERDICTS} (the rollout's name).
+ * What a fleet's topics are for. Each is keyed by the device's id, but for {@link #MODELS} (version) and {@link
+ * #ROLLOUTS} and {@link #VERDICTS} (the rollout's name).
  *
  * @since 0.1
  */
@@ -38,7 +38,9 @@ public enum Topic {
         this.compacted = compacted;
     }
 
-    /** Whether it has as many partitions as the others of which that is true: what belongs to a device lies together. */
+    /**
+     * Whether it has as many partitions as the others of which that is true: what belongs to a device lies together.
+     */
     public boolean isByDevice() {
         return byDevice;
     }

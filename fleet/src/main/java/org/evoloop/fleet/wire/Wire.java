@@ -45,7 +45,10 @@ public final class Wire {
         return new Json().with("model", model).bytes();
     }
 
-    /** For {@link Topic#OCCURRENCES}; {@code number} counts what this gateway tells of this device, 0 if it does not count. */
+    /**
+     * For {@link Topic#OCCURRENCES}; {@code number} counts what this gateway tells of this device, 0 if it does not
+     * count.
+     */
     public static byte[] occurrence(Occurrence occurrence, long number) {
         Json json = new Json();
         if (number > 0) {

@@ -23,8 +23,8 @@ import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 
 /**
- * What happens at some devices at random, and what each one's core says to that when it is told alone in this JVM: never
- * written down and read again, never in a store.
+ * What happens at some devices at random, and what each one's core says to that when it is told alone in this JVM:
+ * never written down and read again, never in a store.
  */
 final class Story {
     static final long BEGIN = 1_000_000;

@@ -29,8 +29,8 @@ public record CheckInput(
         @Nullable Set<String> effects) {
 
     /**
-     * Of the models alone: every event of the device can be sent, but its time triggers and those that its model declares
-     * to be its own; all guards can be asked.
+     * Of the models alone: every event of the device can be sent, but its time triggers and those that its model
+     * declares to be its own; all guards can be asked.
      */
     public static CheckInput of(ModelPair pair) {
         Set<Event> sendable = new HashSet<>(pair.original().triggers());

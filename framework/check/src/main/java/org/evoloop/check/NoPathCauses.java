@@ -19,8 +19,8 @@ import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.Transition;
 
 /**
- * Finds what impossible decisions have in common: the state of the device that cannot be reached, or the first event of the
- * drawn way there that cannot be sent.
+ * Finds what impossible decisions have in common: the state of the device that cannot be reached, or the first event of
+ * the drawn way there that cannot be sent.
  */
 final class NoPathCauses {
     private final StateMachine original;

@@ -75,7 +75,9 @@ public final class PairGraph {
         return Collections.unmodifiableList(turns.getOrDefault(at, List.of()));
     }
 
-    /** The fewest turns that lead to {@code target}; none to the initial configuration, and to one that is not reached. */
+    /**
+     * The fewest turns that lead to {@code target}; none to the initial configuration, and to one that is not reached.
+     */
     public List<Turn> wayTo(Configuration target) {
         ArrayDeque<Turn> way = new ArrayDeque<>();
         for (Turn last = arrivals.get(target); last != null; ) {

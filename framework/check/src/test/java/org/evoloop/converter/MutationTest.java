@@ -32,8 +32,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * Random single changes to the new model of the cleaning robot: whatever passes the checks can be built, and whatever the
- * controller, the functions and the device do then, no event fails.
+ * Random single changes to the new model of the cleaning robot: whatever passes the checks can be built, and whatever
+ * the controller, the functions and the device do then, no event fails.
  */
 class MutationTest {
     private static final int MUTANTS = 200;

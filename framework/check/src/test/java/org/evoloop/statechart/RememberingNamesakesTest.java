@@ -20,7 +20,9 @@ import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
 import org.junit.jupiter.api.Test;
 
-/** The device's states are found by where they are drawn, though the new model remembers, and uses their names again. */
+/**
+ * The device's states are found by where they are drawn, though the new model remembers, and uses their names again.
+ */
 class RememberingNamesakesTest {
     private static final State OUT = new State("Out");
 

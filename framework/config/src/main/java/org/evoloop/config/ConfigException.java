@@ -3,8 +3,8 @@ package org.evoloop.config;
 import java.util.List;
 
 /**
- * What a program was told makes no sense. Its message holds every mistake with its place and how to mend it; one stands on one
- * line, several on one each.
+ * What a program was told makes no sense. Its message holds every mistake with its place and how to mend it; one stands
+ * on one line, several on one each.
  *
  * @since 0.1
  */

@@ -26,11 +26,11 @@ import org.snakeyaml.engine.v2.parser.ParserImpl;
 import org.snakeyaml.engine.v2.scanner.StreamReader;
 
 /**
- * Reads a file of options: one mapping of names to values, or lists of them. Values are taken as they are written, so {@code 08:00}
- * and {@code 0755} stay what they are.
+ * Reads a file of options: one mapping of names to values, or lists of them. Values are taken as they are written, so
+ * {@code 08:00} and {@code 0755} stay what they are.
  *
- * <p>It reads the parser's events: whatever else YAML can say, such as aliases or nesting, is refused where it stands and never
- * carried out.
+ * <p>It reads the parser's events: whatever else YAML can say, such as aliases or nesting, is refused where it stands
+ * and never carried out.
  */
 final class ConfigFile {
     private static final int DEEPEST = 100;

@@ -14,8 +14,9 @@ import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Gathers what is wrong with a program's options, so that all of it can be told at once. A mistake names its options as on the
- * command line, {@code --port}; if the first of them that was given comes from a file, it is told with the line there.
+ * Gathers what is wrong with a program's options, so that all of it can be told at once. A mistake names its options as
+ * on the command line, {@code --port}; if the first of them that was given comes from a file, it is told with the line
+ * there.
  *
  * <p>Threading: for one thread.
  *

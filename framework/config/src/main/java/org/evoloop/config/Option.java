@@ -54,7 +54,8 @@ public final class Option<T> {
      * @param name without dashes
      * @param label what stands for the value in a usage line, such as {@code FILE}
      * @param description one sentence
-     * @param reader reads a value; throws an {@link IllegalArgumentException} that says what is wrong with it and what is allowed
+     * @param reader reads a value; throws an {@link IllegalArgumentException} that says what is wrong with it and what
+     *     is allowed
      */
     public static <T> Option<T> value(String name, String label, String description, Function<String, T> reader) {
         return new Option<>(name, List.of(), label, description, reader, false, null, Option::asWritten, Set.of());

@@ -11,8 +11,8 @@ import java.util.stream.Stream;
 /**
  * The options that a program has, or a part of one, and what must hold of them together.
  *
- * <p>Besides them every program has {@code --config FILE}, which names a file with some of them, {@code --print-config} and {@code
- * --help}; {@link Settings#answers} answers the latter two.
+ * <p>Besides them every program has {@code --config FILE}, which names a file with some of them, {@code --print-config}
+ * and {@code --help}; {@link Settings#answers} answers the latter two.
  *
  * <p>Threading: immutable, if the checks are.
  *

@@ -9,7 +9,8 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * A secret, such as a password: it is in a file that an option names, else in the environment, and never in the configuration.
+ * A secret, such as a password: it is in a file that an option names, else in the environment, and never in the
+ * configuration.
  *
  * <p>Threading: immutable.
  *

@@ -20,19 +20,21 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Controls a converter by lines of text: {@code start}, {@code stop}, {@code status}, {@code watch}, {@code list}, {@code
- * exchange}, {@code history}, {@code help}, {@code exit}, and the commands that the application adds.
+ * Controls a converter by lines of text: {@code start}, {@code stop}, {@code status}, {@code watch}, {@code list},
+ * {@code exchange}, {@code history}, {@code help}, {@code exit}, and the commands that the application adds.
  *
  * <p>A terminal shows first where the system stands and what can be typed next; its lines are edited, completed and
- * remembered, provided that JLine is on the class path. From a pipe each line is a command, without prompt and echo. Results go to the output; a command that fails prints one line {@code error:
- * ...} to the error output, and the console goes on.
+ * remembered, provided that JLine is on the class path. From a pipe each line is a command, without prompt and echo.
+ * Results go to the output; a command that fails prints one line {@code error: ...} to the error output, and the
+ * console goes on.
  *
- * <p>Lifecycle: {@link #run} reads commands until {@code exit}, the end of the input, Ctrl-C on an empty line, one of the signals TERM and
- * HUP, an interrupt of its thread, or {@link #end}, then closes the converter and leaves terminal and signals as it found
- * them. One that {@link #outliveInput outlives its input} ends neither with that nor by HUP.
+ * <p>Lifecycle: {@link #run} reads commands until {@code exit}, the end of the input, Ctrl-C on an empty line, one of
+ * the signals TERM and HUP, an interrupt of its thread, or {@link #end}, then closes the converter and leaves terminal
+ * and signals as it found them. One that {@link #outliveInput outlives its input} ends neither with that nor by HUP.
  *
- * <p>Threading: put together and run by one thread, which may be interrupted from any; {@link #perform} and {@link #end} may
- * be called from any thread. Of the application's commands one runs at a time; the console's own do not wait for them.
+ * <p>Threading: put together and run by one thread, which may be interrupted from any; {@link #perform} and {@link
+ * #end} may be called from any thread. Of the application's commands one runs at a time; the console's own do not wait
+ * for them.
  *
  * @since 0.1
  */
@@ -118,8 +120,8 @@ public final class Console {
     }
 
     /**
-     * Adds the commands {@code evolve} and {@code rollback}, before {@link #run}, for a converter that can make {@linkplain
-     * SystemEventConverter#addKnowledgeFactory knowledge} of other models.
+     * Adds the commands {@code evolve} and {@code rollback}, before {@link #run}, for a converter that can make
+     * {@linkplain SystemEventConverter#addKnowledgeFactory knowledge} of other models.
      *
      * @param models reads what they name
      */

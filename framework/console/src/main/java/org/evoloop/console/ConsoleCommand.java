@@ -17,9 +17,9 @@ import java.util.function.Function;
  * <p>Threading: immutable; its action is called on the console's thread or another, one at a time for all
  * that an application adds; its completion on the console's.
  *
- * @param usage the command's name and one word for each argument, those that may be left out in brackets: {@code exchange
- *     COMPONENT SPARE}, {@code status [--json]}; the last may stand for any number, {@code [OPTION...]}. The console refuses
- *     any other number of arguments
+ * @param usage the command's name and one word for each argument, those that may be left out in brackets: {@code
+ *     exchange COMPONENT SPARE}, {@code status [--json]}; the last may stand for any number, {@code [OPTION...]}. The
+ *     console refuses any other number of arguments
  * @param help what the command does, for {@code help}; the first line stands in the list of all commands
  * @param action what it does
  * @param completion the words that may stand after those given, which begin with the first argument

@@ -5,8 +5,8 @@ import org.jspecify.annotations.Nullable;
 /**
  * Whether, why and with which status a console shall end.
  *
- * <p>Threading: asked for from any thread; {@link #begin}, {@link #await} and {@link #over} belong to the console's, which is
- * interrupted by the first who asks, and by nobody once it closes what it has to close.
+ * <p>Threading: asked for from any thread; {@link #begin}, {@link #await} and {@link #over} belong to the console's,
+ * which is interrupted by the first who asks, and by nobody once it closes what it has to close.
  */
 final class Ending {
     private @Nullable Thread console;

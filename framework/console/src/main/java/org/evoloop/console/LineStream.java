@@ -7,8 +7,8 @@ import java.nio.charset.Charset;
 import java.util.function.Consumer;
 
 /**
- * Collects what is printed and hands it on in whole lines, so that it can be shown above a line that is being edited. What
- * is printed at once stays together.
+ * Collects what is printed and hands it on in whole lines, so that it can be shown above a line that is being edited.
+ * What is printed at once stays together.
  *
  * <p>Threading: used through its {@link #printer}, which is thread-safe.
  */

@@ -14,9 +14,9 @@ import org.evoloop.rehearsal.Difference;
  * <ul>
  *   <li>{@code model}; {@code since}, in UTC
  *   <li>{@code originalState}, {@code newState}: where the other models would be
- *   <li>{@code events}: how many were compared; {@code different}: how many they would have decided otherwise
- *   <li>{@code differences}, a list, the newest first: {@code at}, {@code event}, {@code source}; {@code then}, what was made
- *       of it, and {@code now}, what the other models would have made of it, with reasons
+ *   <li>{@code events}: how many were compared; {@code different}: how many they would have decided differently
+ *   <li>{@code differences}, a list, the newest first: {@code at}, {@code event}, {@code source}; {@code then}, what
+ *   was made of it, and {@code now}, what the other models would have made of it, with reasons
  *   <li>{@code faults}, a list of the properties that they would have broken, the newest first: {@code at}, {@code why}
  * </ul>
  *

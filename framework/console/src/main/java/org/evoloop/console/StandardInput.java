@@ -5,8 +5,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 
 /**
- * Tells a standard input from a file of the virtual machine's own. If a program is started with file descriptor 0 closed, the
- * first file that it opens gets that number, and what stands in it would be taken for commands.
+ * Tells a standard input from a file of the virtual machine's own. If a program is started with file descriptor 0
+ * closed, the first file that it opens gets that number, and what stands in it would be taken for commands.
  */
 final class StandardInput {
     private static final Path FILE = Path.of("/proc/self/fd/0");

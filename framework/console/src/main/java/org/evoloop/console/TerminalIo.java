@@ -26,8 +26,8 @@ import org.jspecify.annotations.Nullable;
  * A terminal, with line editing, completion, and a history that lasts as long as the console.
  *
  * <p>{@code System.out}, and {@code System.err} if it shows on the terminal as well, are replaced meanwhile: what other
- * threads print appears above the line that is being edited. Lines are broken between words: results at 80 columns or the
- * terminal's width, whichever is less, others at its width.
+ * threads print appears above the line that is being edited. Lines are broken between words: results at 80 columns or
+ * the terminal's width, whichever is less, others at its width.
  *
  * <p>Threading: belongs to the thread that makes it, and converses through it; its streams can be used by any.
  */

@@ -4,8 +4,8 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * Breaks long lines between words. What follows is indented to where the line's text begins, which is after a label and two
- * blanks or more, as in {@code states      original Off}, but at most to half of the width.
+ * Breaks long lines between words. What follows is indented to where the line's text begins, which is after a label and
+ * two blanks or more, as in {@code states      original Off}, but at most to half of the width.
  */
 final class Wrapping {
     /** How wide text for people is, where nobody says how wide the screen is. */
@@ -16,8 +16,8 @@ final class Wrapping {
     private Wrapping() {}
 
     /**
-     * The same text in lines of at most {@code width} characters. A longer word has a line of its own; JSON, which is for
-     * programs, stays as it is.
+     * The same text in lines of at most {@code width} characters. A longer word has a line of its own; JSON, which is
+     * for programs, stays as it is.
      */
     static String wrap(String text, int width) {
         StringBuilder wrapped = new StringBuilder(text.length());

@@ -75,14 +75,14 @@ class EvolveCommandsTest {
         assertThat(out.text()).isEqualTo("""
                 running: original off, new off
                 no shadow; shadow FILE#NAME begins one
-                shadow of 'plain': 0 events, 0 of them decided otherwise
+                shadow of 'plain': 0 events, 0 of them decided differently
                 converter   lamp, running
                 states      original off, new off
-                shadow      'plain': 0 events, 0 of them decided otherwise
+                shadow      'plain': 0 events, 0 of them decided differently
                 now         waiting for an event
-                'plain': 0 events, 0 of them decided otherwise; it would be in (off, off)
-                ended 'plain': 0 events, 0 of them decided otherwise
-                shadow of 'plain': 0 events, 0 of them decided otherwise
+                'plain': 0 events, 0 of them decided differently; it would be in (off, off)
+                ended 'plain': 0 events, 0 of them decided differently
+                shadow of 'plain': 0 events, 0 of them decided differently
                 evolved to 'plain': (off, off) is (off, off)
                 on probation: rolls back by itself if anything goes wrong
                 no shadow; shadow FILE#NAME begins one

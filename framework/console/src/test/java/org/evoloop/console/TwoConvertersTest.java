@@ -29,8 +29,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /**
- * Two converters, one on top of the other, under one console: the new model of the lower one is the original model of the
- * upper one. A lamp that only knows a switch gets a warm light from the lower, and a party from the upper.
+ * Two converters, one on top of the other, under one console: the new model of the lower one is the original model of
+ * the upper one. A lamp that only knows a switch gets a warm light from the lower, and a party from the upper.
  */
 @Timeout(60)
 class TwoConvertersTest {

@@ -30,7 +30,9 @@ final class ChangeLock {
         this.fromWithin = fromWithin;
     }
 
-    /** @throws IllegalStateException if the caller is a component, or the converter is being closed by another thread */
+    /**
+     * @throws IllegalStateException if the caller is a component, or the converter is being closed by another thread
+     */
     void change(Runnable change) {
         if (fromLoop.getAsBoolean()) {
             throw refused("a converter cannot be changed from its own thread "

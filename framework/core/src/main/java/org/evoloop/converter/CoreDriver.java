@@ -26,7 +26,8 @@ import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Gives the core its inputs, one at a time, and passes its directives to the thread that carries the occurrence in progress.
+ * Gives the core its inputs, one at a time, and passes its directives to the thread that carries the occurrence in
+ * progress.
  *
  * <p>Threading: thread-safe. Its lock is held for as long as the core and its outputs take, which is short; no user
  * code runs under it. A thread that holds the loop's lock may take this one, never the other way round.

@@ -61,8 +61,8 @@ public abstract class EventExecute extends Execute<ChangePlan> {
      * @throws InterruptedException if the thread is interrupted while it waits
      * @throws UnknownEffectException if it is unknown whether the event had its effect: the device is asked, see {@link
      *     #locate}
-     * @throws Exception any other failure: it had none; the original model stays where it is, and the rest of the plan is not
-     *     carried out
+     * @throws Exception any other failure: it had none; the original model stays where it is, and the rest of the plan
+     *     is not carried out
      */
     protected abstract void send(Step step) throws Exception;
 

@@ -18,8 +18,8 @@ import org.slf4j.LoggerFactory;
 /**
  * The listeners of a converter, and the thread that calls them. The thread runs while there is a listener.
  *
- * <p>Threading: thread-safe; notifying never waits. When {@value #MOST_WAITING} calls wait, further ones are lost, which is
- * logged.
+ * <p>Threading: thread-safe; notifying never waits. When {@value #MOST_WAITING} calls wait, further ones are lost,
+ * which is logged.
  */
 final class Listeners {
     private static final Logger LOG = LoggerFactory.getLogger(SystemEventConverter.class);

@@ -20,8 +20,8 @@ import org.jspecify.annotations.Nullable;
  *         () -> kettle.celsius() >= 99 ? "boils" : null));
  * }</pre>
  *
- * <p>Threading: the function is called on the monitor's thread. In a converter without threads it is called whenever the
- * monitor is observed, whatever the period.
+ * <p>Threading: the function is called on the monitor's thread. In a converter without threads it is called whenever
+ * the monitor is observed, whatever the period.
  *
  * @since 0.1
  */

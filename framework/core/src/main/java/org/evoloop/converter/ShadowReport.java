@@ -46,10 +46,10 @@ public record ShadowReport(
         faults = List.copyOf(faults);
     }
 
-    /** For messages: {@code 'guest': 120 events, 3 of them decided otherwise}. */
+    /** For messages: {@code 'guest': 120 events, 3 of them decided differently}. */
     @Override
     public String toString() {
         return "'" + model + "': " + events + (events == 1 ? " event, " : " events, ") + different
-                + " of them decided otherwise" + (faults.isEmpty() ? "" : "; properties broken: " + faults.size());
+                + " of them decided differently" + (faults.isEmpty() ? "" : "; properties broken: " + faults.size());
     }
 }

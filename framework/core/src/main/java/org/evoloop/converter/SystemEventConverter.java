@@ -35,8 +35,8 @@ import org.jspecify.annotations.Nullable;
  * <p>Lifecycle: see {@link LoopState}. {@link #stop} ends the running new function and refuses events; {@link #start}
  * enters the current state again and continues from there.
  *
- * <p>Threading: all methods may be called from any thread; components cannot change the converter, but may {@link #stop} and
- * {@link #close} it, and functions, tasks of visits and listeners may change it too.
+ * <p>Threading: all methods may be called from any thread; components cannot change the converter, but may {@link
+ * #stop} and {@link #close} it, and functions, tasks of visits and listeners may change it too.
  *
  * @since 0.1
  */
@@ -436,7 +436,10 @@ public final class SystemEventConverter implements AutoCloseable {
         return built().knowledge();
     }
 
-    /** The events that its execute components can send to the device. @throws IllegalStateException if it is not built yet */
+    /**
+     * The events that its execute components can send to the device. @throws IllegalStateException if it is not built
+     * yet
+     */
     public Set<Event> sendableEvents() {
         return built().carrier.sendable();
     }

@@ -24,8 +24,8 @@ import org.jspecify.annotations.Nullable;
  * Carries out the core's directives for visits: sets their timers, runs their functions, and hands the events that they
  * raise to the loop.
  *
- * <p>Threading: states are entered and left by one thread at a time, under this object's lock; visits and the clock call
- * from their own threads.
+ * <p>Threading: states are entered and left by one thread at a time, under this object's lock; visits and the clock
+ * call from their own threads.
  */
 final class Visits implements VisitHost {
     private static final Duration FIRST_PAUSE = Duration.ofMillis(100);

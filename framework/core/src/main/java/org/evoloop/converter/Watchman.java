@@ -17,7 +17,8 @@ import org.jspecify.annotations.Nullable;
  * Feeds a sentry with events and the time, and hands the violations that it finds to the loop. It has at most one task
  * waiting at the clock, which reschedules itself: events schedule none.
  *
- * <p>Threading: guarded by the lock of the {@link CoreDriver}; violations are handed over on the clock's thread, without it.
+ * <p>Threading: guarded by the lock of the {@link CoreDriver}; violations are handed over on the clock's thread,
+ * without it.
  */
 final class Watchman {
     private final Clock clock;

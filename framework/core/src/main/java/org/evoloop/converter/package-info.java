@@ -4,8 +4,8 @@
  * org.evoloop.converter.StateKnowledge}, and put them together in a {@link
  * org.evoloop.converter.SystemEventConverter}.
  *
- * <p>This package may use {@code org.evoloop.loop}, {@code org.evoloop.evolution}, {@code org.evoloop.function} and what
- * those use.
+ * <p>This package may use {@code org.evoloop.loop}, {@code org.evoloop.evolution}, {@code org.evoloop.function} and
+ * what those use.
  */
 @NullMarked
 package org.evoloop.converter;

@@ -8,7 +8,8 @@ import org.jspecify.annotations.Nullable;
 /**
  * The record of the states of device and evolved system, and whether it is in doubt.
  *
- * <p>A fact moves it when it is observed, and a step when it has had its effect, in the order in which they are reported.
+ * <p>A fact moves it when it is observed, and a step when it has had its effect, in the order in which they are
+ * reported.
  */
 final class Place {
     private Configuration at;

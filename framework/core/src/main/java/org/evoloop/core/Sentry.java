@@ -8,8 +8,8 @@ import org.jspecify.annotations.Nullable;
 /**
  * Watches a core's inputs and the states to which they lead, over time, and finds violations.
  *
- * <p>Times are nanoseconds of the converter's monotonic clock. Threading: called by one thread at a time, under a lock; it must
- * return at once.
+ * <p>Times are nanoseconds of the converter's monotonic clock. Threading: called by one thread at a time, under a lock;
+ * it must return at once.
  *
  * @since 0.1
  */

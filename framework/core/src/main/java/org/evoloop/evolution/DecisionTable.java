@@ -23,8 +23,7 @@ import org.jspecify.annotations.Nullable;
  * its model says that it can. What the device may do by itself although it can also be sent, such as react to its own
  * buttons, is explored last. Thus a decision that cannot be carried out is known to be either a {@linkplain #problems()
  * problem} of the models or a {@linkplain #hazards() hazard} of such interference. After a plan failed between two
- * steps, the system may be in another configuration; decisions there are computed by the same function when first
- * needed.
+ * steps, the system may be in another configuration; decisions there are computed when first needed.
  *
  * <p>Threading: thread-safe.
  *
@@ -269,7 +268,7 @@ public final class DecisionTable {
         return decide(situation, number(event));
     }
 
-    /** The situation in which {@link #decide(int, int)} ends; {@code -1} if it is not one of {@link #configurations}. */
+    /** The situation after {@link #decide(int, int)}; {@code -1} if it is not one of {@link #configurations}. */
     public int after(int situation, int event) {
         return event < 0 ? situation : asked.after(situation, event);
     }
@@ -317,8 +316,7 @@ public final class DecisionTable {
      *
      * @param event the event, with the guards under which it comes, see {@link #resolve}
      * @param own the step that the device took; null if its model has none
-     * @param follow whether the new model merely follows, with nothing sent, where both models agree on the device's
-     *     action
+     * @param follow whether the new model only follows, without sending, where both models agree on the action
      */
     public synchronized Decision react(Configuration at, Event event, @Nullable Step own, boolean follow) {
         return conversion.react(at, event, own, follow);
@@ -438,10 +436,7 @@ public final class DecisionTable {
         return conversion.afterFailure(usual, at, broken);
     }
 
-    /**
-     * The device's states compatible with {@code evolved}: its own, or for a new state all that form a reachable pair
-     * with it.
-     */
+    /** The device's states for {@code evolved}: its own, or for a new state all that are reachable with it. */
     private List<State> companions(State evolved) {
         List<State> same = pair.deviceStates(evolved);
         return !same.isEmpty()

@@ -75,7 +75,9 @@ final class EventConversion {
         return known == null ? new Target(state, List.of(), null) : known;
     }
 
-    /** Whether {@code trigger} is an event of the device that no component sends and that is not declared spontaneous. */
+    /**
+     * Whether {@code trigger} is an event of the device that no component sends and that is not declared spontaneous.
+     */
     boolean isUnsendable(Event trigger) {
         return unsendable.contains(trigger);
     }
@@ -247,7 +249,9 @@ final class EventConversion {
         return List.copyOf(all);
     }
 
-    /** The original's transition on the same guarded event, else on the event without guards; null if it has neither. */
+    /**
+     * The original's transition on the same guarded event, else on the event without guards; null if it has neither.
+     */
     @Nullable
     Transition originalTransition(State source, Event event) {
         StateMachine original = pair.original();

@@ -7,8 +7,8 @@ import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
 
 /**
- * A state of the device that the new model lacks, against Condition 2 of the paper's Definition IV.1: S_o is a subset of
- * S_n.
+ * A state of the device that the new model lacks, against Condition 2 of the paper's Definition IV.1: S_o is a subset
+ * of S_n.
  *
  * <p>Threading: immutable.
  *
@@ -95,7 +95,9 @@ public record MissingState(State state, Matter matter, List<State> instead) impl
                 .toList();
     }
 
-    /** For messages: {@code state On of the original model stands beside another region in the new model: (On, Idle)}. */
+    /**
+     * For messages: {@code state On of the original model stands beside another region in the new model: (On, Idle)}.
+     */
     public String message() {
         String there = instead.stream().map(State::name).collect(Collectors.joining(", "));
         String subject = "state " + state + " of the original model ";

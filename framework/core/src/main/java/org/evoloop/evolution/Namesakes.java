@@ -8,9 +8,9 @@ import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
 
 /**
- * Gives the states of two machines that are drawn in the same place the same name. A flat state is called {@code On}, or
- * {@code Power.On} where its machine has another {@code On}, so that a state that only one machine has may change the name
- * of one that both have.
+ * Gives the states of two machines that are drawn in the same place the same name. A flat state is called {@code On},
+ * or {@code Power.On} where its machine has another {@code On}, so that a state that only one machine has may change
+ * the name of one that both have.
  */
 final class Namesakes {
     private final StateMachine original;

@@ -107,7 +107,8 @@ public abstract class ControlLoopFunction<O, A, P> implements NewFunction {
     protected abstract void assemble(MapeLoop<O, A, P> loop, Visit visit) throws Exception;
 
     /**
-     * A component of the loop has failed; the loop continues. Called on the thread that calls the component, after it was logged.
+     * A component of the loop has failed; the loop continues. Called on the thread that calls the component, after it
+     * was logged.
      *
      * @param cause what it threw
      */

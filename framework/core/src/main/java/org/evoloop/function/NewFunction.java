@@ -7,8 +7,8 @@ package org.evoloop.function;
  * timers ({@link Visit#finishAfter}) or listeners behind, cleaned up by {@link Visit#onEnd}; or build it from parts
  * with {@link ControlLoopFunction} or {@link StatePatternFunction}.
  *
- * <p>Threading: every visit of the state calls {@link #run} once, on a thread of its own. In a converter without threads
- * it is called on the thread that takes the steps, and must not block.
+ * <p>Threading: every visit of the state calls {@link #run} once, on a thread of its own. In a converter without
+ * threads it is called on the thread that takes the steps, and must not block.
  *
  * @since 0.1
  */

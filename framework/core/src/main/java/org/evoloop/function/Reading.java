@@ -58,8 +58,8 @@ public record Reading(String name, Object value, String unit) {
     }
 
     /**
-     * For people, such as {@code distance 1.25 m}, {@code time left 4 min 30 s}, {@code docked}, {@code not docked} or {@code error
-     * stuck}.
+     * For people, such as {@code distance 1.25 m}, {@code time left 4 min 30 s}, {@code docked}, {@code not docked} or
+     * {@code error stuck}.
      */
     @Override
     public String toString() {

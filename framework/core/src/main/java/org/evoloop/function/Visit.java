@@ -43,7 +43,8 @@ public interface Visit {
      * Waits for {@code duration}.
      *
      * @throws InterruptedException if the state is left first
-     * @throws IllegalStateException in a converter without threads, and in a task of the clock, which would wait for itself
+     * @throws IllegalStateException in a converter without threads, and in a task of the clock, which would wait for
+     *     itself
      * @throws IllegalArgumentException if {@code duration} is negative, or longer than {@link Clock#LONGEST}
      */
     void sleep(Duration duration) throws InterruptedException;
@@ -128,7 +129,10 @@ public interface Visit {
         at(time, ZoneId.systemDefault(), task);
     }
 
-    /** Runs {@code task} every day at {@code time} until the state is left; else as {@link #at(LocalTime, ZoneId, Runnable)}. */
+    /**
+     * Runs {@code task} every day at {@code time} until the state is left; else as {@link #at(LocalTime, ZoneId,
+     * Runnable)}.
+     */
     void daily(LocalTime time, ZoneId zone, Runnable task);
 
     /** As the method with a zone, in this computer's time zone. */

@@ -1,6 +1,6 @@
 /**
- * New functions: what runs on this computer while the evolved system is in a state that the device does not have (paper,
- * section V.B). A function is a single class, a composite of sub-states, or a control loop of its own.
+ * New functions: what runs on this computer while the evolved system is in a state that the device does not have
+ * (paper, section V.B). A function is a single class, a composite of sub-states, or a control loop of its own.
  *
  * <p>This package may use {@code org.evoloop.loop}, {@code org.evoloop.time} and {@code org.evoloop.statemachine}; it
  * knows nothing of decisions.

@@ -9,8 +9,8 @@ import org.jspecify.annotations.Nullable;
 /**
  * A queue of a fixed capacity, first come first served; an occurrence that finds it full is lost.
  *
- * <p>Threading: as {@link Intake}; monitors that report more than there is room for must not hold up the threads that make
- * room, so {@link #atOnce} takes no lock.
+ * <p>Threading: as {@link Intake}; monitors that report more than there is room for must not hold up the threads that
+ * make room, so {@link #atOnce} takes no lock.
  */
 final class Backlog<O> implements Intake<O> {
     private final int capacity;

@@ -25,8 +25,8 @@ public interface Intake<O> {
     }
 
     /**
-     * An answer that needs no lock, for monitors that report more than there is room for; null if there is none. Called from
-     * any thread.
+     * An answer that needs no lock, for monitors that report more than there is room for; null if there is none. Called
+     * from any thread.
      */
     default @Nullable Admission atOnce(O occurrence) {
         return null;

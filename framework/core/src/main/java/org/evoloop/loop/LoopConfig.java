@@ -137,8 +137,8 @@ public final class LoopConfig {
     }
 
     /**
-     * How long an analyze, plan or execute component may work on one occurrence before it is interrupted, 1 ms to {@link
-     * Clock#LONGEST}, in the clock's time.
+     * How long an analyze, plan or execute component may work on one occurrence before it is interrupted, 1 ms to
+     * {@link Clock#LONGEST}, in the clock's time.
      */
     public Duration stepLimit() {
         return stepLimit;

@@ -74,8 +74,8 @@ abstract class LoopThread implements Runnable {
     }
 
     /**
-     * Waits for the thread to end, unless it is the caller's. An interrupt of the caller does not cut the wait short; its
-     * flag is restored.
+     * Waits for the thread to end, unless it is the caller's. An interrupt of the caller does not cut the wait short;
+     * its flag is restored.
      *
      * @return whether it has ended, or is the caller's thread
      */

@@ -338,8 +338,8 @@ public final class MapeLoop<O, A, P> implements AutoCloseable {
     }
 
     /**
-     * Calls one monitor once and queues what it reports, on the caller's thread: the step of a monitor in a loop without
-     * threads.
+     * Calls one monitor once and queues what it reports, on the caller's thread: the step of a monitor in a loop
+     * without threads.
      *
      * @throws IllegalStateException if the loop has threads
      * @throws IllegalArgumentException if {@code monitor} is not part of the loop

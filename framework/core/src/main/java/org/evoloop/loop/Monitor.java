@@ -33,8 +33,8 @@ public abstract non-sealed class Monitor<O> extends Component {
     /**
      * Waits for the next occurrence.
      *
-     * @return what occurred, or null if nothing did for now; a monitor that has nothing to report should wait rather than
-     *     return null at once
+     * @return what occurred, or null if nothing did for now; a monitor that has nothing to report should wait rather
+     *     than return null at once
      * @throws InterruptedException if the thread is interrupted while it waits; that is never an error
      * @throws Exception any failure: it is reported and counted, and the monitor is called again after a pause that
      *     grows from 0.1 s to 5 s while it keeps failing

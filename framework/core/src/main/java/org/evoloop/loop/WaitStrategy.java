@@ -9,7 +9,8 @@ package org.evoloop.loop;
  *
  * <p>Threading: immutable.
  *
- * @param looks how often a thread checks for its turn without yielding, 0 to 10,000; more than a few slow down two processors
+ * @param looks how often a thread checks for its turn without yielding, 0 to 10,000; more than a few slow down two
+ *     processors
  * @param yields how often it yields before it sleeps, 0 to 10,000
  * @since 0.1
  */

@@ -1,11 +1,11 @@
 /**
  * The MAPE-K loop (paper, sections II.B and V.A): the superclasses {@link org.evoloop.loop.Monitor}, {@link
  * org.evoloop.loop.Analyze}, {@link org.evoloop.loop.Plan}, {@link org.evoloop.loop.Execute} and {@link
- * org.evoloop.loop.Knowledge}, and the {@link org.evoloop.loop.MapeLoop} that hands their results on, supervises them and
- * lets them be exchanged while it runs.
+ * org.evoloop.loop.Knowledge}, and the {@link org.evoloop.loop.MapeLoop} that hands their results on, supervises them
+ * and lets them be exchanged while it runs.
  *
- * <p>This package may use {@code org.evoloop.time} and {@code org.evoloop.flight} only; it knows nothing of state machines. All threads of the framework
- * but those of new functions live here.
+ * <p>This package may use {@code org.evoloop.time} and {@code org.evoloop.flight} only; it knows nothing of state
+ * machines. All threads of the framework but those of new functions live here.
  */
 @NullMarked
 package org.evoloop.loop;

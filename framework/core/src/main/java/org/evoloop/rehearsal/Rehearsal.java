@@ -111,7 +111,8 @@ final class Rehearsal extends Chronicle {
      * An event is observed; it has its {@link #turn} later. An event that belongs to a visit counts only if the other
      * models are in the state of that visit.
      *
-     * @param raisedIn the current state of the converter, if the event belongs to its visit; null if it belongs to an older one
+     * @param raisedIn the current state of the converter, if the event belongs to its visit; null if it belongs to an
+     *     older one
      */
     void hear(Occurrence occurrence, @Nullable State raisedIn, long atNanos) {
         fire(atNanos);

@@ -12,8 +12,8 @@ import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The text of a UML time trigger: {@code tm(2s)}, {@code after(500 ms)}, {@code after 2 s}, {@code after 1.5 minutes}, and
- * with or without those words a duration of ISO 8601 such as {@code PT1M30S}.
+ * The text of a UML time trigger: {@code tm(2s)}, {@code after(500 ms)}, {@code after 2 s}, {@code after 1.5 minutes},
+ * and with or without those words a duration of ISO 8601 such as {@code PT1M30S}.
  *
  * <p>Where nested states have equal time triggers, their names include the state: {@code tm(2s) in On}.
  *

@@ -10,8 +10,8 @@ import java.util.Set;
  *
  * <p>Threading: immutable.
  *
- * @param effects names of the behaviors that run when it is taken, in order: those on leaving states, its own, and those
- *     on entering states
+ * @param effects names of the behaviors that run when it is taken, in order: those on leaving states, its own, and
+ *     those on entering states
  * @param internal whether the state is neither left nor entered, so that its timers and its function continue; then
  *     source and target are the same
  * @param keeps the time triggers and activities of the source that continue in the target, since they belong to an

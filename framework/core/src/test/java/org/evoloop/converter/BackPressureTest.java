@@ -13,7 +13,9 @@ import org.evoloop.loop.ThreadingModel;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** The queue waits, not the device: while a step is made ready for or sent nothing else begins, and all keeps its order. */
+/**
+ * The queue waits, not the device: while a step is made ready for or sent nothing else begins, and all keeps its order.
+ */
 @InEachThreading
 @Timeout(60)
 class BackPressureTest {

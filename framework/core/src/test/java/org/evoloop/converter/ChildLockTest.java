@@ -18,7 +18,10 @@ class ChildLockTest {
     private static final LocalTime NIGHT = LocalTime.of(22, 0);
     private static final LocalTime MORNING = LocalTime.of(6, 0);
 
-    /** From 22:00 to 06:00 the controller's events are refused; the device's own buttons are not the converter's to lock. */
+    /**
+     * From 22:00 to 06:00 the controller's events are refused; the device's own buttons are not the converter's to
+     * lock.
+     */
     private static final class ChildLock extends EventAnalyze {
         private @Nullable Clock clock;
 

@@ -7,7 +7,10 @@ import org.evoloop.core.Outcome;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
-/** What comes in masses takes no more than its share of memory and log, and the newest place of the device is never lost. */
+/**
+ * What comes in masses takes no more than its share of memory and log, and the newest place of the device is never
+ * lost.
+ */
 class FloodTest {
     private static final int MANY = 20_000;
 

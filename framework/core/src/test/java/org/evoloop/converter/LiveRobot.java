@@ -17,7 +17,9 @@ import org.evoloop.loop.LoopConfig;
 import org.evoloop.loop.ThreadingModel;
 import org.evoloop.time.ManualClock;
 
-/** The paper's cleaning robot as a converter with threads under a manual clock; its parts do what a test makes them do. */
+/**
+ * The paper's cleaning robot as a converter with threads under a manual clock; its parts do what a test makes them do.
+ */
 final class LiveRobot implements AutoCloseable {
     static final Duration STEP_LIMIT = Duration.ofSeconds(30);
     static final Duration SHORT_JOIN = Duration.ofMillis(50);

@@ -21,8 +21,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * Whatever happens, however much of it waits, and whatever cannot be sent: after every step the knowledge's original state is
- * where the device is. The device follows the original model to the letter, and acts on its own buttons when it pleases.
+ * Whatever happens, however much of it waits, and whatever cannot be sent: after every step the knowledge's original
+ * state is where the device is. The device follows the original model to the letter, and acts on its own buttons when
+ * it pleases.
  */
 class RandomWalkTest {
     private static final int STEPS = 2_000;

@@ -54,7 +54,7 @@ class ShadowTest {
         press("pause", "fade", "play");
 
         ShadowReport report = shadow.report();
-        assertThat(report).hasToString("'next': 3 events, 1 of them decided otherwise");
+        assertThat(report).hasToString("'next': 3 events, 1 of them decided differently");
         assertThat(events(shadow)).containsExactly("fade");
         Difference only = report.differences().get(0);
         assertThat(only.then()).isEqualTo("stays in (Paused, Paused): not-acceptable");
@@ -88,7 +88,7 @@ class ShadowTest {
         player.settle();
         player.clock.advance(Duration.ofSeconds(2));
         assertThat(player.states()).hasToString("(Stopped, Stopped)");
-        assertThat(shadow.report()).hasToString("'next': 2 events, 0 of them decided otherwise");
+        assertThat(shadow.report()).hasToString("'next': 2 events, 0 of them decided differently");
     }
 
     @Test
@@ -115,7 +115,7 @@ class ShadowTest {
         press("play");
         player.before = () -> {};
         press("play", "pause");
-        assertThat(shadow.report()).hasToString("'next': 3 events, 0 of them decided otherwise");
+        assertThat(shadow.report()).hasToString("'next': 3 events, 0 of them decided differently");
     }
 
     @Test
@@ -131,7 +131,7 @@ class ShadowTest {
         assertThat(shadow.report().at()).isEqualTo(player.states()).hasToString("(Playing, Fading)");
         player.clock.advance(Duration.ofSeconds(3));
         player.settle();
-        assertThat(shadow.report()).hasToString("'next': 1 event, 0 of them decided otherwise");
+        assertThat(shadow.report()).hasToString("'next': 1 event, 0 of them decided differently");
     }
 
     @Test
@@ -196,7 +196,7 @@ class ShadowTest {
                 .containsExactly(
                         "'Never fading' is broken",
                         "what watches the properties has failed: java.lang.IllegalStateException: lost count");
-        assertThat(shadow.report()).asString().endsWith("decided otherwise; properties broken: 2");
+        assertThat(shadow.report()).asString().endsWith("decided differently; properties broken: 2");
         assertThat(player.sent).containsExactly("play", "pause", "play", "stop");
     }
 

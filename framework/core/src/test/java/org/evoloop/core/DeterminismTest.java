@@ -11,7 +11,9 @@ import org.evoloop.core.text.SnapshotText;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** The same inputs give the same outputs and the same next state, also when that is written down and restored each time. */
+/**
+ * The same inputs give the same outputs and the same next state, also when that is written down and restored each time.
+ */
 class DeterminismTest {
     private static final int STORIES = 1_000;
     private static final int LENGTH = 25;

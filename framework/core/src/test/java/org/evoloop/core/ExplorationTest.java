@@ -12,8 +12,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * Every interleaving of what can happen, told to the real core. What may happen how often is part of a test's name; within
- * that, stories are followed to their ends, or as many happenings long as is said. A violation is printed as a story.
+ * Every interleaving of what can happen, told to the real core. What may happen how often is part of a test's name;
+ * within that, stories are followed to their ends, or as many happenings long as is said. A violation is printed as a
+ * story.
  */
 class ExplorationTest {
     private static final int TO_THE_END = Integer.MAX_VALUE;

@@ -9,8 +9,9 @@ import org.evoloop.evolution.Occurrence;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What of a situation decides how it can go on: equal for situations that differ in nothing but how much was counted and how
- * late it is. Numbers are told by where they occur first, visits and times by whether they are those of the present.
+ * What of a situation decides how it can go on: equal for situations that differ in nothing but how much was counted
+ * and how late it is. Numbers are told by where they occur first, visits and times by whether they are those of the
+ * present.
  */
 final class Likeness {
     private final Snapshot now;

@@ -95,7 +95,10 @@ final class Living {
         return world.rules().table().models().original();
     }
 
-    /** An adapter that keeps the order tells what happened first; another tells facts while an effect waits for its turn. */
+    /**
+     * An adapter that keeps the order tells what happened first; another tells facts while an effect waits for its
+     * turn.
+     */
     private void tells() {
         for (int index = 0; index < world.untold.size(); index++) {
             Token token = world.untold.get(index);

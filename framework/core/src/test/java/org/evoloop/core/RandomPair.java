@@ -14,8 +14,8 @@ import org.evoloop.statemachine.StateMachineBuilder;
 import org.evoloop.statemachine.Transition;
 
 /**
- * A small pair at random: a device of three states that can be sent {@code a} and {@code b} and does {@code a} and {@code x}
- * by itself, and a new model with two more states, one with a timer, and effects.
+ * A small pair at random: a device of three states that can be sent {@code a} and {@code b} and does {@code a} and
+ * {@code x} by itself, and a new model with two more states, one with a timer, and effects.
  */
 public final class RandomPair {
     private static final List<String> DEVICE = List.of("A", "B", "C");

@@ -14,8 +14,9 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * Ways through exploration's world, which {@code ./evoloop study --check} has the specification in {@code prism/proof} go, too.
- * Where the core was changed on purpose, take what the failure prints into the file, and see to the specification.
+ * Ways through exploration's world, which {@code ./evoloop study --check} has the specification in {@code prism/proof}
+ * go, too. Where the core was changed on purpose, take what the failure prints into the file, and see to the
+ * specification.
  */
 class StoriesTest {
     private static final Path GOLDEN = Path.of(System.getProperty("evoloop.root"), "prism", "proof", "golden");

@@ -11,8 +11,8 @@ import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 
 /**
- * A story of the specification in {@code prism/proof}, as {@code ./evoloop study --proof} writes it: inputs in words, each
- * followed by a line that begins with {@code =} and says what the core knows then.
+ * A story of the specification in {@code prism/proof}, as {@code ./evoloop study --proof} writes it: inputs in words,
+ * each followed by a line that begins with {@code =} and says what the core knows then.
  */
 final class Trail {
     private final Scene scene;

@@ -12,7 +12,9 @@ import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.jspecify.annotations.Nullable;
 
-/** What is around a core: the device as it truly is, what is on its way, and what the components have been told to do. */
+/**
+ * What is around a core: the device as it truly is, what is on its way, and what the components have been told to do.
+ */
 final class World {
     /** Whether the converter takes controllers' events. */
     enum Phase {
@@ -102,7 +104,9 @@ final class World {
         landed = false;
     }
 
-    /** Whether a step may have its effect without being told: what was found before that has been told, so it is older. */
+    /**
+     * Whether a step may have its effect without being told: what was found before that has been told, so it is older.
+     */
     boolean mayHideEffects() {
         return untold.stream().noneMatch(token -> token instanceof Token.Seen);
     }

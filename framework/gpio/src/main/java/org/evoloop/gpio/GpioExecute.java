@@ -10,14 +10,15 @@ import org.evoloop.evolution.Step;
 import org.evoloop.time.Clock;
 
 /**
- * Sends events to a device by closing its buttons: each pin drives a relay or a transistor across a button of the device.
+ * Sends events to a device by closing its buttons: each pin drives a relay or a transistor across a button of the
+ * device.
  *
  * <pre>{@code
  * new GpioExecute("Coffee", pins, clock, Map.of("power", 23, "brew", 24), Duration.ofMillis(200))
  * }</pre>
  *
- * <p>A step is carried out when the pin has been high for as long as a press lasts, and low for as long again, so that two presses are
- * not one. The pin is low afterwards, whatever happens.
+ * <p>A step is carried out when the pin has been high for as long as a press lasts, and low for as long again, so that
+ * two presses are not one. The pin is low afterwards, whatever happens.
  *
  * <p>Threading: as {@link EventExecute}.
  *

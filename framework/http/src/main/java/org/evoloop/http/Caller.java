@@ -10,8 +10,8 @@ import javax.net.ssl.SSLSocket;
 import javax.net.ssl.SSLSocketFactory;
 
 /**
- * Sends requests and waits for their answers. Each has a connection of its own, so none meets one that the device is just
- * closing.
+ * Sends requests and waits for their answers. Each has a connection of its own, so none meets one that the device is
+ * just closing.
  *
  * <p>Threading: thread-safe.
  */

@@ -6,8 +6,8 @@ import java.security.MessageDigest;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Who is let in. A browser says which page a request is from; a page of another site must not operate a device, whoever looks
- * at it, and what a person types into the address line may.
+ * Who is let in. A browser says which page a request is from; a page of another site must not operate a device, whoever
+ * looks at it, and what a person types into the address line may.
  *
  * <p>Threading: immutable.
  *

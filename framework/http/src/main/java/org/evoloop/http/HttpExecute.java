@@ -20,9 +20,10 @@ import org.jspecify.annotations.Nullable;
  *         .asking(HttpCall.get("http://lamp.local/state"), answer -> answer.contains("on") ? "on" : "off");
  * }</pre>
  *
- * <p>A step is carried out when the device answers with a status of 200 to 299. Else it fails, and so does one that is not answered in
- * time. Whether such a request has arrived is not known: it is never sent again, unless it {@linkplain
- * HttpCall#canBeRepeated() can be}; a device that can be asked where it is, is asked instead. Redirections are not followed.
+ * <p>A step is carried out when the device answers with a status of 200 to 299. Else it fails, and so does one that is
+ * not answered in time. Whether such a request has arrived is not known: it is never sent again, unless it {@linkplain
+ * HttpCall#canBeRepeated() can be}; a device that can be asked where it is, is asked instead. Redirections are not
+ * followed.
  *
  * <p>Threading: as {@link EventExecute}. As a {@link DeviceLink} it tells how the last request went.
  *

@@ -20,10 +20,10 @@ import org.jspecify.annotations.Nullable;
  *         .open();
  * }</pre>
  *
- * <p>Only this machine reaches it, unless {@link #listenOn} says otherwise. Parameters of the query are the event's values,
- * numbers where they look so, and so is the body, as a text named {@code body}; it may have 4096 bytes. The answer is 204, or 409
- * with the reason while the converter is stopped. Eight requests are dealt with at a time; who comes when there is no room, or
- * has not sent all within 10 s, is hung up on. Pages of other sites are turned away.
+ * <p>Only this machine reaches it, unless {@link #listenOn} says otherwise. Parameters of the query are the event's
+ * values, numbers where they look so, and so is the body, as a text named {@code body}; it may have 4096 bytes. The
+ * answer is 204, or 409 with the reason while the converter is stopped. Eight requests are dealt with at a time; who
+ * comes when there is no room, or has not sent all within 10 s, is hung up on. Pages of other sites are turned away.
  *
  * <p>Lifecycle: say everything, then {@link #open}; {@link #close}.
  *

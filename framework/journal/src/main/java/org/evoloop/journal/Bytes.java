@@ -7,8 +7,8 @@ import java.util.HashMap;
 import java.util.Map;
 
 /**
- * One record being written, again and again in the same memory. Whole numbers take as many bytes as they need; a name is
- * spelt out where a segment uses it first, and is a number from then on.
+ * One record being written, again and again in the same memory. Whole numbers take as many bytes as they need; a name
+ * is spelt out where a segment uses it first, and is a number from then on.
  */
 final class Bytes {
     private final Map<String, Integer> names = new HashMap<>();

@@ -96,8 +96,8 @@ final class Directory implements AutoCloseable {
     }
 
     /**
-     * The last segments, oldest first, as many as hold {@code bytes}, and two at least. One that was only being created is
-     * no segment, and is deleted.
+     * The last segments, oldest first, as many as hold {@code bytes}, and two at least. One that was only being created
+     * is no segment, and is deleted.
      */
     List<Path> last(int bytes) {
         for (Path file : segments(path)) {
@@ -148,7 +148,10 @@ final class Directory implements AutoCloseable {
         return Long.parseLong(segment.getFileName().toString().replace(SUFFIX, ""));
     }
 
-    /** Forgets the oldest segments until the others take {@code bytes} at most; two stay in any case. They are to be deleted. */
+    /**
+     * Forgets the oldest segments until the others take {@code bytes} at most; two stay in any case. They are to be
+     * deleted.
+     */
     List<Path> outgrown(long bytes) {
         List<Path> files = new ArrayList<>();
         while (total > bytes && pieces.size() > 2) {

@@ -18,9 +18,10 @@ import org.jspecify.annotations.Nullable;
 /**
  * What other models would have made of what a converter was told, event by event.
  *
- * <p>The events, the device's own acts and their times are those of the journal: what the device would have done otherwise
- * nobody knows. A step that failed fails again; others succeed. Timers are due when the other models have them. An event of a
- * new function happens again only where the other models are in the state of that function. Guards hold that held then.
+ * <p>The events, the device's own acts and their times are those of the journal: what the device would have done
+ * otherwise nobody knows. A step that failed fails again; others succeed. Timers are due when the other models have
+ * them. An event of a new function happens again only where the other models are in the state of that function. Guards
+ * hold that held then.
  *
  * <p>Threading: not thread-safe.
  *

@@ -30,7 +30,10 @@ final class Fingerprint {
         }
     }
 
-    /** @throws JournalException if the journal's newest segment is of other models than {@code models}, which have this fingerprint */
+    /**
+     * @throws JournalException if the journal's newest segment is of other models than {@code models}, which have this
+     * fingerprint
+     */
     static void requireSame(Path file, Head head, String fingerprint, ModelPair models) {
         if (!head.fingerprint().equals(fingerprint)) {
             throw new JournalException(

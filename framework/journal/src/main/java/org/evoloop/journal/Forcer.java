@@ -10,9 +10,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Puts on the disk what was written, every {@value #PERIOD_MILLIS} ms while something is, and does the chores that no event
- * has to wait for, such as closing segments and deleting files. It sleeps when nothing was written for
- * {@value #AWAKE_PERIODS} periods, so that an event seldom has to wake it.
+ * Puts on the disk what was written, every {@value #PERIOD_MILLIS} ms while something is, and does the chores that no
+ * event has to wait for, such as closing segments and deleting files. It sleeps when nothing was written for {@value
+ * #AWAKE_PERIODS} periods, so that an event seldom has to wake it.
  */
 final class Forcer implements AutoCloseable {
     static final int PERIOD_MILLIS = 100;

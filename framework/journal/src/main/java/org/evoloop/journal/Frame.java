@@ -7,12 +7,12 @@ import java.nio.ByteOrder;
 import java.util.zip.CRC32C;
 
 /**
- * How a record lies in a file: eight bytes, big-endian, then the payload, then zeros up to a multiple of eight. The eight are
- * the payload's length in 24 bits, a check of that in 8 bits, and the payload's CRC32C in 32 bits. They are written after the
- * payload and are never all zero, so that where they are zero nothing was finished.
+ * How a record lies in a file: eight bytes, big-endian, then the payload, then zeros up to a multiple of eight. The
+ * eight are the payload's length in 24 bits, a check of that in 8 bits, and the payload's CRC32C in 32 bits. They are
+ * written after the payload and are never all zero, so that where they are zero nothing was finished.
  *
- * <p>A record begins at a multiple of eight, since only there its header is written in one piece: elsewhere the interpreter
- * and C1 write a {@code long} by parts, and a kill in between would leave a header that is none.
+ * <p>A record begins at a multiple of eight, since only there its header is written in one piece: elsewhere the
+ * interpreter and C1 write a {@code long} by parts, and a kill in between would leave a header that is none.
  */
 final class Frame {
     static final int HEADER_BYTES = 8;
@@ -25,7 +25,10 @@ final class Frame {
 
     private Frame() {}
 
-    /** Writes eight bytes in one piece, at a multiple of eight; whatever ends the process, what was written before is there. */
+    /**
+     * Writes eight bytes in one piece, at a multiple of eight; whatever ends the process, what was written before is
+     * there.
+     */
     static void finish(ByteBuffer file, int at, long eight) {
         LONG.setRelease(file, at, eight);
     }

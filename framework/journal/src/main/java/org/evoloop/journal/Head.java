@@ -73,7 +73,9 @@ record Head(
                 && queueCapacity == other.queueCapacity;
     }
 
-    /** By what the segment was written; {@code present} has decisions to begin with if its models have this fingerprint. */
+    /**
+     * By what the segment was written; {@code present} has decisions to begin with if its models have this fingerprint.
+     */
     Rules rules(Rules present, String presentFingerprint) {
         if (!fingerprint.equals(presentFingerprint)) {
             return rules();

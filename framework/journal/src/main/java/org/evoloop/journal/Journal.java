@@ -23,10 +23,10 @@ import org.jspecify.annotations.Nullable;
  * converter.journal(Journal.in(Path.of("/var/lib/lamp")).withForcing(Forcing.PER_INTENT));
  * }</pre>
  *
- * <p>The directory holds segments of {@code segmentBytes} each, {@value #DEFAULT_SEGMENT_BYTES} bytes by default, of which the oldest are
- * deleted when all take more than {@code keptBytes}, {@value #DEFAULT_KEPT_BYTES} by default. At a start the last of them are
- * looked through, as many as hold {@code segmentBytes}. A segment becomes larger only if what the converter knows does not fit
- * into it.
+ * <p>The directory holds segments of {@code segmentBytes} each, {@value #DEFAULT_SEGMENT_BYTES} bytes by default, of
+ * which the oldest are deleted when all take more than {@code keptBytes}, {@value #DEFAULT_KEPT_BYTES} by default. At a
+ * start the last of them are looked through, as many as hold {@code segmentBytes}. A segment becomes larger only if
+ * what the converter knows does not fit into it.
  *
  * <p>Threading: options are set before it is opened; then it belongs to its converter.
  *
@@ -88,8 +88,8 @@ public final class Journal implements ConverterJournal {
     }
 
     /**
-     * The same that never writes these values of events. An event that is dealt with after a recovery does not have them:
-     * whoever asks for one gets the exception as for any value that is missing, so the event fails.
+     * The same that never writes these values of events. An event that is dealt with after a recovery does not have
+     * them: whoever asks for one gets the exception as for any value that is missing, so the event fails.
      *
      * @param values names of values, {@code pin}, or of an event and its value, {@code unlock.pin}
      * @throws IllegalArgumentException if a name is blank

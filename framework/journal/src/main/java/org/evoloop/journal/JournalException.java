@@ -1,8 +1,8 @@
 package org.evoloop.journal;
 
 /**
- * A journal that cannot be read, written or gone on with. The message names the file, the place in it and what to do; it
- * needs no stack trace.
+ * A journal that cannot be read, written or gone on with. The message names the file, the place in it and what to do;
+ * it needs no stack trace.
  *
  * @since 0.1
  */
@@ -30,7 +30,9 @@ public final class JournalException extends RuntimeException {
         return new JournalException(what + ". " + Directory.DAMAGED, true);
     }
 
-    /** Whether the journal is damaged; else it is of another version or of other models, or cannot be read or written. */
+    /**
+     * Whether the journal is damaged; else it is of another version or of other models, or cannot be read or written.
+     */
     public boolean isDamage() {
         return damage;
     }

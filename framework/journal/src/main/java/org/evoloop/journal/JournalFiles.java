@@ -10,8 +10,8 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 
 /**
- * A journal as it lies in its directory, for whoever wants to see what is in it. Nothing is written and no lock is taken: the
- * journal may be in use, and is read as far as it has been written.
+ * A journal as it lies in its directory, for whoever wants to see what is in it. Nothing is written and no lock is
+ * taken: the journal may be in use, and is read as far as it has been written.
  *
  * <p>Threading: thread-safe.
  *

@@ -4,8 +4,8 @@ import java.nio.ByteBuffer;
 import java.nio.file.Path;
 
 /**
- * How a segment begins: what it is, the version of its format, a checksum of both, and up to where it is on the disk for
- * sure, twice. It is written after the first records, so that a segment that has one has those.
+ * How a segment begins: what it is, the version of its format, a checksum of both, and up to where it is on the disk
+ * for sure, twice. It is written after the first records, so that a segment that has one has those.
  */
 final class Preamble {
     static final int BYTES = 32;

@@ -13,12 +13,12 @@ import org.evoloop.statemachine.State;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Writes each input before the core is told. When the segment is full it begins another one, whose snapshot bounds what has
- * to be looked through again; an input is encoded once more then, since another segment knows no names.
+ * Writes each input before the core is told. When the segment is full it begins another one, whose snapshot bounds what
+ * has to be looked through again; an input is encoded once more then, since another segment knows no names.
  *
- * <p>While nothing can be written, nothing is begun that could not be told apart from what was not: events of controllers
- * are refused, and no step or effect is announced. What has happened counts all the same, and is in the snapshot with which
- * the next segment begins.
+ * <p>While nothing can be written, nothing is begun that could not be told apart from what was not: events of
+ * controllers are refused, and no step or effect is announced. What has happened counts all the same, and is in the
+ * snapshot with which the next segment begins.
  */
 final class Recorder implements Inputs {
     private final Core core;
@@ -109,8 +109,8 @@ final class Recorder implements Inputs {
     }
 
     /**
-     * Other models stand in the head of another segment, together with what is known in them: as soon as it has begun they
-     * have taken over.
+     * Other models stand in the head of another segment, together with what is known in them: as soon as it has begun
+     * they have taken over.
      */
     @Override
     public void evolved(Swap swap, long atNanos) {

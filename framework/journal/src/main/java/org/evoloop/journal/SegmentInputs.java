@@ -44,7 +44,10 @@ final class SegmentInputs {
         return begun;
     }
 
-    /** The record that {@link SegmentReader#next} has come to, told to the core. @throws JournalException if it is damaged */
+    /**
+     * The record that {@link SegmentReader#next} has come to, told to the core. @throws JournalException if it is
+     * damaged
+     */
     Input tell() {
         try {
             Input input = decoder.read(segment.at(), segment.length());

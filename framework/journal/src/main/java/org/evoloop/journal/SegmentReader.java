@@ -8,8 +8,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 
 /**
- * A segment, read record by record. What was being written when the process or the computer ended is cut off at the end; what
- * was whole once and is not any more is refused.
+ * A segment, read record by record. What was being written when the process or the computer ended is cut off at the
+ * end; what was whole once and is not any more is refused.
  */
 final class SegmentReader {
     private final Path file;

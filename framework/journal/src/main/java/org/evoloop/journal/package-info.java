@@ -12,8 +12,8 @@
  *  DIR ─▶ Directory ─▶ SegmentReader ─ Decoder ─▶ Replay ─▶ a core of its own ─▶ Snapshot
  * </pre>
  *
- * <p>A segment is a preamble, then records: its {@link org.evoloop.journal.Head}, the core's snapshot as text, then inputs.
- * {@link org.evoloop.journal.Frame} says how a record lies in the file, and docs/journal.md what is promised.
+ * <p>A segment is a preamble, then records: its {@link org.evoloop.journal.Head}, the core's snapshot as text, then
+ * inputs. {@link org.evoloop.journal.Frame} says how a record lies in the file, and docs/journal.md what is promised.
  *
  * <p>This room may use {@code org.evoloop.converter}, {@code core}, {@code evolution}, {@code statemachine},
  * {@code time} and {@code check.temporal}.

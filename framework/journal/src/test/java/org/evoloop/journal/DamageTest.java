@@ -21,7 +21,10 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** A file that was cut off goes on from its last whole record; one that was changed is refused, or the change means nothing. */
+/**
+ * A file that was cut off goes on from its last whole record; one that was changed is refused, or the change means
+ * nothing.
+ */
 class DamageTest {
     private static final List<Input> STORY = Story.of(Robot.RULES, new Random(3), 40);
 

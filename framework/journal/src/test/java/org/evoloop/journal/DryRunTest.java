@@ -69,7 +69,9 @@ class DryRunTest {
         }
     }
 
-    /** One process; it presses, {@code !} for the device's own buttons, and waits so many milliseconds after a number. */
+    /**
+     * One process; it presses, {@code !} for the device's own buttons, and waits so many milliseconds after a number.
+     */
     private void live(NewFunction function, String... deeds) throws InterruptedException {
         Buttons buttons = new Buttons();
         SystemEventConverter converter =

@@ -21,8 +21,8 @@ import org.evoloop.time.SystemClock;
 import org.evoloop.time.Threads;
 
 /**
- * The process that {@link KillTest} kills: a converter whose device and whose controller are at the other ends of its standard
- * output and input.
+ * The process that {@link KillTest} kills: a converter whose device and whose controller are at the other ends of its
+ * standard output and input.
  */
 final class KilledConverter {
     private static final PrintStream OUT = new PrintStream(System.out, true, StandardCharsets.UTF_8);

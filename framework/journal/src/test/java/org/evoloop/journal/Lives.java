@@ -18,8 +18,8 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 
 /**
- * The lives of one converter, each a process of its own, and the device that outlives them: this process. It takes every
- * command that was written before the kill, as a device does that reads from a serial line.
+ * The lives of one converter, each a process of its own, and the device that outlives them: this process. It takes
+ * every command that was written before the kill, as a device does that reads from a serial line.
  */
 final class Lives {
     private static final List<String> STATES = List.of("A", "B", "C");

@@ -24,7 +24,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-/** A flood from eight monitors while components are exchanged: each event has an outcome, and the journal says the same. */
+/**
+ * A flood from eight monitors while components are exchanged: each event has an outcome, and the journal says the same.
+ */
 class NothingIsLostTest {
     private static final int MONITORS = 8;
 

@@ -13,14 +13,14 @@ import org.evoloop.function.Reading;
 import org.evoloop.time.Clock;
 
 /**
- * A connection to what speaks in lines of text (UTF-8), made again whenever it is lost, with pauses of 250 ms to 30 s. What is
- * wrong is logged once, until it is something else or over.
+ * A connection to what speaks in lines of text (UTF-8), made again whenever it is lost, with pauses of 250 ms to 30 s.
+ * What is wrong is logged once, until it is something else or over.
  *
- * <p>Lines that come end with CR, LF or both; lines that are sent, with LF. What is not UTF-8, is longer than 4096 bytes, or
- * is cut short by a loss is no line.
+ * <p>Lines that come end with CR, LF or both; lines that are sent, with LF. What is not UTF-8, is longer than 4096
+ * bytes, or is cut short by a loss is no line.
  *
- * <p>Lifecycle: {@link #greet}, {@link #watch}, {@link #reading} and the components that listen, then {@link #open}, which does
- * not wait; {@link #close}.
+ * <p>Lifecycle: {@link #greet}, {@link #watch}, {@link #reading} and the components that listen, then {@link #open},
+ * which does not wait; {@link #close}.
  *
  * <p>Threading: all methods may be called from any thread.
  *
@@ -58,8 +58,8 @@ public final class LineConnection implements DeviceLink, AutoCloseable {
     }
 
     /**
-     * Notices that the other end hangs: when nothing was heard for {@code limit}, {@code question} is sent, and when nothing was
-     * heard for as long again, the connection is made anew.
+     * Notices that the other end hangs: when nothing was heard for {@code limit}, {@code question} is sent, and when
+     * nothing was heard for as long again, the connection is made anew.
      */
     public LineConnection watch(Duration limit, String question) {
         wire.add(new Silence(clock, limit, requireOneLine(question), wire));
@@ -95,8 +95,8 @@ public final class LineConnection implements DeviceLink, AutoCloseable {
     }
 
     /**
-     * Sends a line and waits for its answer. If none comes in time the connection is made anew, since an answer that came
-     * later would be taken for that of the next line.
+     * Sends a line and waits for its answer. If none comes in time the connection is made anew, since an answer that
+     * came later would be taken for that of the next line.
      *
      * @param answers what an answer looks like; monitors are not told
      * @param heard is told the answer on the thread that reads, in its order among the lines that monitors are told

@@ -22,8 +22,8 @@ import org.jspecify.annotations.Nullable;
  *         .asking("STATE?", Map.of("is off", "Off", "is low", "Low", "is high", "High"), Duration.ofSeconds(2));
  * }</pre>
  *
- * <p>While the device cannot be reached, and if it refuses, a step fails; nothing is sent later or twice. If it does not answer,
- * the step fails, too, and the device is asked where it is.
+ * <p>While the device cannot be reached, and if it refuses, a step fails; nothing is sent later or twice. If it does
+ * not answer, the step fails, too, and the device is asked where it is.
  *
  * <p>Threading: as {@link EventExecute}.
  *

@@ -56,7 +56,10 @@ public class LineMonitor extends PushMonitor {
         return this;
     }
 
-    /** The same for all lines of a form; its named groups are the event's values: numbers where they look so, else texts. */
+    /**
+     * The same for all lines of a form; its named groups are the event's values: numbers where they look so, else
+     * texts.
+     */
     public final LineMonitor controller(Pattern line, String event) {
         return rule(line, match -> fromController(event, LineReadings.values(match)));
     }

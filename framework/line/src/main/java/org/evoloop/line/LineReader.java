@@ -11,8 +11,8 @@ import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Makes lines of bytes. Lines end with CR, LF or both; empty ones are left out, and so are those that are not UTF-8 or have
- * more than {@value #LONGEST} bytes. What has no end yet when the stream ends is no line.
+ * Makes lines of bytes. Lines end with CR, LF or both; empty ones are left out, and so are those that are not UTF-8 or
+ * have more than {@value #LONGEST} bytes. What has no end yet when the stream ends is no line.
  *
  * <p>Threading: one thread reads.
  */

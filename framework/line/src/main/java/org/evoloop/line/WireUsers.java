@@ -9,7 +9,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * All that are told of a wire, in the order in which they were added. One that cannot deal with a line keeps it from nobody else.
+ * All that are told of a wire, in the order in which they were added. One that cannot deal with a line keeps it from
+ * nobody else.
  *
  * <p>Threading: {@link #add} may be called from any thread.
  */

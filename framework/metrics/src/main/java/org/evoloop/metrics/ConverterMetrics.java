@@ -32,14 +32,14 @@ import org.evoloop.loop.LoopState;
  *   <li>{@code evoloop.queue.depth}, {@code evoloop.queue.capacity}, {@code evoloop.queue.highest}
  *   <li>{@code evoloop.conversion.time}, a timer with a histogram, of the events since {@link #bindTo}
  *   <li>{@code evoloop.failures} by {@code component}: failures since it joined
- *   <li>{@code evoloop.running}, {@code evoloop.link.up}, {@code evoloop.doubt}: 1 or 0; {@code evoloop.link.up} only of
- *       a converter with a link
- *   <li>{@code evoloop.device} and {@code evoloop.function} by {@code reading}: what device and new function tell in numbers,
- *       and whether something is so as 1 or 0; {@code unit} as they say it, such as {@code %}
+ *   <li>{@code evoloop.running}, {@code evoloop.link.up}, {@code evoloop.doubt}: 1 or 0; {@code evoloop.link.up} only
+ *   of a converter with a link
+ *   <li>{@code evoloop.device} and {@code evoloop.function} by {@code reading}: what device and new function tell in
+ *   numbers, and whether something is so as 1 or 0; {@code unit} as they say it, such as {@code %}
  * </ul>
  *
- * <p>They are read when they are asked for; failures, link and readings, which come and go, are those of the last {@link
- * #refresh}.
+ * <p>They are read when they are asked for; failures, link and readings, which come and go, are those of the last
+ * {@link #refresh}.
  *
  * <p>Threading: thread-safe; reading waits for nobody.
  *

@@ -91,7 +91,7 @@ class JournalCommandTest {
                 Tool.run("journal", "replay", directory(), "--original", lamp + "#original", "--new", lamp + "#new");
         assertThat(same.err()).isEmpty();
         assertThat(same.status()).isZero();
-        assertThat(same.out()).isEqualTo("1 events, 0 decided otherwise; 2 properties, 0 broken, 0 open\n");
+        assertThat(same.out()).isEqualTo("1 events, 0 decided differently; 2 properties, 0 broken, 0 open\n");
 
         Path other = party();
         String[] replay = {"journal", "replay", directory(), "--original", lamp + "#original", "--new", other + "#other"
@@ -100,7 +100,7 @@ class JournalCommandTest {
                 .contains("switch (controller, by=a \"visitor\")\n")
                 .contains("  then  (off, off) -> (on, on), sends switch: existing-function\n")
                 .contains("  now   (off, off) -> (off, party): new-function\n")
-                .endsWith("1 events, 1 decided otherwise\n");
+                .endsWith("1 events, 1 decided differently\n");
         String[] json = Arrays.copyOf(replay, replay.length + 2);
         json[replay.length] = "--format";
         json[replay.length + 1] = "json";
@@ -152,7 +152,7 @@ class JournalCommandTest {
                 .containsPattern("broken: 'No party' \\(.*other.properties.txt, line 1\\) at \\d{4}-.*, by switch"
                         + " \\(controller, by=a \"visitor\"\\), in \\(off, party\\)\n")
                 .contains("open: 'It ends' (" + beside + ", line 2)")
-                .endsWith("1 events, 1 decided otherwise; 3 properties, 1 broken, 1 open\n");
+                .endsWith("1 events, 1 decided differently; 3 properties, 1 broken, 1 open\n");
 
         JsonNode properties = new ObjectMapper()
                 .readTree(replayParty("--format", "json").out())

@@ -10,12 +10,13 @@ import javax.net.ssl.TrustManagerFactory;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Where a broker is and how one logs in: {@code mqtt://[USER@]HOST[:PORT]}, or {@code mqtts://} with TLS. After a question mark
- * follow, separated by {@code &}:
+ * Where a broker is and how one logs in: {@code mqtt://[USER@]HOST[:PORT]}, or {@code mqtts://} with TLS. After a
+ * question mark follow, separated by {@code &}:
  *
  * <ul>
  *   <li>{@code id=ID}: what the converter is called at the broker (default: its name)
- *   <li>{@code ca=FILE}: with TLS, the certificates, in PEM, that the broker's is signed with (default: those that Java trusts)
+ *   <li>{@code ca=FILE}: with TLS, the certificates, in PEM, that the broker's is signed with (default: those that Java
+ *   trusts)
  *   <li>{@code discovery=PREFIX}: where Home Assistant looks for devices (default: {@code homeassistant})
  * </ul>
  *
@@ -52,7 +53,8 @@ public final class BrokerAddress {
     /**
      * Reads an address.
      *
-     * @throws IllegalArgumentException if it is none, or names a file that cannot be read; the message says what is wrong and shows no password
+     * @throws IllegalArgumentException if it is none, or names a file that cannot be read; the message says what is
+     *     wrong and shows no password
      */
     public static BrokerAddress parse(String url) {
         URI uri;

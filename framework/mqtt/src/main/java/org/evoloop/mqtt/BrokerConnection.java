@@ -22,14 +22,15 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * A connection to a broker that is made again whenever it is lost, with pauses of 250 ms to 30 s. After each connect every
- * state is published again ({@link Message.Kind#STATE}), so nothing is lost of how things are, whatever the broker forgot.
- * What is wrong is logged once, until it is something else or over.
+ * A connection to a broker that is made again whenever it is lost, with pauses of 250 ms to 30 s. After each connect
+ * every state is published again ({@link Message.Kind#STATE}), so nothing is lost of how things are, whatever the
+ * broker forgot. What is wrong is logged once, until it is something else or over.
  *
- * <p>Lifecycle: {@link #will} and {@link #subscribe}, then {@link #open}, which does not wait for the broker; {@link #close}.
+ * <p>Lifecycle: {@link #will} and {@link #subscribe}, then {@link #open}, which does not wait for the broker; {@link
+ * #close}.
  *
- * <p>Threading: all methods may be called from any thread. {@link #publish} never waits. Consumers are called on a thread of
- * the client, one at a time, and must be quick.
+ * <p>Threading: all methods may be called from any thread. {@link #publish} never waits. Consumers are called on a
+ * thread of the client, one at a time, and must be quick.
  *
  * @since 0.1
  */
@@ -71,8 +72,8 @@ public final class BrokerConnection implements DeviceLink, AutoCloseable {
     }
 
     /**
-     * Has {@code consumer} called with what is published on this topic; before {@link #open}. A message that the broker had
-     * retained is a {@link Message.Kind#STATE}, any other a {@link Message.Kind#COMMAND}.
+     * Has {@code consumer} called with what is published on this topic; before {@link #open}. A message that the broker
+     * had retained is a {@link Message.Kind#STATE}, any other a {@link Message.Kind#COMMAND}.
      *
      * @param topic without wildcards
      * @throws IllegalStateException if it is open, or somebody has this topic already

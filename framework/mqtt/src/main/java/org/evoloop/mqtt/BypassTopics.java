@@ -18,7 +18,9 @@ record BypassTopics(String base) {
         return base + "/own";
     }
 
-    /** The events that were passed on since the converter was gone, one a line, the oldest first; empty if none were. */
+    /**
+     * The events that were passed on since the converter was gone, one a line, the oldest first; empty if none were.
+     */
     String passed() {
         return base + "/passed";
     }

@@ -16,8 +16,8 @@ import org.evoloop.statemachine.Transition;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Takes the evolved system to a state by what a controller may raise, one event after the other, and waits for timers in
- * between: from a state that waits for a second press, say.
+ * Takes the evolved system to a state by what a controller may raise, one event after the other, and waits for timers
+ * in between: from a state that waits for a second press, say.
  *
  * <p>Threading: not thread-safe.
  */

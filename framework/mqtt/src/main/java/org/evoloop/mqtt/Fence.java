@@ -1,9 +1,9 @@
 package org.evoloop.mqtt;
 
 /**
- * Divides what a client receives into what came before the others knew of it, and what came after: it says on a topic, retained,
- * that it is here, and waits to be told that itself. The broker tells each client everything in the order in which it came, so
- * all divide at the same message. When the client is gone, its will says so, and divides again.
+ * Divides what a client receives into what came before the others knew of it, and what came after: it says on a topic,
+ * retained, that it is here, and waits to be told that itself. The broker tells each client everything in the order in
+ * which it came, so all divide at the same message. When the client is gone, its will says so, and divides again.
  *
  * <p>Threading: thread-safe.
  */

@@ -22,10 +22,11 @@ import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One connection to a broker, from the login to its loss: MQTT 5 with HiveMQ's client, which nothing else here uses. It begins
- * clean: what was sent to this client meanwhile, such as an old command, is not delivered.
+ * One connection to a broker, from the login to its loss: MQTT 5 with HiveMQ's client, which nothing else here uses. It
+ * begins clean: what was sent to this client meanwhile, such as an old command, is not delivered.
  *
- * <p>Threading: {@link #publish} and {@link #close} for one thread; callbacks come on the client's own and must be quick.
+ * <p>Threading: {@link #publish} and {@link #close} for one thread; callbacks come on the client's own and must be
+ * quick.
  */
 final class HiveSession implements AutoCloseable {
     private static final int ANSWER_SECONDS = 10;

@@ -28,7 +28,8 @@ import org.slf4j.LoggerFactory;
 
 /**
  * Shows a converter in Home Assistant, and has it operated there: one device with the states of both models, the events
- * and what became of them, buttons for what a controller may raise, what is known of the device, and how the converter fares.
+ * and what became of them, buttons for what a controller may raise, what is known of the device, and how the converter
+ * fares.
  *
  * <pre>{@code
  * try (HomeAssistant home = new HomeAssistant(converter, BrokerAddress.parse("mqtt://ha@broker"))) {
@@ -37,11 +38,11 @@ import org.slf4j.LoggerFactory;
  * }
  * }</pre>
  *
- * <p>Lifecycle: made when the converter has been built; {@link #vacuum} and {@link #choice}; {@link #open}, which does not wait
- * for the broker; {@link #close}, after which the device is unavailable.
+ * <p>Lifecycle: made when the converter has been built; {@link #vacuum} and {@link #choice}; {@link #open}, which does
+ * not wait for the broker; {@link #close}, after which the device is unavailable.
  *
- * <p>Threading: {@link #open} and what comes before on one thread; {@link #goTo} for the vacuum, on its. The converter's
- * threads never wait for the broker.
+ * <p>Threading: {@link #open} and what comes before on one thread; {@link #goTo} for the vacuum, on its. The
+ * converter's threads never wait for the broker.
  *
  * @since 0.1
  */
@@ -93,8 +94,8 @@ public final class HomeAssistant implements AutoCloseable {
     }
 
     /**
-     * Has the controller's events raised, one after the other, that take the new model to a state: as a person would press
-     * buttons. Returns after the first; ends what it was told before. It gives up after a minute.
+     * Has the controller's events raised, one after the other, that take the new model to a state: as a person would
+     * press buttons. Returns after the first; ends what it was told before. It gives up after a minute.
      *
      * @param state of the new model
      * @throws IllegalStateException if nothing that a controller may raise leads there, or the converter is stopped

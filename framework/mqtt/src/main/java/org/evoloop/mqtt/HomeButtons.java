@@ -13,8 +13,8 @@ final class HomeButtons {
     private HomeButtons() {}
 
     /**
-     * Those that mean something to the new model in a state that the device has, too, other than timers and what the device
-     * does by itself. What means something in new states only is raised by their functions and timers.
+     * Those that mean something to the new model in a state that the device has, too, other than timers and what the
+     * device does by itself. What means something in new states only is raised by their functions and timers.
      */
     static Set<String> of(SystemEventConverter converter) {
         ModelPair models = converter.knowledge().models();

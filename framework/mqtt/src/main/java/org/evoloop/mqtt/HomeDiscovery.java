@@ -12,8 +12,8 @@ import org.evoloop.statemachine.State;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What Home Assistant is told of a converter: one device with its entities (Home Assistant, "MQTT", device discovery payload;
- * as of 2026.11).
+ * What Home Assistant is told of a converter: one device with its entities (Home Assistant, "MQTT", device discovery
+ * payload; as of 2026.11).
  *
  * <p>Threading: not thread-safe.
  */
@@ -121,7 +121,7 @@ final class HomeDiscovery {
         add(
                 "sensor",
                 "shadow_different",
-                "Shadow decided otherwise",
+                "Shadow decided differently",
                 count -> count.put("state_topic", topics.shadow())
                         .put("value_template", "{{ value_json.different }}")
                         .put("json_attributes_topic", topics.shadow())

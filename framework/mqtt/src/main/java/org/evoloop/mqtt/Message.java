@@ -14,7 +14,10 @@ public record Message(String topic, String payload, Kind kind) {
 
     /** What becomes of a message while there is no connection. */
     public enum Kind {
-        /** The broker keeps the newest of its topic, and so does the connection: it is published again after each connect. */
+        /**
+         * The broker keeps the newest of its topic, and so does the connection: it is published again after each
+         * connect.
+         */
         STATE,
         /** It is published when there is a connection again, unless too many wait. */
         EVENT,

@@ -7,8 +7,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Passes a controller's events on to the device unchanged while the converter between them is gone: in a process of its own, with
- * the maps of the converter's {@link MqttMonitor} and {@link MqttExecute}.
+ * Passes a controller's events on to the device unchanged while the converter between them is gone: in a process of its
+ * own, with the maps of the converter's {@link MqttMonitor} and {@link MqttExecute}.
  *
  * <pre>{@code
  * new MqttBypass(broker, "evoloop/lamp/bypass", Map.of("switch", Message.command("zigbee2mqtt/lamp/set", "TOGGLE")))
@@ -16,8 +16,8 @@ import org.slf4j.LoggerFactory;
  *         .open();
  * }</pre>
  *
- * <p>No event is both converted and passed on, as long as the broker tells each of its clients everything in the order in which
- * it came, as Mosquitto does. What is on its way to the converter when that ends may be lost.
+ * <p>No event is both converted and passed on, as long as the broker tells each of its clients everything in the order
+ * in which it came, as Mosquitto does. What is on its way to the converter when that ends may be lost.
  *
  * <p>Lifecycle: say everything, then {@link #open}; {@link #close}, after which nothing is passed on.
  *

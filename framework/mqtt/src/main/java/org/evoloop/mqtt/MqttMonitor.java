@@ -67,9 +67,9 @@ public class MqttMonitor extends PushMonitor {
     }
 
     /**
-     * While this converter is gone, an {@link MqttBypass} passes the controller's events on. The controller's events count from
-     * when the bypass knows that the converter is here; what was passed on until then comes first, as what the device has already
-     * acted on.
+     * While this converter is gone, an {@link MqttBypass} passes the controller's events on. The controller's events
+     * count from when the bypass knows that the converter is here; what was passed on until then comes first, as what
+     * the device has already acted on.
      *
      * @param topic below which both tell each other how they are, such as {@code evoloop/lamp/bypass}
      */

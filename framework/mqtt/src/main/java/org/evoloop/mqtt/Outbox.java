@@ -13,8 +13,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * What is to be published. Of states it keeps the newest of each topic, for as long as it lives, {@value #MOST_TOPICS} topics
- * at most; of other messages the last {@value #MOST_WAITING}.
+ * What is to be published. Of states it keeps the newest of each topic, for as long as it lives, {@value #MOST_TOPICS}
+ * topics at most; of other messages the last {@value #MOST_WAITING}.
  *
  * <p>Threading: thread-safe; {@link #put} never waits.
  */

@@ -11,8 +11,8 @@ import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
 /**
- * What Home Assistant 2026.11 demands of a device's discovery payload (its integration "mqtt": {@code schemas.py} and the
- * platforms' own), as far as it concerns what is published here. The real one is asked by {@code ./evoloop test
+ * What Home Assistant 2026.11 demands of a device's discovery payload (its integration "mqtt": {@code schemas.py} and
+ * the platforms' own), as far as it concerns what is published here. The real one is asked by {@code ./evoloop test
  * --home-assistant}.
  */
 final class DiscoverySchema {

@@ -16,8 +16,8 @@ import org.evoloop.statemachine.StateMachine;
 import org.evoloop.time.SystemClock;
 
 /**
- * The converter of a device that any of many buttons switches between two states, in a process of its own. It connects when it is told
- * a line, and says how each event ended.
+ * The converter of a device that any of many buttons switches between two states, in a process of its own. It connects
+ * when it is told a line, and says how each event ended.
  */
 final class RingProgram {
     static final int BUTTONS = 300;

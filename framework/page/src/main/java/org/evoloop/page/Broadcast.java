@@ -19,8 +19,8 @@ import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What the converter does, for all who look. It listens to the converter only while somebody does. A viewer who is slow misses
- * what lies between, never what is newest; nothing waits for it and nothing is kept for it.
+ * What the converter does, for all who look. It listens to the converter only while somebody does. A viewer who is slow
+ * misses what lies between, never what is newest; nothing waits for it and nothing is kept for it.
  *
  * <p>Threading: thread-safe.
  */

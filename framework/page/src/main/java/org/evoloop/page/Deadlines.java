@@ -7,8 +7,8 @@ import org.evoloop.time.Clock;
 import org.evoloop.time.Threads;
 
 /**
- * Nobody waits for a client for ever: who has not taken its answer in time is hung up on. The thread that waits for it is
- * interrupted, which closes its connection.
+ * Nobody waits for a client for ever: who has not taken its answer in time is hung up on. The thread that waits for it
+ * is interrupted, which closes its connection.
  *
  * <p>Threading: thread-safe. A thread looks after the deadlines while there are any, and some seconds longer.
  */

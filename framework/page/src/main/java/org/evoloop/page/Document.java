@@ -5,8 +5,8 @@ import java.util.function.Supplier;
 import org.evoloop.converter.SystemEventConverter;
 
 /**
- * Something else that a page's server answers, for programs rather than people: a module provides it as a service, and whoever
- * has the module has it. Whoever may look at the page may read it, without the token.
+ * Something else that a page's server answers, for programs rather than people: a module provides it as a service, and
+ * whoever has the module has it. Whoever may look at the page may read it, without the token.
  *
  * <p>Threading: called from any thread.
  *

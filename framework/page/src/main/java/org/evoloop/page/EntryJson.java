@@ -14,11 +14,11 @@ import org.jspecify.annotations.Nullable;
  * An event and why it had the outcome that it had, for the page:
  *
  * <ul>
- *   <li>{@code number}, {@code at}, {@code event} (with guards), {@code source}, {@code deviceActed}, {@code values}, {@code
- *       outcome}, {@code detail}, {@code tookNanos}
+ *   <li>{@code number}, {@code at}, {@code event} (with guards), {@code source}, {@code deviceActed}, {@code values},
+ *   {@code outcome}, {@code detail}, {@code tookNanos}
  *   <li>{@code before}, {@code after}: {@code original}, {@code new}
- *   <li>{@code decision}: its {@code kind}, such as {@code existing-function}; {@code transition} of the new model; {@code steps} of
- *       the original one; {@code effects} that the converter runs. {@code null} if nothing was decided
+ *   <li>{@code decision}: its {@code kind}, such as {@code existing-function}; {@code transition} of the new model;
+ *   {@code steps} of the original one; {@code effects} that the converter runs. {@code null} if nothing was decided
  * </ul>
  */
 final class EntryJson {

@@ -15,9 +15,9 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Who may look, and who may do something. A browser that was sent here by another site's page is turned away, also if a name of
- * that site leads here (DNS rebinding); whoever wants to do something needs the token, for which a cookie is given that browsers
- * send with this page's own requests alone.
+ * Who may look, and who may do something. A browser that was sent here by another site's page is turned away, also if a
+ * name of that site leads here (DNS rebinding); whoever wants to do something needs the token, for which a cookie is
+ * given that browsers send with this page's own requests alone.
  *
  * <p>Threading: thread-safe.
  */

@@ -27,10 +27,11 @@ import org.jspecify.annotations.Nullable;
  * return service.run(console);
  * }</pre>
  *
- * <p>Whoever reaches the address may look. To start, stop, exchange or press something, one needs the token, which is printed
- * once. With {@link PageOptions#none} nothing listens, and nothing of this costs anything.
+ * <p>Whoever reaches the address may look. To start, stop, exchange or press something, one needs the token, which is
+ * printed once. With {@link PageOptions#none} nothing listens, and nothing of this costs anything.
  *
- * <p>Threading: opened by the thread that puts the console together; closed on any, once or more. The converter never waits for a viewer.
+ * <p>Threading: opened by the thread that puts the console together; closed on any, once or more. The converter never
+ * waits for a viewer.
  *
  * @since 0.1
  */

@@ -17,12 +17,12 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Serves a page. At most {@value #MOST_VIEWERS} look at once, and {@value #MOST_REQUESTS} further requests are dealt with; who
- * comes when there is no room is hung up on, and so is a request that is not whole after {@value #REQUEST_SECONDS} s, or an
- * answer that is not taken.
+ * Serves a page. At most {@value #MOST_VIEWERS} look at once, and {@value #MOST_REQUESTS} further requests are dealt
+ * with; who comes when there is no room is hung up on, and so is a request that is not whole after {@value
+ * #REQUEST_SECONDS} s, or an answer that is not taken.
  *
- * <p>Threading: thread-safe. Each request has a thread while it is dealt with; while there is none, only the threads of the JDK's
- * server are there, which wait.
+ * <p>Threading: thread-safe. Each request has a thread while it is dealt with; while there is none, only the threads of
+ * the JDK's server are there, which wait.
  */
 final class PageServer implements AutoCloseable {
     static final int MOST_VIEWERS = 16;

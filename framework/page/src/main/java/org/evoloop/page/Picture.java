@@ -3,8 +3,8 @@ package org.evoloop.page;
 import java.util.function.Supplier;
 
 /**
- * Something that the page shows beside the models, such as a room or what a camera sees. It is asked for again and again while
- * somebody looks.
+ * Something that the page shows beside the models, such as a room or what a camera sees. It is asked for again and
+ * again while somebody looks.
  *
  * <p>Threading: {@code content} is called from any thread, and must not wait.
  *

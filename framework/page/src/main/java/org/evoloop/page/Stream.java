@@ -8,8 +8,9 @@ import java.time.Duration;
 import org.evoloop.time.Clock;
 
 /**
- * One viewer: server-sent events, each with the newest status and what has come to its end since the one before. A stream ends
- * after some minutes, and a browser that is still there begins another: so one that has vanished is forgotten.
+ * One viewer: server-sent events, each with the newest status and what has come to its end since the one before. A
+ * stream ends after some minutes, and a browser that is still there begins another: so one that has vanished is
+ * forgotten.
  *
  * <p>Threading: belongs to the thread that serves the viewer.
  */

@@ -163,7 +163,8 @@ class BrowserTest {
         for (String button : List.of("Clean", "Spot", "Spot")) {
             shown.panel.press(button);
         }
-        browser.await("document.getElementById('shadow').innerText.includes('3 events, 1 of them decided otherwise')");
+        browser.await(
+                "document.getElementById('shadow').innerText.includes('3 events, 1 of them decided differently')");
         browser.await("document.getElementById('differences').children.length === 1");
         assertThat(text("differences"))
                 .contains("Spot (controller)", "stays in (On, Move): not-acceptable", "(On, Move) -> (On, On)");

@@ -18,7 +18,8 @@ public final class UsersMistakes {
     private UsersMistakes() {}
 
     /**
-     * Has a command line and its subcommands tell their users' mistakes; any other failure is a stack trace and exit status 1.
+     * Has a command line and its subcommands tell their users' mistakes; any other failure is a stack trace and exit
+     * status 1.
      *
      * @param mendable whether a failure of a command is one that its user can mend
      * @return the same command line

@@ -27,9 +27,9 @@ import org.slf4j.LoggerFactory;
 /**
  * The control socket: takes commands, one a line, and answers each with a {@link Reply}.
  *
- * <p>No client costs another one anything: all are read by one thread that waits for none of them, at most {@value #CLIENTS}
- * are connected, each of whom has one command in progress, and whoever comes when there is no room takes the place of the
- * one that has been idle for longest.
+ * <p>No client costs another one anything: all are read by one thread that waits for none of them, at most {@value
+ * #CLIENTS} are connected, each of whom has one command in progress, and whoever comes when there is no room takes the
+ * place of the one that has been idle for longest.
  *
  * <p>Threading: connections belong to the server's own thread; commands run on threads of their own.
  */

@@ -17,9 +17,9 @@ import org.slf4j.LoggerFactory;
  * Has a device made safe by a process of its own, within a second after this one has ended in any way but through
  * {@link #close}, or stands still: stopped by a signal, starved, or hung where it looks after the device.
  *
- * <p>While the device is active the guard process is told so every {@value #BEAT_MILLIS} ms; it acts when it has heard nothing
- * for {@link #LIMIT}. This process knows that by its own clock, a little earlier: from then on {@link #mayTell} is false, so
- * that a process that goes on after it stood still tells the device nothing that it had decided before.
+ * <p>While the device is active the guard process is told so every {@value #BEAT_MILLIS} ms; it acts when it has heard
+ * nothing for {@link #LIMIT}. This process knows that by its own clock, a little earlier: from then on {@link #mayTell}
+ * is false, so that a process that goes on after it stood still tells the device nothing that it had decided before.
  *
  * <p>A guard process that ends or hangs is replaced by another one.
  *
@@ -91,8 +91,8 @@ public final class DeviceGuard implements AutoCloseable {
     }
 
     /**
-     * To be asked before the device is told anything that may make it active: whether this process has been at work all the
-     * time. If not, the device is not to be told anything before {@link GuardedDevice#madeSafe} has returned.
+     * To be asked before the device is told anything that may make it active: whether this process has been at work all
+     * the time. If not, the device is not to be told anything before {@link GuardedDevice#madeSafe} has returned.
      */
     public synchronized boolean mayTell() {
         long now = System.nanoTime();

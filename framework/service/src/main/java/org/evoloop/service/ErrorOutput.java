@@ -10,8 +10,8 @@ import java.nio.file.Path;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Where a program says why it ends: the standard error. If that is the journal of systemd, each line begins with the level of
- * an error (sd-daemon(3)), as {@link ProgramLog}'s do.
+ * Where a program says why it ends: the standard error. If that is the journal of systemd, each line begins with the
+ * level of an error (sd-daemon(3)), as {@link ProgramLog}'s do.
  *
  * <p>Threading: {@link #stream} may be called by any thread.
  *
@@ -23,7 +23,10 @@ public final class ErrorOutput {
 
     private ErrorOutput() {}
 
-    /** For messages that are errors. It writes to what {@link System#err} is at this moment, and is flushed with each line. */
+    /**
+     * For messages that are errors. It writes to what {@link System#err} is at this moment, and is flushed with each
+     * line.
+     */
     public static PrintStream stream() {
         return isJournal() ? levelled(System.err) : System.err;
     }
@@ -36,8 +39,8 @@ public final class ErrorOutput {
     /**
      * Whether the journal reads {@code stream}.
      *
-     * @param journalStream the variable {@code JOURNAL_STREAM}: {@code DEVICE:INODE} of the stream that systemd has opened;
-     *     a program that was started with its output redirected has inherited the variable, but not the stream
+     * @param journalStream the variable {@code JOURNAL_STREAM}: {@code DEVICE:INODE} of the stream that systemd has
+     *     opened; a program that was started with its output redirected has inherited the variable, but not the stream
      */
     static boolean isJournal(Path stream, @Nullable String journalStream) {
         if (journalStream == null) {

@@ -14,8 +14,8 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The right to a name: a lock on a file, which the system takes back when its holder dies, however it dies. The file stays, for
- * somebody may be about to lock it.
+ * The right to a name: a lock on a file, which the system takes back when its holder dies, however it dies. The file
+ * stays, for somebody may be about to lock it.
  */
 final class InstanceLock implements AutoCloseable {
     private final FileChannel file;

@@ -14,8 +14,8 @@ import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Where instances have their control sockets: {@code $XDG_RUNTIME_DIR/evoloop}, else {@code $RUNTIME_DIRECTORY}, which systemd
- * sets, else {@code evoloop-USER} in the directory for temporary files.
+ * Where instances have their control sockets: {@code $XDG_RUNTIME_DIR/evoloop}, else {@code $RUNTIME_DIRECTORY}, which
+ * systemd sets, else {@code evoloop-USER} in the directory for temporary files.
  *
  * <p>Threading: immutable.
  */

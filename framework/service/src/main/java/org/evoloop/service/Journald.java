@@ -8,8 +8,8 @@ import ch.qos.logback.core.LayoutBase;
 import java.util.stream.Collectors;
 
 /**
- * Log lines for the journal of systemd: each begins with its level as {@code <N>} (sd-daemon(3)), and has no time, since the
- * journal knows it.
+ * Log lines for the journal of systemd: each begins with its level as {@code <N>} (sd-daemon(3)), and has no time,
+ * since the journal knows it.
  */
 final class Journald extends LayoutBase<ILoggingEvent> {
     @Override

@@ -13,8 +13,8 @@ import org.slf4j.LoggerFactory;
 /**
  * Sends messages of the protocol {@code sd_notify} to {@code $NOTIFY_SOCKET}; does nothing where there is none.
  *
- * <p>The JDK has no datagrams on Unix sockets. The program {@code systemd-notify}, which comes with systemd, has, and knows
- * every kind of address that systemd gives.
+ * <p>The JDK has no datagrams on Unix sockets. The program {@code systemd-notify}, which comes with systemd, has, and
+ * knows every kind of address that systemd gives.
  *
  * <p>Threading: thread-safe.
  */

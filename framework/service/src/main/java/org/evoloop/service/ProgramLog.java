@@ -17,9 +17,9 @@ import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Says where a program's log goes: the transcript to stdout, warnings and errors to stderr, in systemd's journal with their
- * levels. Logback finds it as a service; a {@code logback.xml} in front of it wins. Reading one, and knowing patterns before
- * there is anything to say, would take a tenth of a program's start.
+ * Says where a program's log goes: the transcript to stdout, warnings and errors to stderr, in systemd's journal with
+ * their levels. Logback finds it as a service; a {@code logback.xml} in front of it wins. Reading one, and knowing
+ * patterns before there is anything to say, would take a tenth of a program's start.
  *
  * <p>Threading: logback's, once.
  *

@@ -12,8 +12,8 @@ import org.evoloop.loop.ComponentStatus;
 import org.evoloop.loop.LoopState;
 
 /**
- * Whether converters answer: their locks can be had, their clocks run what is due, which gives up components that hang, their
- * threads live, and events do not wait without one being dealt with since the last time they were asked.
+ * Whether converters answer: their locks can be had, their clocks run what is due, which gives up components that hang,
+ * their threads live, and events do not wait without one being dealt with since the last time they were asked.
  *
  * <p>Threading: one thread, which waits for as long as a converter's lock is not given back.
  */

@@ -3,8 +3,8 @@ package org.evoloop.service;
 import java.nio.charset.StandardCharsets;
 
 /**
- * An answer on the control socket, in UTF-8: each line of the command's output after {@code out }, each of its errors after
- * {@code err }, and at last {@code end } with the exit status.
+ * An answer on the control socket, in UTF-8: each line of the command's output after {@code out }, each of its errors
+ * after {@code err }, and at last {@code end } with the exit status.
  */
 final class Reply {
     static final String OUT = "out ";

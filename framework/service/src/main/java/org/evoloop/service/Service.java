@@ -22,8 +22,9 @@ import org.slf4j.LoggerFactory;
  * }
  * }</pre>
  *
- * <p>Lifecycle: {@link #open} takes the name before anything touches the device; {@link #run} opens control socket and loop,
- * tells the service manager, and returns when the console has ended; {@link #close} gives the name back, last of all.
+ * <p>Lifecycle: {@link #open} takes the name before anything touches the device; {@link #run} opens control socket and
+ * loop, tells the service manager, and returns when the console has ended; {@link #close} gives the name back, last of
+ * all.
  *
  * <p>Threading: open, run and close on one thread.
  *
@@ -79,8 +80,8 @@ public final class Service implements AutoCloseable {
     /**
      * Runs {@code console} until it ends.
      *
-     * @return the exit status for the process, see {@link Console#run}; 1 if a converter was closed by a component of its own
-     *     while nobody was there to see it
+     * @return the exit status for the process, see {@link Console#run}; 1 if a converter was closed by a component of
+     *     its own while nobody was there to see it
      * @throws IOException if the control socket cannot be opened
      */
     public int run(Console console) throws IOException {
@@ -112,7 +113,10 @@ public final class Service implements AutoCloseable {
         }
     }
 
-    /** Gives the name back: who waits for the end of the program, such as {@code ctl NAME exit}, learns of it. Idempotent. */
+    /**
+     * Gives the name back: who waits for the end of the program, such as {@code ctl NAME exit}, learns of it.
+     * Idempotent.
+     */
     @Override
     public void close() {
         ControlServer open = server;

@@ -6,7 +6,9 @@ import java.util.function.BooleanSupplier;
 import org.evoloop.time.ManualClock;
 import org.jspecify.annotations.Nullable;
 
-/** A sequencer with one component, which ends each cycle, and with nobody who starts its threads: the actors play them. */
+/**
+ * A sequencer with one component, which ends each cycle, and with nobody who starts its threads: the actors play them.
+ */
 final class Rig implements LoopListener<Object> {
     private static final int SPINS = 20;
 

@@ -41,11 +41,11 @@ import org.jspecify.annotations.Nullable;
  * lamp.advance(Duration.ofSeconds(2)).expect("off", "off");
  * }</pre>
  *
- * <p>Every method that lets something happen returns when all that follows from it at this moment has been dealt with. New
- * functions run on the caller's thread and must not block, see {@link org.evoloop.function.NewFunction}.
+ * <p>Every method that lets something happen returns when all that follows from it at this moment has been dealt with.
+ * New functions run on the caller's thread and must not block, see {@link org.evoloop.function.NewFunction}.
  *
- * <p>Errors: what does not hold is an {@link AssertionError} that says where the converter stands, what waits, what was sent,
- * and how the transcript ends.
+ * <p>Errors: what does not hold is an {@link AssertionError} that says where the converter stands, what waits, what was
+ * sent, and how the transcript ends.
  *
  * <p>Threading: one thread.
  *
@@ -215,8 +215,8 @@ public final class ConverterHarness implements AutoCloseable {
     }
 
     /**
-     * The device does {@code event} of its own accord, and that is told: by the simulated device, which takes its transition,
-     * or else by the harness alone.
+     * The device does {@code event} of its own accord, and that is told: by the simulated device, which takes its
+     * transition, or else by the harness alone.
      *
      * @throws IllegalStateException if the simulated device does not know the event where it is
      */
@@ -252,7 +252,9 @@ public final class ConverterHarness implements AutoCloseable {
         return settle();
     }
 
-    /** Lets {@code duration} pass; whatever falls due meanwhile is dealt with at its time, and all that follows from it. */
+    /**
+     * Lets {@code duration} pass; whatever falls due meanwhile is dealt with at its time, and all that follows from it.
+     */
     public ConverterHarness advance(Duration duration) {
         long end = clock.nanoTime() + duration.toNanos();
         settle();

@@ -9,11 +9,11 @@ import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The cable to a device that an {@link OrderCheck} plays: commands go one way, reports come the other, in order. An adapter
- * that speaks bytes puts its own encoding between.
+ * The cable to a device that an {@link OrderCheck} plays: commands go one way, reports come the other, in order. An
+ * adapter that speaks bytes puts its own encoding between.
  *
- * <p>Reports are slow: they come when whoever has sent the command waits for something, or has gone on. Then they come one
- * right after the other.
+ * <p>Reports are slow: they come when whoever has sent the command waits for something, or has gone on. Then they come
+ * one right after the other.
  *
  * <p>Threading: thread-safe; reports come on a thread of the line, one at a time.
  *
@@ -47,7 +47,10 @@ public final class DeviceLine {
         reader = newReader;
     }
 
-    /** Sends the command {@code event} to the device, and returns when it is under way: nothing is known of its effect yet. */
+    /**
+     * Sends the command {@code event} to the device, and returns when it is under way: nothing is known of its effect
+     * yet.
+     */
     public synchronized void command(String event) {
         List<DeviceReport> reports = new ArrayList<>();
         Situation now = next;

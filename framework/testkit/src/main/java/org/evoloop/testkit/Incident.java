@@ -10,8 +10,8 @@ package org.evoloop.testkit;
 public sealed interface Incident {
 
     /**
-     * It does not arrive, and has no effect. Whoever sent it learns of that only if the device tells its effects; then no
-     * answer comes, and the sending fails.
+     * It does not arrive, and has no effect. Whoever sent it learns of that only if the device tells its effects; then
+     * no answer comes, and the sending fails.
      */
     record Lost() implements Incident {}
 

@@ -36,7 +36,8 @@ public interface IncidentPlan {
     }
 
     /**
-     * Each command meets with one of {@code incidents}, all as likely, with this probability; the same seed gives the same.
+     * Each command meets with one of {@code incidents}, all as likely, with this probability; the same seed gives the
+     * same.
      *
      * @param probability 0 to 1
      */

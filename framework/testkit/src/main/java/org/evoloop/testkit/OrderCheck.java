@@ -9,18 +9,18 @@ import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.StateMachine;
 
 /**
- * Sees whether an adapter keeps the order: whether what a device does by itself, and the effects of what it is sent, reach
- * the converter in the order in which they happened at the device. An adapter keeps it by telling both on the thread that
- * reads the device: a {@link org.evoloop.converter.PushMonitor}'s {@code push}, and {@link
+ * Sees whether an adapter keeps the order: whether what a device does by itself, and the effects of what it is sent,
+ * reach the converter in the order in which they happened at the device. An adapter keeps it by telling both on the
+ * thread that reads the device: a {@link org.evoloop.converter.PushMonitor}'s {@code push}, and {@link
  * org.evoloop.converter.EventExecute}'s {@code tookEffect}.
  *
  * <pre>{@code
  * OrderCheck.of(models.original()).buttons("Clean", "Spot").check(line -> new RobotLink(line).adapter());
  * }</pre>
  *
- * <p>The check plays the device. Wherever in the model it makes a difference it acts by itself just before, or just after, it
- * takes a command, and looks whether the converter, which runs with its threads and in real time, knows afterwards where the
- * device is, and has never been in doubt.
+ * <p>The check plays the device. Wherever in the model it makes a difference it acts by itself just before, or just
+ * after, it takes a command, and looks whether the converter, which runs with its threads and in real time, knows
+ * afterwards where the device is, and has never been in doubt.
  *
  * <p>Threading: one thread.
  *
@@ -68,7 +68,8 @@ public final class OrderCheck {
      *
      * @param adapters makes one for a line, with which it has begun to {@linkplain DeviceLine#listen listen}
      * @throws AssertionError if it does not keep the order; the message tells in which situation, and what it has told
-     * @throws IllegalStateException if the order makes no difference anywhere in the model, or the adapter does not listen
+     * @throws IllegalStateException if the order makes no difference anywhere in the model, or the adapter does not
+     *     listen
      * @throws org.evoloop.statemachine.ModelException if the adapter does not fit the model
      */
     public void check(Function<DeviceLine, DeviceAdapter> adapters) {

@@ -13,8 +13,8 @@ import org.evoloop.rehearsal.Difference;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a converter was told some day: its journal, or a copy of the directory that is kept beside the tests. Told to the models of
- * today it is a regression test.
+ * What a converter was told some day: its journal, or a copy of the directory that is kept beside the tests. Told to
+ * the models of today it is a regression test.
  *
  * <pre>{@code
  * Recording.in(Path.of("src/test/recordings/sunday"))
@@ -53,7 +53,8 @@ public final class Recording {
      * Tells other models, or the same again, what the converter was told.
      *
      * @throws org.evoloop.journal.JournalException if there is no journal, or it is damaged
-     * @throws org.evoloop.statemachine.ModelException if the models are no evolution, or the properties are not understood
+     * @throws org.evoloop.statemachine.ModelException if the models are no evolution, or the properties are not
+     *     understood
      * @throws IllegalArgumentException if the properties cannot be read
      */
     public Replay replay(ModelPair models) {
@@ -107,7 +108,7 @@ public final class Recording {
         public Replay expectSameDecisions() {
             return require(
                     differences(),
-                    differences().size() + " of " + events() + " events are decided otherwise than recorded:");
+                    differences().size() + " of " + events() + " events are decided differently from the recording:");
         }
 
         /** Requires that no property is broken. */

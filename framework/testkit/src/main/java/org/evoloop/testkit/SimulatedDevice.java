@@ -23,8 +23,8 @@ import org.evoloop.time.ManualClock;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A device that does what an original model says, with its adapter to the converter: it obeys the events that it is sent,
- * has buttons of its own, takes its time, and meets with what devices meet with.
+ * A device that does what an original model says, with its adapter to the converter: it obeys the events that it is
+ * sent, has buttons of its own, takes its time, and meets with what devices meet with.
  *
  * <pre>{@code
  * SimulatedDevice robot = SimulatedDevice.of(models.original()).buttons("Clean").build();
@@ -32,9 +32,9 @@ import org.jspecify.annotations.Nullable;
  * robot.incidents(IncidentPlan.at(2, Incident.lost()));
  * }</pre>
  *
- * <p>Its adapter keeps the order: facts and effects reach the converter as they happened at the device. An event that means
- * nothing where the device is changes nothing. Its time triggers, and effects as drawn, are its own; the converter knows
- * those times from the model, so that nothing is told of them.
+ * <p>Its adapter keeps the order: facts and effects reach the converter as they happened at the device. An event that
+ * means nothing where the device is changes nothing. Its time triggers, and effects as drawn, are its own; the
+ * converter knows those times from the model, so that nothing is told of them.
  *
  * <p>Threading: thread-safe. A device belongs to one converter.
  *
@@ -97,13 +97,19 @@ public final class SimulatedDevice {
                     .collect(Collectors.toSet());
         }
 
-        /** Which events can be sent; all but those that the model declares to be the device's own, unless this is called. */
+        /**
+         * Which events can be sent; all but those that the model declares to be the device's own, unless this is
+         * called.
+         */
         public Builder sends(String... events) {
             sendable.addAll(List.of(events));
             return this;
         }
 
-        /** Events that the device takes by itself, by buttons of its own and otherwise, besides those its model declares. */
+        /**
+         * Events that the device takes by itself, by buttons of its own and otherwise, besides those its model
+         * declares.
+         */
         public Builder buttons(String... events) {
             buttons.addAll(List.of(events));
             return this;

@@ -12,7 +12,8 @@ import org.slf4j.ILoggerFactory;
 import org.slf4j.LoggerFactory;
 
 /**
- * Hears what one converter without threads writes into the transcript: its lines come on the thread that takes its steps.
+ * Hears what one converter without threads writes into the transcript: its lines come on the thread that takes its
+ * steps.
  *
  * <p>Threading: one thread, as its harness; those of several harnesses may work side by side.
  */
@@ -65,7 +66,9 @@ final class TranscriptRecorder {
         }
     }
 
-    /** Hears what comes on this thread while {@code work} is done, and what is done inside it for no other converter. */
+    /**
+     * Hears what comes on this thread while {@code work} is done, and what is done inside it for no other converter.
+     */
     void during(Runnable work) {
         TranscriptRecorder before = LISTENING.get();
         LISTENING.set(this);

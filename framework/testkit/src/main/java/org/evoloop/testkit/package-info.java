@@ -4,8 +4,8 @@
  * org.evoloop.testkit.OrderCheck} sees whether an adapter tells things in the order in which they happened. {@link
  * org.evoloop.testkit.Recording} has other models decide what a converter was told.
  *
- * <p>This package uses the framework and Logback, which hears the transcript. It needs no particular test framework: what
- * does not hold is an {@link AssertionError}.
+ * <p>This package uses the framework and Logback, which hears the transcript. It needs no particular test framework:
+ * what does not hold is an {@link AssertionError}.
  */
 @NullMarked
 package org.evoloop.testkit;

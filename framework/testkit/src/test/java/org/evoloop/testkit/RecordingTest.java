@@ -65,7 +65,7 @@ class RecordingTest {
         assertThat(replay.differences()).hasSize(2);
         assertThatThrownBy(replay::expectSameDecisions)
                 .isInstanceOf(AssertionError.class)
-                .hasMessageStartingWith("2 of 7 events are decided otherwise than recorded:\n")
+                .hasMessageStartingWith("2 of 7 events are decided differently from the recording:\n")
                 .hasMessageContaining("switch (controller)\n")
                 .hasMessageContaining("\n    then  (on, wait) -> (on, incandescentOn): new-function\n"
                         + "    now   (on, wait) -> (off, off), sends switch: existing-function");

@@ -48,8 +48,8 @@ public record Arc(
         /** Leaves it. */
         EXTERNAL,
         /**
-         * Does not leave the one of its ends that is around the other. Between a state and itself it leaves and enters what
-         * is in the state; else it is the same as an external one.
+         * Does not leave the one of its ends that is around the other. Between a state and itself it leaves and enters
+         * what is in the state; else it is the same as an external one.
          */
         LOCAL,
         /** Leaves nothing. */

@@ -17,31 +17,31 @@ import org.jspecify.annotations.Nullable;
  * states in which the machine rests, with what it remembers for histories. Where UML leaves a choice:
  *
  * <ul>
- *   <li>Guards are asked for when the event comes, those behind a choice too, each once. A path of which no branch holds
- *       is not taken. Of the transitions of a state on one event the guarded ones come first, in the order in which they
- *       are drawn, then the one without guard, then {@code [else]}.
+ *   <li>Guards are asked for when the event comes, those behind a choice too, each once. A path of which no branch
+ *   holds is not taken. Of the transitions of a state on one event the guarded ones come first, in the order in which
+ *   they are drawn, then the one without guard, then {@code [else]}.
  *   <li>An event goes to the innermost state that has a transition for it; states around that do not see it. Regions
  *       side by side all see it, in the order in which they are drawn, and are left and entered in that order.
  *   <li>Each part of a transition through pseudostates leaves and enters what lies between its two ends. A history
- *       remembers its region when the state around that is left; a region that has reached its final state is forgotten.
+ *   remembers its region when the state around that is left; a region that has reached its final state is forgotten.
  *   <li>A guard on the only transition of an initial pseudostate, or on the default one of a history, is not asked for,
  *       since nothing else could be entered.
- *   <li>A local transition between a state and one in it leaves the region of the inner one alone, and enters it by default
- *       if it ends at the outer one. From a state to itself it leaves and enters again what is in the state; of a state
- *       without regions it is internal.
+ *   <li>A local transition between a state and one in it leaves the region of the inner one alone, and enters it by
+ *   default if it ends at the outer one. From a state to itself it leaves and enters again what is in the state; of a
+ *   state without regions it is internal.
  *   <li>A state without do activity is complete when it is entered, or when all its regions have reached their final
  *       states; its transition without event is taken at once. If its guard does not hold then, it never is. The end of
  *       a do activity on which a transition waits is an event, {@code completion(NAME)}, that somebody must raise.
- *   <li>An event that a state defers waits if no transition of that state, of one in it, or of a region beside it counts
- *       for it; states around the deferring one do not see it. See
- *       {@link org.evoloop.statemachine.StateMachine#defers}.
+ *   <li>An event that a state defers waits if no transition of that state, of one in it, or of a region beside it
+ *   counts for it; states around the deferring one do not see it. See {@link
+ *   org.evoloop.statemachine.StateMachine#defers}.
  *   <li>A time trigger belongs to the state it leaves and goes on as long as that is not left; see
  *       {@link org.evoloop.statemachine.Transition#keeps}.
  *   <li>A transition that is internal and has no effects stands for an event that is swallowed.
  * </ul>
  *
- * <p>States that no event leads to are kept, as if something led there. Two transitions of which nothing says which is taken
- * are a problem.
+ * <p>States that no event leads to are kept, as if something led there. Two transitions of which nothing says which is
+ * taken are a problem.
  *
  * <p>Threading: immutable.
  *

@@ -36,7 +36,9 @@ final class NetBuilder {
         this.problems = problems;
     }
 
-    /** What is left to do: a region of {@code owner}, or a vertex of {@code zone}. Nesting may be too deep for calls. */
+    /**
+     * What is left to do: a region of {@code owner}, or a vertex of {@code zone}. Nesting may be too deep for calls.
+     */
     private record Work(
             @Nullable Region region,
             @Nullable Node owner,

@@ -5,13 +5,15 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What happens where hardly anything can: one transition without guard leads from one simple state to another beside it,
- * and nothing else is active. A {@link Step} comes to the same; most transitions of most charts are of this kind.
+ * What happens where hardly anything can: one transition without guard leads from one simple state to another beside
+ * it, and nothing else is active. A {@link Step} comes to the same; most transitions of most charts are of this kind.
  */
 final class PlainSteps {
     private PlainSteps() {}
 
-    /** The vertex in which a machine rests with nothing around it or beside it, if that is all that matters; else null. */
+    /**
+     * The vertex in which a machine rests with nothing around it or beside it, if that is all that matters; else null.
+     */
     static @Nullable Node alone(Net net, Snapshot state) {
         if (!state.isOneState() || net.tops().size() > 1) {
             return null;

@@ -6,7 +6,8 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Which of several transitions leaves a state: two that leave the same one, or one within the other, cannot both be taken.
+ * Which of several transitions leaves a state: two that leave the same one, or one within the other, cannot both be
+ * taken.
  *
  * @param <T> a transition
  */

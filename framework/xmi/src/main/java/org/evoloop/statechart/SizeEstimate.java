@@ -5,8 +5,8 @@ import org.evoloop.statechart.Vertex.Kind;
 import org.jspecify.annotations.Nullable;
 
 /**
- * How large a flat machine can be at most, without building it: regions side by side multiply, and so does what histories
- * remember. It may be far smaller, where regions change together.
+ * How large a flat machine can be at most, without building it: regions side by side multiply, and so does what
+ * histories remember. It may be far smaller, where regions change together.
  */
 final class SizeEstimate {
     private static final int DIGITS_WRITTEN = 15;

@@ -28,7 +28,10 @@ final class Zone {
         this.index = index;
     }
 
-    /** The innermost region around both; the machine itself, which null stands for, if they are in different top regions. */
+    /**
+     * The innermost region around both; the machine itself, which null stands for, if they are in different top
+     * regions.
+     */
     static @Nullable Zone common(Zone one, Zone other) {
         Zone a = one;
         Zone b = other;

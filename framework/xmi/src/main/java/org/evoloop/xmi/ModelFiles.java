@@ -19,8 +19,8 @@ public final class ModelFiles {
     private ModelFiles() {}
 
     /**
-     * Looks for {@code file} in the working directory, then beside the application's jar, then in the directory that the
-     * system property {@code evoloop.home} names.
+     * Looks for {@code file} in the working directory, then beside the application's jar, then in the directory that
+     * the system property {@code evoloop.home} names.
      *
      * @param file relative, such as {@code models/light-bulb.xml}
      * @param application a class of the application

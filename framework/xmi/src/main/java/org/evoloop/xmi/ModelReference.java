@@ -97,8 +97,8 @@ public record ModelReference(Path file, Optional<String> machine, Optional<Chron
     }
 
     /**
-     * The file beside this one that is called like it and the machine, if there is one, else like it alone: {@code a.b} or
-     * {@code a} with the ending, for the machine b of {@code a.xml}. It need not be there.
+     * The file beside this one that is called like it and the machine, if there is one, else like it alone: {@code a.b}
+     * or {@code a} with the ending, for the machine b of {@code a.xml}. It need not be there.
      *
      * @param ending such as {@code .properties.txt}
      */

@@ -83,8 +83,8 @@ public final class XmiMachine {
     }
 
     /**
-     * What its author should know though the machine can be read, one line each: how something was taken, or that it says
-     * nothing.
+     * What its author should know though the machine can be read, one line each: how something was taken, or that it
+     * says nothing.
      */
     public List<String> notes() {
         Problems problems = new Problems();

@@ -27,8 +27,8 @@ import org.evoloop.statemachine.Transition;
 import org.junit.jupiter.api.Test;
 
 /**
- * Where the new model adds nothing but remembering, the device is where the new model's chart says, state by state as drawn:
- * one interpreter runs the new chart, another one is the device and gets what the decisions send.
+ * Where the new model adds nothing but remembering, the device is where the new model's chart says, state by state as
+ * drawn: one interpreter runs the new chart, another one is the device and gets what the decisions send.
  */
 class AddedHistoryTest {
     private static final int CHARTS = 60;

@@ -20,8 +20,8 @@ import org.evoloop.statechart.Vertex.Pseudostate;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Runs a statechart as UML 2.5.1 (clause 14.2.3) says, vertex by vertex and without any preparation. Slow and simple; it
- * shares nothing with {@link Flattening} but the choices that its Javadoc states.
+ * Runs a statechart as UML 2.5.1 (clause 14.2.3) says, vertex by vertex and without any preparation. Slow and simple;
+ * it shares nothing with {@link Flattening} but the choices that its Javadoc states.
  */
 final class Interpreter {
     /** Of an event: the name of the state whose timer or activity it is follows behind the text. */

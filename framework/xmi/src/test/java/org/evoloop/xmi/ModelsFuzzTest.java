@@ -15,7 +15,10 @@ import org.evoloop.statemachine.StateMachine;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Whatever a model file holds, it is read, or refused with a message. CONTRIBUTING.md tells how to let Jazzer look for more. */
+/**
+ * Whatever a model file holds, it is read, or refused with a message. CONTRIBUTING.md tells how to let Jazzer look for
+ * more.
+ */
 @Timeout(30)
 class ModelsFuzzTest {
 

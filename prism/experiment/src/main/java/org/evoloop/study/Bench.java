@@ -14,10 +14,11 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * A converter of the framework, a simulated device and a controller whose events arrive at random, all in one simulated
- * time: it passes while something in the loop takes time, and what falls due meanwhile (arrivals, disturbances) happens then.
+ * time: it passes while something in the loop takes time, and what falls due meanwhile (arrivals, disturbances) happens
+ * then.
  *
- * <p>A crash ends what the converter does at that moment. The next process begins with a copy of the journal as it was then,
- * which is what a process that was killed leaves behind.
+ * <p>A crash ends what the converter does at that moment. The next process begins with a copy of the journal as it was
+ * then, which is what a process that was killed leaves behind.
  *
  * <p>Threading: for one thread. If the loop has threads of its own they take turns with that one: time passes by their
  * doing while there is an event in the loop, by the bench's while there is none. So the same seed gives the same run.

@@ -4,13 +4,13 @@ import java.time.Duration;
 
 /**
  * Measures one point in two ways: many short runs from the empty system, as the paper's properties see it, and one long
- * run, for what holds in the long run. What is counted is counted afterwards, from when each event arrived, was handed over
- * and was carried out.
+ * run, for what holds in the long run. What is counted is counted afterwards, from when each event arrived, was handed
+ * over and was carried out.
  *
- * <p>Quantities: {@code lost} and {@code done} at each time and {@code completion_s} of each short run;
- * {@code divergence_s} of every run in which belief and device come to differ; {@code handed}, the events that the device
- * has by a time; {@code lost_per_s}, {@code wait_s}, {@code differs} (the share of time in which they differ) and
- * {@code longer} (the share of events that wait longer than a time) of each batch of the long run; {@code events} of each
+ * <p>Quantities: {@code lost} and {@code done} at each time and {@code completion_s} of each short run; {@code
+ * divergence_s} of every run in which belief and device come to differ; {@code handed}, the events that the device has
+ * by a time; {@code lost_per_s}, {@code wait_s}, {@code differs} (the share of time in which they differ) and {@code
+ * longer} (the share of events that wait longer than a time) of each batch of the long run; {@code events} of each
  * short run and {@code events_long_run}.
  *
  * <p>Threading: for one thread.

@@ -1,6 +1,7 @@
 /**
- * Runs the framework's converter against a simulated device whose times are random, and measures what the study's models
- * predict: losses, completion times, waiting times, and what crashes, links that break and other models change in them.
+ * Runs the framework's converter against a simulated device whose times are random, and measures what the study's
+ * models predict: losses, completion times, waiting times, and what crashes, links that break and other models change
+ * in them.
  *
  * <p>This room may use all of the framework; nothing uses it but the study's programs, which call it as a process.
  */

@@ -9,14 +9,16 @@ import org.evoloop.roomba.session.OdometryPose;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Makes one place of what single looks show. A sighting is believed when {@value Sight#BELIEVED_LOOKS} looks in a row show the same
- * place; a place that is believed follows each look that agrees with it. Places are in the coordinates of the robot's
- * wheels, so that the robot can drive on between two looks.
+ * Makes one place of what single looks show. A sighting is believed when {@value Sight#BELIEVED_LOOKS} looks in a row
+ * show the same place; a place that is believed follows each look that agrees with it. Places are in the coordinates of
+ * the robot's wheels, so that the robot can drive on between two looks.
  *
  * <p>Threading: not thread-safe.
  */
 final class GoalWatch {
-    /** Two sightings no farther apart are of the same thing: 2.8 % of 3.5 m is what one is wrong by at most, usually. */
+    /**
+     * Two sightings no farther apart are of the same thing: 2.8 % of 3.5 m is what one is wrong by at most, usually.
+     */
     static final double SAME_MM = 250;
 
     /** A place that was not seen for so many times as long as a frame may take is no help to believe a single look. */

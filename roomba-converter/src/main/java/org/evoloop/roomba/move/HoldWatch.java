@@ -5,8 +5,8 @@ import org.evoloop.roomba.move.phase.Ending;
 import org.evoloop.roomba.session.Telemetry;
 
 /**
- * Whether the robot obeys. At a cliff it leaves Safe mode and stops (specification, "Safe Mode"), and the session takes it
- * back within a second or two; then Move goes on. A robot that was lifted is somewhere else now, and Move ends.
+ * Whether the robot obeys. At a cliff it leaves Safe mode and stops (specification, "Safe Mode"), and the session takes
+ * it back within a second or two; then Move goes on. A robot that was lifted is somewhere else now, and Move ends.
  *
  * <p>Threading: not thread-safe.
  */

@@ -16,8 +16,9 @@ import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Monitors the robot's stream, whose newest frame is told, and with each frame what the sensor has seen last. The frames
- * set the pace, 15 ms each: a look is no older than that when it is told, and one that nobody needed costs nothing.
+ * Monitors the robot's stream, whose newest frame is told, and with each frame what the sensor has seen last. The
+ * frames set the pace, 15 ms each: a look is no older than that when it is told, and one that nobody needed costs
+ * nothing.
  */
 final class MonitorSenses extends Monitor<Percept> implements SessionListener {
     /** A frame, and what was done to the robot until then. */

@@ -32,10 +32,10 @@ import org.slf4j.LoggerFactory;
 /**
  * Searches the starting point, drives the robot there, and raises {@code arriveSpot}.
  *
- * <p>The robot must be under control (Safe mode). If it does not obey for long, or has not arrived when the limit is over,
- * the function ends: it says why and raises {@code timeout} if the new model has a transition for it, else the event that
- * leads {@link Back}. A person at the robot wins: if one of its buttons is pressed or it is lifted, the function ends at
- * once, and only the way back is taken. The wheels stop whenever the function ends, however it ends.
+ * <p>The robot must be under control (Safe mode). If it does not obey for long, or has not arrived when the limit is
+ * over, the function ends: it says why and raises {@code timeout} if the new model has a transition for it, else the
+ * event that leads {@link Back}. A person at the robot wins: if one of its buttons is pressed or it is lifted, the
+ * function ends at once, and only the way back is taken. The wheels stop whenever the function ends, however it ends.
  */
 public final class Move extends ControlLoopFunction<Percept, Situation, Maneuver> {
     /** The event that tells of the arrival. */
@@ -193,7 +193,9 @@ public final class Move extends ControlLoopFunction<Percept, Situation, Maneuver
             return step.maneuver();
         }
 
-        /** Tells the distance to the starting point in m, whether that is in sight, and the time left to find it in s. */
+        /**
+         * Tells the distance to the starting point in m, whether that is in sight, and the time left to find it in s.
+         */
         private void tell(Phase about, Situation now) {
             List<Reading> readings = new ArrayList<>();
             now.sight().goal().ifPresent(goal -> {

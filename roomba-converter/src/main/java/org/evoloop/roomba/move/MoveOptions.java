@@ -9,8 +9,8 @@ import java.time.Duration;
  *
  * @param limit after so long without an arrival the robot stops for good
  * @param frameLimit the wheels stop when the newest look is older than this
- * @param settle so long after the robot was told to stop, what the camera shows was taken at rest: the wheels need 0.1 s,
- *     and a frame of a USB camera reaches the program about as late
+ * @param settle so long after the robot was told to stop, what the camera shows was taken at rest: the wheels need 0.1
+ *     s, and a frame of a USB camera reaches the program about as late
  */
 public record MoveOptions(Duration limit, Duration frameLimit, Duration settle) {
 

@@ -9,9 +9,9 @@ import org.evoloop.roomba.oi.SensorValues;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Whether the wheels turn as they are told, forward, backward or not at all, as their encoders show. A robot to which no
- * command comes through any more goes on with what it was told last, and nobody is told by the line: serial ports take
- * bytes that nobody reads.
+ * Whether the wheels turn as they are told, forward, backward or not at all, as their encoders show. A robot to which
+ * no command comes through any more goes on with what it was told last, and nobody is told by the line: serial ports
+ * take bytes that nobody reads.
  *
  * <p>Threading: thread-safe.
  */
@@ -28,7 +28,9 @@ final class ObeyWatch {
     private long wrongNanos;
     private boolean reported;
 
-    /** @param frameLimitNanos how late what the robot does may show at a computer that is busy, 300 ms for a real robot */
+    /**
+     * @param frameLimitNanos how late what the robot does may show at a computer that is busy, 300 ms for a real robot
+     */
     ObeyWatch(long frameLimitNanos) {
         this.reactionNanos = 2 * frameLimitNanos;
         this.patienceNanos = 3 * frameLimitNanos;
@@ -40,7 +42,9 @@ final class ObeyWatch {
         told.addLast(new Told(nanos, wheels));
     }
 
-    /** Takes the next frame; true if it has become clear that the wheels turn otherwise than told. Only the first time. */
+    /**
+     * Takes the next frame; true if it has become clear that the wheels turn otherwise than told. Only the first time.
+     */
     synchronized boolean update(SensorValues values, boolean underControl, long nanos) {
         SensorValues earlier = sample;
         if (!underControl || earlier == null) {

@@ -46,7 +46,10 @@ public interface StartPointSensor extends AutoCloseable {
         };
     }
 
-    /** Sees the point's marker, with a camera that is closed along with this; the robot arrives 0.40 m before it, looking at it. */
+    /**
+     * Sees the point's marker, with a camera that is closed along with this; the robot arrives 0.40 m before it,
+     * looking at it.
+     */
     static StartPointSensor byCamera(MarkerCamera camera) {
         return new StartPointSensor() {
             @Override

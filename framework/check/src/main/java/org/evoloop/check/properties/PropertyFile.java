@@ -7,8 +7,8 @@ import org.evoloop.check.timing.TimeRules;
 import org.evoloop.evolution.ModelPair;
 
 /**
- * What the author of an evolution has written beside its models: properties, what concerns time, and rules that are switched
- * off. docs/models.md and docs/time.md describe the language.
+ * What the author of an evolution has written beside its models: properties, what concerns time, and rules that are
+ * switched off. docs/models.md and docs/time.md describe the language.
  *
  * <p>Threading: immutable.
  *
@@ -34,7 +34,8 @@ public record PropertyFile(String file, List<Property> properties, TimeRules tim
      *
      * @param file for messages
      * @param pair whose states and events it names
-     * @throws org.evoloop.statemachine.ModelException naming file, line and remedy of everything that cannot be understood
+     * @throws org.evoloop.statemachine.ModelException naming file, line and remedy of everything that cannot be
+     *     understood
      */
     public static PropertyFile parse(String file, String text, ModelPair pair) {
         RuleSwitches switches = RuleSwitches.parse(file, text, pair);

@@ -3,8 +3,8 @@ package org.evoloop.check.temporal;
 /**
  * What a formula asks of the moments to come, of which one after the other is seen.
  *
- * <p>A formula that speaks of everything that may happen asks the same of what does happen. What speaks of one way that must be
- * possible, as {@code can} does, asks for nothing to happen: it is a fact of a moment, which the models know.
+ * <p>A formula that speaks of everything that may happen asks the same of what does happen. What speaks of one way that
+ * must be possible, as {@code can} does, asks for nothing to happen: it is a fact of a moment, which the models know.
  *
  * <p>Threading: immutable.
  */

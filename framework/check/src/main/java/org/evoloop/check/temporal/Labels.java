@@ -12,8 +12,8 @@ import java.util.function.Predicate;
 import org.evoloop.evolution.ModelPair;
 
 /**
- * The moments of a graph in which a formula holds: the labelling of Clarke, Emerson and Sistla (1986), backwards from where
- * something is so to all that lead there. What has no next moment does not come to anything.
+ * The moments of a graph in which a formula holds: the labelling of Clarke, Emerson and Sistla (1986), backwards from
+ * where something is so to all that lead there. What has no next moment does not come to anything.
  *
  * <p>Threading: not thread-safe; it remembers the answers.
  */

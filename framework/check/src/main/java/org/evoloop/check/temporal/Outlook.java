@@ -26,8 +26,8 @@ public final class Outlook {
     }
 
     /**
-     * Whether {@code formula} holds in {@code moment}, which need not be one that events as they should go lead to. The first
-     * answer about the future takes as long as to look at every moment that can be reached.
+     * Whether {@code formula} holds in {@code moment}, which need not be one that events as they should go lead to. The
+     * first answer about the future takes as long as to look at every moment that can be reached.
      */
     public boolean holds(Formula formula, Moment moment) {
         return formula.isPlain()

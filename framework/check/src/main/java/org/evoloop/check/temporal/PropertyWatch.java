@@ -15,9 +15,9 @@ import org.evoloop.statemachine.Event;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Watches what happens, and says which property is broken and when: at the first moment after which it can no longer be kept,
- * whatever follows. What must come sometime is open as long as it has not come; that is never broken, since it may still come.
- * What can happen, as in {@code can F}, the models say of the moment.
+ * Watches what happens, and says which property is broken and when: at the first moment after which it can no longer be
+ * kept, whatever follows. What must come sometime is open as long as it has not come; that is never broken, since it
+ * may still come. What can happen, as in {@code can F}, the models say of the moment.
  *
  * <p>It keeps what is left to be done of each property, of which there are finitely many, and nothing of the past.
  *
@@ -42,8 +42,8 @@ public final class PropertyWatch {
     }
 
     /**
-     * Begins where the models do, or elsewhere. What led there is then not known: it is taken to have been the shortest way,
-     * on which nothing counts as broken.
+     * Begins where the models do, or elsewhere. What led there is then not known: it is taken to have been the shortest
+     * way, on which nothing counts as broken.
      *
      * @param properties to be watched
      * @param table of a valid pair
@@ -119,8 +119,8 @@ public final class PropertyWatch {
     }
 
     /**
-     * An occurrence has come to its end, as {@link org.evoloop.core.Outputs#ended} tells. An event that was ignored, came too
-     * late, was lost or failed has not happened, unless it has moved something all the same.
+     * An occurrence has come to its end, as {@link org.evoloop.core.Outputs#ended} tells. An event that was ignored,
+     * came too late, was lost or failed has not happened, unless it has moved something all the same.
      *
      * @param after where device and evolved system stand then
      * @return the properties that this has broken

@@ -10,9 +10,10 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * A property while moments are seen: what is left to be done of it. There may be several ways to keep it, and each is a set of
- * duties from the next moment on; where no way is left it is broken. What follows from a set of ways and the facts of a moment is
- * found out once: this is a deterministic automaton whose states are made when they are needed. There are finitely many.
+ * A property while moments are seen: what is left to be done of it. There may be several ways to keep it, and each is a
+ * set of duties from the next moment on; where no way is left it is broken. What follows from a set of ways and the
+ * facts of a moment is found out once: this is a deterministic automaton whose states are made when they are needed.
+ * There are finitely many.
  *
  * <p>Threading: not thread-safe.
  */

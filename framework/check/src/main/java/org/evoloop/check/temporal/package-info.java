@@ -1,11 +1,11 @@
 /**
- * What an evolution must keep to: properties in temporal logic, written beside the models in words
- * ({@link org.evoloop.check.properties.PropertyFile}), over moments of a converter
- * ({@link org.evoloop.check.temporal.Moment}). {@link org.evoloop.check.temporal.PropertyWatch} judges what has happened,
- * {@link org.evoloop.check.temporal.Outlook} what can happen by the models.
+ * What an evolution must keep to: properties in temporal logic, written beside the models in words ({@link
+ * org.evoloop.check.properties.PropertyFile}), over moments of a converter ({@link org.evoloop.check.temporal.Moment}).
+ * {@link org.evoloop.check.temporal.PropertyWatch} judges what has happened, {@link org.evoloop.check.temporal.Outlook}
+ * what can happen by the models.
  *
- * <p>This package may use {@code org.evoloop.check}, {@code core}, {@code evolution} and {@code statemachine}. It reads no
- * files.
+ * <p>This package may use {@code org.evoloop.check}, {@code core}, {@code evolution} and {@code statemachine}. It reads
+ * no files.
  */
 @NullMarked
 package org.evoloop.check.temporal;

@@ -22,7 +22,9 @@ public sealed interface Assumption {
         }
     }
 
-    /** From one event of this name to the next one; of any name if it is null: of all that controllers and people press. */
+    /**
+     * From one event of this name to the next one; of any name if it is null: of all that controllers and people press.
+     */
     record Gap(@Nullable String event, long minNanos) implements Assumption {
         @Override
         public Object about() {

@@ -11,9 +11,9 @@ import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 
 /**
- * The clocks beside a situation, in ticks, and where each stands in a row of numbers: the situation, how long the step is on its
- * way, what is left of each timer, since when controls were pressed, how long what comes by itself is awaited, violations that
- * something follows from, and what the monitors remember.
+ * The clocks beside a situation, in ticks, and where each stands in a row of numbers: the situation, how long the step
+ * is on its way, what is left of each timer, since when controls were pressed, how long what comes by itself is
+ * awaited, violations that something follows from, and what the monitors remember.
  */
 final class Clocks {
     /** Places in the row. */

@@ -10,8 +10,8 @@ import org.evoloop.core.Rules;
 import org.evoloop.statemachine.Event;
 
 /**
- * Everything that can happen to a converter, tick by tick: first with the fewest happenings, and of these first what takes the
- * least time.
+ * Everything that can happen to a converter, tick by tick: first with the fewest happenings, and of these first what
+ * takes the least time.
  */
 final class Exploration {
     /** How time passing is labelled. */

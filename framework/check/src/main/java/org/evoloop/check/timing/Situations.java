@@ -14,8 +14,8 @@ import org.evoloop.core.Snapshot;
 import org.evoloop.statemachine.Event;
 
 /**
- * Every situation that a converter can get into, and what follows in it: the converter's own core says so, which is told one
- * thing after the other.
+ * Every situation that a converter can get into, and what follows in it: the converter's own core says so, which is
+ * told one thing after the other.
  */
 final class Situations {
     private final Rules rules;

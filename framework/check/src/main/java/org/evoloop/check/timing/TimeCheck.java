@@ -18,8 +18,8 @@ import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.StateMachine;
 
 /**
- * Decides before it runs what an evolution keeps to in time: over every pair of states that can be reached, with its timers, the
- * time that steps take, and its queue. The converter's own core says what follows from what.
+ * Decides before it runs what an evolution keeps to in time: over every pair of states that can be reached, with its
+ * timers, the time that steps take, and its queue. The converter's own core says what follows from what.
  *
  * <p>Threading: none needed, it keeps nothing.
  *

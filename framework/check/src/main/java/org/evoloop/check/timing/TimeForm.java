@@ -4,8 +4,8 @@ import java.util.List;
 import org.evoloop.check.temporal.Formula;
 
 /**
- * What a time property asks for. Its formulas are about one moment each. They are seen as follows: a state, a state of the device
- * and a function last; an event is there in the instant in which it comes, whatever becomes of it.
+ * What a time property asks for. Its formulas are about one moment each. They are seen as follows: a state, a state of
+ * the device and a function last; an event is there in the instant in which it comes, whatever becomes of it.
  *
  * <p>Threading: immutable.
  *

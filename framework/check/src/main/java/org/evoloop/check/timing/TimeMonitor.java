@@ -3,11 +3,11 @@ package org.evoloop.check.timing;
 import java.util.Arrays;
 
 /**
- * What has to be remembered of the past to judge one time property. The same monitors are fed while a converter runs, in
- * nanoseconds, and before it runs with everything that can happen, in ticks. Nothing is allocated after the first.
+ * What has to be remembered of the past to judge one time property. The same monitors are fed while a converter runs,
+ * in nanoseconds, and before it runs with everything that can happen, in ticks. Nothing is allocated after the first.
  *
- * <p>It gets each moment in order, several of them at one time if that is how things happen: whether the property's subject
- * and what else it names are to be seen. For an event it gets one moment with the event and one without.
+ * <p>It gets each moment in order, several of them at one time if that is how things happen: whether the property's
+ * subject and what else it names are to be seen. For an event it gets one moment with the event and one without.
  *
  * <p>Threading: not thread-safe.
  *

@@ -12,8 +12,8 @@ import org.evoloop.statemachine.Event;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Watches the time properties of an evolution while it runs, with the monitors that judge it before. What a property sees of a
- * configuration and an event is found out once; after that, nothing is allocated.
+ * Watches the time properties of an evolution while it runs, with the monitors that judge it before. What a property
+ * sees of a configuration and an event is found out once; after that, nothing is allocated.
  *
  * <p>What came before it begins is not known, and nothing counts as violated by it.
  *

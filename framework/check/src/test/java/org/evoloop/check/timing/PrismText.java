@@ -17,8 +17,9 @@ import org.evoloop.statemachine.Event;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A {@link RandomTiming} as a Markov decision process with digital clocks in PRISM's language, made of the decisions and nothing of
- * what is to be checked by it. A place is a configuration, or one in which a step of a decision is on its way.
+ * A {@link RandomTiming} as a Markov decision process with digital clocks in PRISM's language, made of the decisions
+ * and nothing of what is to be checked by it. A place is a configuration, or one in which a step of a decision is on
+ * its way.
  */
 final class PrismText {
     private static final int NONE = -1;

@@ -13,8 +13,8 @@ import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.StateMachineBuilder;
 
 /**
- * A small evolution with one time property, made up: two states of the device and two new ones with timers, steps that take time,
- * and no queue.
+ * A small evolution with one time property, made up: two states of the device and two new ones with timers, steps that
+ * take time, and no queue.
  */
 record RandomTiming(ModelPair pair, PropertyFile file) {
     private static final List<String> DEVICE = List.of("A", "B");

@@ -16,7 +16,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledIfEnvironmentVariable;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What the check before it runs says, said by Storm of models that were made for it by other code: ./evoloop test --oracles. */
+/**
+ * What the check before it runs says, said by Storm of models that were made for it by other code: ./evoloop test
+ * --oracles.
+ */
 @Tag("slow")
 @EnabledIfEnvironmentVariable(named = "EVOLOOP_ORACLES", matches = ".+")
 class StormOracleTest {

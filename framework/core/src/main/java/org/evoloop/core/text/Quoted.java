@@ -6,7 +6,10 @@ import java.util.Locale;
 final class Quoted {
     private Quoted() {}
 
-    /** Adds {@code words}, with quotes, backslashes and control characters escaped as in Java and JSON: it stays in its line. */
+    /**
+     * Adds {@code words}, with quotes, backslashes and control characters escaped as in Java and JSON: it stays in its
+     * line.
+     */
     static void append(StringBuilder text, String words) {
         text.append('"');
         for (int index = 0; index < words.length(); index++) {

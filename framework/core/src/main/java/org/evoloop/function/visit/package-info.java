@@ -1,8 +1,8 @@
 /**
  * How a converter runs the visits of its states and their functions; authors of functions do not need it.
  *
- * <p>This package may use {@code org.evoloop.function}, {@code org.evoloop.time} and {@code org.evoloop.statemachine}. The
- * module does not export it.
+ * <p>This package may use {@code org.evoloop.function}, {@code org.evoloop.time} and {@code org.evoloop.statemachine}.
+ * The module does not export it.
  */
 @NullMarked
 package org.evoloop.function.visit;

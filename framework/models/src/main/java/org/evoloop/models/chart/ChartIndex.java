@@ -174,7 +174,9 @@ public final class ChartIndex {
         return vertex;
     }
 
-    /** Name of the vertex in which {@code region} starts; empty if it has no initial pseudostate that leads anywhere. */
+    /**
+     * Name of the vertex in which {@code region} starts; empty if it has no initial pseudostate that leads anywhere.
+     */
     public String initial(Region region) {
         return region.vertices().stream()
                 .filter(ChartIndex::isInitial)

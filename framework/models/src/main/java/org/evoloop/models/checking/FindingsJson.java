@@ -37,7 +37,10 @@ public record FindingsJson(List<Row> findings, List<OffRow> switchedOff, List<Ve
     /** A finding that its author has switched off; {@code where} the switch stands. */
     public record OffRow(String rule, String machine, String element, String message, String reason, String where) {}
 
-    /** What a time property comes to; {@code worstNanos} is null if there is no bound, both are if it never comes to that. */
+    /**
+     * What a time property comes to; {@code worstNanos} is null if there is no bound, both are if it never comes to
+     * that.
+     */
     public record Verdict(
             String property,
             int line,

@@ -67,8 +67,8 @@ final class ElkLayout {
     }
 
     /**
-     * The better of two ways to lay it out, from left to right and from top to bottom. With states inside states only the
-     * first, in which no edge crosses the upper compartments of a frame.
+     * The better of two ways to lay it out, from left to right and from top to bottom. With states inside states only
+     * the first, in which no edge crosses the upper compartments of a frame.
      */
     static Layout of(Diagram diagram) {
         boolean flat = diagram.nodes().stream().allMatch(node -> node.children().isEmpty());
@@ -184,7 +184,9 @@ final class ElkLayout {
         return onOneSide * (longest + LOOP_GAP);
     }
 
-    /** Whether its name stands under it: where there is no room inside. Nobody asks for that of an initial pseudostate. */
+    /**
+     * Whether its name stands under it: where there is no room inside. Nobody asks for that of an initial pseudostate.
+     */
     static boolean hasNameBelow(Node node) {
         return switch (node.shape()) {
             case STATE, REGION, INITIAL -> false;

@@ -14,7 +14,7 @@ enum Palette {
     SENDING(Tone.SENDING, "#a85b00", "#fff1dc", "2", "", "kept by sending events"),
     WAITING(Tone.WAITING, "#0b62a8", "#e4f0fb", "2", "", "the swap waits until it is left"),
     STUCK(Tone.STUCK, "#b3261e", "#fdecea", "3", "", "no swap is possible in it"),
-    OTHERWISE(Tone.OTHERWISE, "#0b62a8", "#e4f0fb", "2", "", "decided otherwise than recorded"),
+    OTHERWISE(Tone.OTHERWISE, "#0b62a8", "#e4f0fb", "2", "", "decided differently from the recording"),
     BROKEN(Tone.BROKEN, "#b3261e", "#fdecea", "3", "", "a property is broken");
 
     private final Tone tone;

@@ -7,7 +7,8 @@ import java.util.stream.IntStream;
 import org.evoloop.models.diagram.Layout.Point;
 
 /**
- * Where the frames of several machines stand: in their order, row by row, so that the whole has about the shape of a page.
+ * Where the frames of several machines stand: in their order, row by row, so that the whole has about the shape of a
+ * page.
  *
  * @param places the left upper corner of each frame
  */

@@ -6,8 +6,8 @@ import java.util.List;
 import org.evoloop.program.Svg;
 
 /**
- * Paints a timing diagram in UML's notation: a lifeline a lane, a state a level, time from left to right. Each happening has a
- * column of its own, so that lengths of time that differ a thousandfold can be read side by side.
+ * Paints a timing diagram in UML's notation: a lifeline a lane, a state a level, time from left to right. Each
+ * happening has a column of its own, so that lengths of time that differ a thousandfold can be read side by side.
  */
 final class TimingPainter {
     static final String STYLE = """

@@ -8,7 +8,9 @@ import org.evoloop.models.evolution.Bypass.Line;
 import org.evoloop.models.format.Json;
 import org.evoloop.statemachine.Event;
 
-/** What a bypass means, for programs, in the shape that docs/models.md promises: components are the keys, in this order. */
+/**
+ * What a bypass means, for programs, in the shape that docs/models.md promises: components are the keys, in this order.
+ */
 public record BypassJson(
         String original, @JsonProperty("new") String evolved, List<Row> bypass, List<Stopped> stopped) {
 

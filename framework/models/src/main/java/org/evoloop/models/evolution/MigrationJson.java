@@ -10,7 +10,9 @@ import org.evoloop.models.format.Json;
 import org.evoloop.statemachine.Event;
 import org.jspecify.annotations.Nullable;
 
-/** The plan of a swap for programs, in the shape that docs/models.md promises: components are the keys, in this order. */
+/**
+ * The plan of a swap for programs, in the shape that docs/models.md promises: components are the keys, in this order.
+ */
 public record MigrationJson(Models from, Models to, boolean possible, List<Row> pairs) {
 
     /** The names of two models. */

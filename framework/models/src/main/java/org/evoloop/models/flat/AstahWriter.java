@@ -31,9 +31,9 @@ public final class AstahWriter {
     }
 
     /**
-     * What the document cannot say, a line each: timers and activities that outlast a transition, since flat states have
-     * nothing around them; internal transitions with several guards, which become one text; that states differ only in
-     * what the machine remembers; and that an event is deferred under a guard.
+     * What the document cannot say, a line each: timers and activities that outlast a transition, since flat states
+     * have nothing around them; internal transitions with several guards, which become one text; that states differ
+     * only in what the machine remembers; and that an event is deferred under a guard.
      */
     public static List<String> losses(StateMachine machine) {
         List<String> losses = new ArrayList<>();

@@ -12,8 +12,8 @@ public final class RecordText {
     private RecordText() {}
 
     /**
-     * The line without its end: time of day, monotonic clock in seconds, kind, what it is, where the converter was then, which
-     * events ended, and doubts.
+     * The line without its end: time of day, monotonic clock in seconds, kind, what it is, where the converter was
+     * then, which events ended, and doubts.
      */
     public static String line(JournalRecord shown, ZoneId zone) {
         String what = InputText.of(shown.input());

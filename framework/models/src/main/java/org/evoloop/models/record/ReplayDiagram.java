@@ -22,8 +22,8 @@ import org.evoloop.rehearsal.Verdict;
 import org.evoloop.statemachine.State;
 
 /**
- * What other models would have made of a journal's events as a picture: the other new model, and in each of its states what was
- * decided otherwise there; below, event by event, both reasons.
+ * What other models would have made of a journal's events as a picture: the other new model, and in each of its states
+ * what was decided differently there; below, event by event, both reasons.
  */
 public final class ReplayDiagram {
     private static final int MOST_NOTES = 6;

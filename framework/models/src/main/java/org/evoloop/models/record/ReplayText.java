@@ -15,7 +15,8 @@ public final class ReplayText {
     private ReplayText() {}
 
     /**
-     * Three lines for each event that differs, a line for each property that is broken or open, and how many there were.
+     * Three lines for each event that differs, a line for each property that is broken or open, and how many there
+     * were.
      *
      * @param file whose properties were watched
      */
@@ -47,7 +48,7 @@ public final class ReplayText {
 
     static String sum(DryRun.Result result, PropertyFile file) {
         int properties = file.properties().size();
-        return result.events() + " events, " + result.differences().size() + " decided otherwise"
+        return result.events() + " events, " + result.differences().size() + " decided differently"
                 + (properties == 0
                         ? ""
                         : "; " + properties + (properties == 1 ? " property, " : " properties, ")

@@ -15,8 +15,8 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
- * The directory of a project. What was generated is kept in {@value #GENERATED} as it was, so that later on what its owner
- * wrote can be told from it.
+ * The directory of a project. What was generated is kept in {@value #GENERATED} as it was, so that later on what its
+ * owner wrote can be told from it.
  */
 final class ProjectDirectory {
     /** Below the project's directory. */

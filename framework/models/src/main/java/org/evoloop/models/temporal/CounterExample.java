@@ -17,8 +17,9 @@ import org.evoloop.check.temporal.MomentGraph.Edge;
 import org.evoloop.evolution.Turn;
 
 /**
- * What happens when a formula does not hold, as far as one sequence of events can show it: to where an {@code always} is
- * broken, or once around where what should come never does. That nothing leads to something shows in where this ends.
+ * What happens when a formula does not hold, as far as one sequence of events can show it: to where an {@code always}
+ * is broken, or once around where what should come never does. That nothing leads to something shows in where this
+ * ends.
  *
  * <p>Which moments satisfy what is {@link ModelChecker M3C's} to say.
  */
@@ -64,7 +65,9 @@ final class CounterExample {
         }
     }
 
-    /** To the nearest moment in which neither holds, along moments in which {@code left} alone does; false if none is. */
+    /**
+     * To the nearest moment in which neither holds, along moments in which {@code left} alone does; false if none is.
+     */
     private boolean breakOff(Formula left, Formula right) {
         Predicate<Moment> both = fails(left).and(fails(right));
         boolean found = walk(holds(left).and(fails(right)), both);

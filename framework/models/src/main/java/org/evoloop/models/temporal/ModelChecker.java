@@ -33,8 +33,8 @@ import org.evoloop.evolution.ModelPair;
 import org.evoloop.statemachine.ModelException;
 
 /**
- * Asks M3C, the model checker of AutomataLib, whether a formula holds in a moment. Plain propositions are looked up; all
- * temporal logic is M3C's.
+ * Asks M3C, the model checker of AutomataLib, whether a formula holds in a moment. Plain propositions are looked up;
+ * all temporal logic is M3C's.
  *
  * <p>Threading: not thread-safe; it remembers the answers.
  */

@@ -21,7 +21,10 @@ import org.evoloop.evolution.ModelPair;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Random formulas over random machines: M3C, {@link Outlook} and the textbook's fixed points say the same of every moment. */
+/**
+ * Random formulas over random machines: M3C, {@link Outlook} and the textbook's fixed points say the same of every
+ * moment.
+ */
 class ModelCheckerTest {
     static LongStream seeds() {
         return LongStream.concat(LongStream.rangeClosed(1, 30), LongStream.of(new Random().nextLong()));

@@ -22,7 +22,9 @@ import org.evoloop.evolution.Turn;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** What {@link PropertyWatch} says of random sequences of events in random evolutions, and what M3C says of the models. */
+/**
+ * What {@link PropertyWatch} says of random sequences of events in random evolutions, and what M3C says of the models.
+ */
 class WatchAgainstCheckerTest {
     private static final int FORMULAS = 40;
     private static final int EVENTS = 12;

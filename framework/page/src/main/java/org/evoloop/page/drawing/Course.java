@@ -7,7 +7,10 @@ import java.util.List;
 import org.evoloop.page.drawing.Graph.Arrow;
 import org.evoloop.page.drawing.Graph.Box;
 
-/** The course of an arrow: smooth, through its boxes, from the edge of one state to the edge of the other, with its head. */
+/**
+ * The course of an arrow: smooth, through its boxes, from the edge of one state to the edge of the other, with its
+ * head.
+ */
 final class Course {
     private static final double HEAD = 8;
 

@@ -12,9 +12,9 @@ import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.Transition;
 
 /**
- * A machine as rows of boxes: states stand in even rows, by their distance from the initial one, and what is written on the
- * arrows in odd ones, as boxes of their own, so that no text lies on anything. A long arrow has a thin box in each row that it
- * passes.
+ * A machine as rows of boxes: states stand in even rows, by their distance from the initial one, and what is written on
+ * the arrows in odd ones, as boxes of their own, so that no text lies on anything. A long arrow has a thin box in each
+ * row that it passes.
  */
 final class Graph {
     static final double CHAR = 7.6;

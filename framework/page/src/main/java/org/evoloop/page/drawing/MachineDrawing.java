@@ -10,9 +10,10 @@ import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.Transition;
 
 /**
- * The drawing of a machine, as SVG without colours: a style sheet gives them, by the classes {@code state}, {@code new}, {@code
- * arrow} and {@code label}. What is drawn says what it is, so that a program can light it: {@code data-state} on states; {@code
- * data-source}, {@code data-target} on arrows, and {@code data-event} too on what is written there.
+ * The drawing of a machine, as SVG without colours: a style sheet gives them, by the classes {@code state}, {@code
+ * new}, {@code arrow} and {@code label}. What is drawn says what it is, so that a program can light it: {@code
+ * data-state} on states; {@code data-source}, {@code data-target} on arrows, and {@code data-event} too on what is
+ * written there.
  */
 public final class MachineDrawing {
     /** Whoever looks sees nothing in a larger one, and its layout would take long. */

@@ -6,7 +6,10 @@ import java.util.Comparator;
 import java.util.List;
 import org.evoloop.page.drawing.Graph.Box;
 
-/** Puts the boxes of a graph in an order with few crossings, and then in places: each near its neighbours, none on another. */
+/**
+ * Puts the boxes of a graph in an order with few crossings, and then in places: each near its neighbours, none on
+ * another.
+ */
 final class Rows {
     private static final double GAP = 16;
     private static final double ROW_GAP = 18;

@@ -1,6 +1,6 @@
 /**
- * Draws a machine as it runs, flat, as SVG: small enough for every converter, where {@code ./evoloop models show} draws the
- * model as its author drew it, with a layout library of many megabytes.
+ * Draws a machine as it runs, flat, as SVG: small enough for every converter, where {@code ./evoloop models show} draws
+ * the model as its author drew it, with a layout library of many megabytes.
  *
  * <p>It uses {@code org.evoloop.statemachine} alone.
  */

@@ -33,7 +33,10 @@ final class AstahArcs {
         keysById.put(id, prefix + id);
     }
 
-    /** @param key of the vertex of another machine that it stands for; empty if there is none, which is a problem already */
+    /**
+     * @param key of the vertex of another machine that it stands for; empty if there is none, which is a problem
+     * already
+     */
     void addStub(String id, String key) {
         keysById.put(id, key);
     }

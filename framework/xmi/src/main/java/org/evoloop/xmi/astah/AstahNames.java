@@ -12,8 +12,8 @@ final class AstahNames {
     private AstahNames() {}
 
     /**
-     * The name as it was drawn: Astah writes the names of UML elements, not of diagrams, through {@code URLEncoder}. What
-     * cannot be decoded was written by hand and stays.
+     * The name as it was drawn: Astah writes the names of UML elements, not of diagrams, through {@code URLEncoder}.
+     * What cannot be decoded was written by hand and stays.
      */
     static String decode(String written) {
         try {

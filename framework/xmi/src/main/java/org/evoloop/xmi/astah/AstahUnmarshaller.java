@@ -17,9 +17,9 @@ import org.evoloop.xmi.dialect.XmiStream;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Unmarshals one {@code UML:StateMachine} from the stream and finds everything in it that the bindings do not name: JAXB
- * would drop it without a word. An element is bound exactly if JAXB makes an object of it, which its listener tells
- * before the next event is asked for.
+ * Unmarshals one {@code UML:StateMachine} from the stream and finds everything in it that the bindings do not name:
+ * JAXB would drop it without a word. An element is bound exactly if JAXB makes an object of it, which its listener
+ * tells before the next event is asked for.
  */
 final class AstahUnmarshaller extends StreamReaderDelegate {
     /** What repeats other elements or says nothing about behaviour. */

@@ -20,8 +20,8 @@ import org.jspecify.annotations.Nullable;
  * JAXB bindings of a state machine in Astah's XMI 1.1: UML 1.4, where an element such as {@code State}
  * holds role elements such as {@code StateVertex.outgoing}, which hold elements again.
  *
- * <p>Only what can be used is bound; {@link AstahUnmarshaller} finds the rest. Roles are lists even where UML allows one,
- * since of several JAXB would keep the last without a word.
+ * <p>Only what can be used is bound; {@link AstahUnmarshaller} finds the rest. Roles are lists even where UML allows
+ * one, since of several JAXB would keep the last without a word.
  */
 final class AstahXml {
     static final String UML = "org.omg.xmi.namespace.UML";

@@ -10,7 +10,9 @@ import org.evoloop.xmi.dialect.XmlNode;
 final class ScxmlActions {
     private ScxmlActions() {}
 
-    /** Everything in {@code onentry}, {@code onexit}, {@code transition} and the like, in order; a target is none of it. */
+    /**
+     * Everything in {@code onentry}, {@code onexit}, {@code transition} and the like, in order; a target is none of it.
+     */
     static List<String> in(XmlNode block) {
         if (block.children().isEmpty()) {
             return List.of();

@@ -24,9 +24,9 @@ import org.jspecify.annotations.Nullable;
 /**
  * Turns the transitions of a document into arcs.
  *
- * <p>A transition without an event is taken as soon as its condition holds: it becomes a completion transition where one
- * of its state's always holds, else a change trigger {@code when CONDITION}, as UML has it. The event
- * {@code done.state.ID} is the completion of that state.
+ * <p>A transition without an event is taken as soon as its condition holds: it becomes a completion transition where
+ * one of its state's always holds, else a change trigger {@code when CONDITION}, as UML has it. The event {@code
+ * done.state.ID} is the completion of that state.
  */
 final class ScxmlArcs {
     private static final Set<String> ATTRIBUTES = Set.of("event", "cond", "target", "type");

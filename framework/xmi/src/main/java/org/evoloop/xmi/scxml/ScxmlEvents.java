@@ -16,9 +16,9 @@ import org.evoloop.xmi.dialect.XmlNode;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Which events a transition's descriptors match. {@code a} matches {@code a}, {@code a.b} and so on, {@code *} everything
- * (SCXML 1.0, section 3.12.1); of the endlessly many, these are the events that the document names anywhere, and
- * {@code *} for one that it does not name.
+ * Which events a transition's descriptors match. {@code a} matches {@code a}, {@code a.b} and so on, {@code *}
+ * everything (SCXML 1.0, section 3.12.1); of the endlessly many, these are the events that the document names anywhere,
+ * and {@code *} for one that it does not name.
  */
 final class ScxmlEvents {
     private static final String DONE = "done.state.";

@@ -7,8 +7,8 @@ import org.evoloop.xmi.dialect.XmlNode;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A {@code state}, {@code parallel}, {@code final} or {@code history}, and where it stands. What is in it is sorted once:
- * vertices, transitions and the rest.
+ * A {@code state}, {@code parallel}, {@code final} or {@code history}, and where it stands. What is in it is sorted
+ * once: vertices, transitions and the rest.
  *
  * <p>A vertex equals itself alone. Written by {@link ScxmlTree} alone.
  */

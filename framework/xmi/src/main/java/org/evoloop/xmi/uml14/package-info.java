@@ -1,6 +1,6 @@
 /**
- * UML 1.x in XMI 1.x, which ArgoUML, Poseidon, Enterprise Architect, Visual Paradigm, StarUML 1 and their contemporaries
- * write; Astah's files have a reader of their own.
+ * UML 1.x in XMI 1.x, which ArgoUML, Poseidon, Enterprise Architect, Visual Paradigm, StarUML 1 and their
+ * contemporaries write; Astah's files have a reader of their own.
  *
  * <p>This package may use {@code org.evoloop.xmi.dialect}, {@code org.evoloop.statechart} and
  * {@code org.evoloop.statemachine}.

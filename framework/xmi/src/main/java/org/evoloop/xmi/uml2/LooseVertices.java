@@ -8,8 +8,8 @@ import java.util.Set;
 import org.evoloop.xmi.dialect.XmlNode;
 
 /**
- * States and transitions that stand in a package and not in a state machine, as Visual Paradigm writes them: those of one
- * package are one machine.
+ * States and transitions that stand in a package and not in a state machine, as Visual Paradigm writes them: those of
+ * one package are one machine.
  */
 final class LooseVertices {
     private static final Set<String> VERTICES = Set.of("State", "FinalState", "Pseudostate");

@@ -79,7 +79,9 @@ final class Uml2Arcs {
                 .toList();
     }
 
-    /** As drawn, but by Enterprise Architect, which writes the word on every transition that its author left as it was. */
+    /**
+     * As drawn, but by Enterprise Architect, which writes the word on every transition that its author left as it was.
+     */
     private Arc.Kind local(Uml2Element transition, ChartScope<Uml2Element> scope, String source, String target) {
         if (!transition.document().isBy("Enterprise Architect")
                 || (!source.equals(target) && scope.isWithin(target, source))) {

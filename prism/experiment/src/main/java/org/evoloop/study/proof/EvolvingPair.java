@@ -20,8 +20,8 @@ import org.evoloop.statemachine.StateMachine;
 import org.evoloop.xmi.ModelReference;
 
 /**
- * A pair of models that may be swapped for another one of the same device, and back; with numbers, from 1, for states and
- * events of all of them.
+ * A pair of models that may be swapped for another one of the same device, and back; with numbers, from 1, for states
+ * and events of all of them.
  *
  * <p>Threading: immutable.
  *

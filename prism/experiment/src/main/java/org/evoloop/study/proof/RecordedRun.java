@@ -31,8 +31,9 @@ import org.evoloop.statemachine.Transition;
 import org.evoloop.time.ManualClock;
 
 /**
- * A run of the whole converter, with its threads and a journal: somebody presses at random, the device acts by itself, steps
- * fail, timers come, it is stopped and started, other models take over, and its process ends in the middle of everything.
+ * A run of the whole converter, with its threads and a journal: somebody presses at random, the device acts by itself,
+ * steps fail, timers come, it is stopped and started, other models take over, and its process ends in the middle of
+ * everything.
  *
  * <p>Threading: for one thread; the converter has its own.
  */

@@ -15,7 +15,8 @@ import org.evoloop.journal.JournalRecord;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What the core was told in a recorded run, as its journal has it: a line for each input, and one for what it knew then.
+ * What the core was told in a recorded run, as its journal has it: a line for each input, and one for what it knew
+ * then.
  *
  * <p>Threading: for one thread.
  */
@@ -55,7 +56,9 @@ final class RecordedTrace {
         return trace.out.toString();
     }
 
-    /** Whether another process goes on here: it begins a segment, and is opened though the one before was never closed. */
+    /**
+     * Whether another process goes on here: it begins a segment, and is opened though the one before was never closed.
+     */
     private boolean beginsProcess(List<JournalRecord> records, int index) {
         String segment = records.get(index).segment();
         if (index == 0 || segment.equals(records.get(index - 1).segment()) || !core.isOpen()) {

@@ -18,7 +18,10 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import picocli.CommandLine;
 
-/** What a journal tells is what the core was told; {@code ./evoloop study --check} asks the specification whether it agrees. */
+/**
+ * What a journal tells is what the core was told; {@code ./evoloop study --check} asks the specification whether it
+ * agrees.
+ */
 class RecordedTest {
     private static final Path GOLDEN = Path.of(System.getProperty("evoloop.root"), "prism", "proof", "golden");
 

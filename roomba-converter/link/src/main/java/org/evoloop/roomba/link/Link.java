@@ -10,9 +10,9 @@ import org.jspecify.annotations.Nullable;
  *    \-----loss--&gt; lost
  * </pre>
  *
- * <p>A link lives once, and is open from the start: after a loss the owner makes another one. When {@link #receive} tells
- * of the loss everything the link held has been given back, so that the next link to the same robot can be opened at
- * once.
+ * <p>A link lives once, and is open from the start: after a loss the owner makes another one. When {@link #receive}
+ * tells of the loss everything the link held has been given back, so that the next link to the same robot can be opened
+ * at once.
  *
  * <p>Threading: one thread receives; all else may be called from any thread, also from that one.
  *
@@ -26,8 +26,8 @@ public interface Link extends AutoCloseable {
      * Waits for bytes; they come in order and cut anywhere.
      *
      * @param buffer takes the bytes from its start on
-     * @return how many have come; 0 only from a link that does not wait, when there are none; {@link #ENDED} once the link
-     *     is closed or lost, see {@link #loss}
+     * @return how many have come; 0 only from a link that does not wait, when there are none; {@link #ENDED} once the
+     *     link is closed or lost, see {@link #loss}
      */
     int receive(byte[] buffer);
 

@@ -8,8 +8,9 @@ import org.evoloop.roomba.link.LinkException.Fault;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One end of a cable in memory, for tests that run on one thread and always run the same way. What one end sends the other
- * may receive at once; {@link #receive} does not wait. To an end that has ended bytes are lost, as on a real line.
+ * One end of a cable in memory, for tests that run on one thread and always run the same way. What one end sends the
+ * other may receive at once; {@link #receive} does not wait. To an end that has ended bytes are lost, as on a real
+ * line.
  *
  * <p>The cable can be faulty: {@link #hangUp()}, {@link #setReading} and {@link #setNoise}.
  *

@@ -20,9 +20,9 @@ import org.slf4j.LoggerFactory;
  * <p>The port is locked against other programs. What was received before it was opened is dropped. {@link #close} waits
  * until the line has been silent for 100 ms, so that the last command arrives.
  *
- * <p>Threading: {@link #receive} waits inside the operating system. A daemon thread named
- * {@code evoloop-serial-<port>-guard}, which ends with the link, watches over writes. A peer that takes no bytes holds
- * {@link #send} for {@link SerialSettings#sendLimitMillis()} at most; then the link is lost, and bytes that have not reached
+ * <p>Threading: {@link #receive} waits inside the operating system. A daemon thread named {@code
+ * evoloop-serial-<port>-guard}, which ends with the link, watches over writes. A peer that takes no bytes holds {@link
+ * #send} for {@link SerialSettings#sendLimitMillis()} at most; then the link is lost, and bytes that have not reached
  * the peer's end are dropped so that they do not come to the robot late.
  *
  * @since 0.1
@@ -67,8 +67,8 @@ public final class SerialLink implements Link {
     }
 
     /**
-     * Has the serial library loaded, which takes longer than opening a link. A program that has other things to do before
-     * calls this on another thread; whoever needs the library meanwhile waits for it.
+     * Has the serial library loaded, which takes longer than opening a link. A program that has other things to do
+     * before calls this on another thread; whoever needs the library meanwhile waits for it.
      *
      * @throws LinkException if it cannot be loaded
      */
@@ -174,8 +174,8 @@ public final class SerialLink implements Link {
     }
 
     /**
-     * Gives the port back, after the last write has ended: jSerialComm must not be inside a port that closes, or it touches
-     * memory and file descriptors of others. Nobody reads meanwhile.
+     * Gives the port back, after the last write has ended: jSerialComm must not be inside a port that closes, or it
+     * touches memory and file descriptors of others. Nobody reads meanwhile.
      */
     private void release() {
         if (released.getCount() == 0) {

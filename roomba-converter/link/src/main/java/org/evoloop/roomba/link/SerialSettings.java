@@ -28,7 +28,8 @@ public final class SerialSettings {
     /**
      * The settings of a robot as it is delivered, on an adapter whose RTS wakes it.
      *
-     * @param port a path such as {@code /dev/ttyUSB0}, which may be a symbolic link, or a bare name such as {@code ttyUSB0}
+     * @param port a path such as {@code /dev/ttyUSB0}, which may be a symbolic link, or a bare name such as {@code
+     *     ttyUSB0}
      * @throws IllegalArgumentException if the port has no name
      */
     public SerialSettings(String port) {

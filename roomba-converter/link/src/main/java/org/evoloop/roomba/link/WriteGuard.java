@@ -7,11 +7,11 @@ import java.util.concurrent.locks.LockSupport;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Sees to it that a write comes to its end, which a write to a port whose peer does not read never does by itself on Linux:
- * when its time is over it is cut short, again and again until it returns.
+ * Sees to it that a write comes to its end, which a write to a port whose peer does not read never does by itself on
+ * Linux: when its time is over it is cut short, again and again until it returns.
  *
- * <p>Threading: watches on a daemon thread of its own, which sleeps while nothing is written. It is not woken for a write
- * that soon follows another one, and takes no lock that a write could wait for. One write at a time.
+ * <p>Threading: watches on a daemon thread of its own, which sleeps while nothing is written. It is not woken for a
+ * write that soon follows another one, and takes no lock that a write could wait for. One write at a time.
  */
 final class WriteGuard {
     private static final long CUT_INTERVAL_NANOS = MILLISECONDS.toNanos(10);
@@ -40,8 +40,8 @@ final class WriteGuard {
      * Watches from {@link #start} on.
      *
      * @param shortestLimitNanos no write has less time than this
-     * @param cutShort has the port return from reads and writes at once, and drop what stands in its buffers; called every
-     *     10 ms while a write is late, by the guard's thread
+     * @param cutShort has the port return from reads and writes at once, and drop what stands in its buffers; called
+     *     every 10 ms while a write is late, by the guard's thread
      */
     WriteGuard(long shortestLimitNanos, Runnable cutShort, String threadName) {
         this.shortestLimitNanos = shortestLimitNanos;

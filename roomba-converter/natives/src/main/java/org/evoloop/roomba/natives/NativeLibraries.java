@@ -15,18 +15,21 @@ import java.util.UUID;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Loads the native parts of JNA and jSerialComm. Left to themselves both unpack them under names that anybody can guess,
- * and jSerialComm loads what it finds there: in {@code /tmp} that may be somebody else's. Here they come from the jar
- * through a {@link PrivateFolder}, which is gone when they are loaded.
+ * Loads the native parts of JNA and jSerialComm. Left to themselves both unpack them under names that anybody can
+ * guess, and jSerialComm loads what it finds there: in {@code /tmp} that may be somebody else's. Here they come from
+ * the jar through a {@link PrivateFolder}, which is gone when they are loaded.
  *
- * <p>On other systems than Linux the folder for temporary files is the user's own, and the libraries do as they are used to.
+ * <p>On other systems than Linux the folder for temporary files is the user's own, and the libraries do as they are
+ * used to.
  *
  * <p>Threading: thread-safe; whoever needs a library that is being loaded waits for it.
  *
  * @since 0.1
  */
 public final class NativeLibraries {
-    /** How jSerialComm names the machines that JNA names so; those with "arm" are of hard floats, as Raspberry Pi OS. */
+    /**
+     * How jSerialComm names the machines that JNA names so; those with "arm" are of hard floats, as Raspberry Pi OS.
+     */
     private static final Map<String, String> MACHINES = Map.of(
             "linux-x86-64", "x86_64",
             "linux-x86", "x86",

@@ -8,8 +8,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * A folder of a name that nobody can guess, which none but its owner may enter (mode 0700), for files that are loaded as
- * programs. It goes with {@link #close()}; a loaded file goes on without its name.
+ * A folder of a name that nobody can guess, which none but its owner may enter (mode 0700), for files that are loaded
+ * as programs. It goes with {@link #close()}; a loaded file goes on without its name.
  *
  * <p>Most is done with {@link File}: it needs fewer classes, and a program starts only when its libraries are loaded.
  */

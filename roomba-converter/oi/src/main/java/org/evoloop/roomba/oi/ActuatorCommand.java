@@ -255,8 +255,8 @@ public sealed interface ActuatorCommand extends Command {
      * Stores a song under a number.
      *
      * @param number 0 to 4
-     * @param notes 1 to 255; the specification allows {@value #NOTES_PER_SONG}, and robots let more spill over into the songs
-     *     that follow
+     * @param notes 1 to 255; the specification allows {@value #NOTES_PER_SONG}, and robots let more spill over into the
+     *     songs that follow
      */
     record Song(int number, List<Note> notes) implements ActuatorCommand {
         /** How many songs a robot holds. */

@@ -5,8 +5,8 @@ import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The robot's side of the command line: bytes in, commands out, as each command's last byte comes. An unfinished command
- * waits for its bytes for ever, as the specification says of the robot. No byte can make it throw or stall.
+ * The robot's side of the command line: bytes in, commands out, as each command's last byte comes. An unfinished
+ * command waits for its bytes for ever, as the specification says of the robot. No byte can make it throw or stall.
  *
  * <p>Threading: not thread-safe; the consumer is called from {@code feed} and must not call back.
  *

@@ -122,7 +122,9 @@ public enum Opcode {
         return MODE_CHANGING.contains(this);
     }
 
-    /** Whether the command does what one of the robot's cleaning buttons does: it starts work, or pauses that under way. */
+    /**
+     * Whether the command does what one of the robot's cleaning buttons does: it starts work, or pauses that under way.
+     */
     public boolean startsWork() {
         return this == CLEAN || this == SPOT || this == MAX || this == SEEK_DOCK;
     }

@@ -236,8 +236,8 @@ public final class SensorValues {
     }
 
     /**
-     * How full the battery is, 0 to 100 %, from packets 25 and 26; empty if the robot tells no capacity. An old battery tells
-     * more charge than capacity, or underflows below nothing.
+     * How full the battery is, 0 to 100 %, from packets 25 and 26; empty if the robot tells no capacity. An old battery
+     * tells more charge than capacity, or underflows below nothing.
      */
     public OptionalInt batteryPercent() {
         int capacity = batteryCapacityMilliAmpHours();

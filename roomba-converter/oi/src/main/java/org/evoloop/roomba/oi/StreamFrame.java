@@ -24,7 +24,9 @@ public final class StreamFrame {
     public enum Checksum {
         /** All bytes from the header to the checksum add up to 0 in 8 bits. What robots really send. */
         WITH_HEADER,
-        /** As before, but without the header. The form in the Roomba 500's specification; no robot was seen to use it. */
+        /**
+         * As before, but without the header. The form in the Roomba 500's specification; no robot was seen to use it.
+         */
         WITHOUT_HEADER
     }
 

@@ -12,8 +12,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Sees to it that the robot is under control, or left alone, as its user wants it: control that the robot gives up is taken
- * again, a command that got lost is sent again, and a robot that was out of sight is stopped.
+ * Sees to it that the robot is under control, or left alone, as its user wants it: control that the robot gives up is
+ * taken again, a command that got lost is sent again, and a robot that was out of sight is stopped.
  *
  * <p>Threading: not thread-safe, but the methods {@code is...} may be called from any thread.
  */
@@ -24,12 +24,15 @@ final class Control {
     private static final int SETTLING_FRAMES = 4;
 
     /**
-     * A command that ends control shows within a few frames, in the mode; if not there, its motors must have begun by now.
-     * It must not be sent twice if it has arrived: the second Clean ends what the first began.
+     * A command that ends control shows within a few frames, in the mode; if not there, its motors must have begun by
+     * now. It must not be sent twice if it has arrived: the second Clean ends what the first began.
      */
     static final int CONFIRM_FRAMES = ActivityEstimate.START_FRAMES;
 
-    /** What completes a pending command is on the line for 45 ms, and a robot needs 20 ms to digest a change of its mode. */
+    /**
+     * What completes a pending command is on the line for 45 ms, and a robot needs 20 ms to digest a change of its
+     * mode.
+     */
     private static final int DIGEST_FRAMES = 6;
 
     /** Three Safe commands, with whatever was pending completed between. */
@@ -140,8 +143,9 @@ final class Control {
     }
 
     /**
-     * The robot is back. What its owner did to it meanwhile cannot be told from what it shows: cleaning and spot cleaning
-     * look alike. So as soon as it is to be controlled at all, control is taken, which ends whatever it does; then it is on.
+     * The robot is back. What its owner did to it meanwhile cannot be told from what it shows: cleaning and spot
+     * cleaning look alike. So as soon as it is to be controlled at all, control is taken, which ends whatever it does;
+     * then it is on.
      */
     private void comeBackIntoSight() {
         if (outOfSight && engaged && --settlingFrames <= 0) {
@@ -175,8 +179,8 @@ final class Control {
     }
 
     /**
-     * A command should have ended control, and the mode does not show that. What became of it only the motors can tell: the
-     * robot is at work, or it has not received it.
+     * A command should have ended control, and the mode does not show that. What became of it only the motors can tell:
+     * the robot is at work, or it has not received it.
      */
     private void confirm(Command command) {
         if (estimate.isAtWork() && !halted) {
@@ -220,9 +224,9 @@ final class Control {
     }
 
     /**
-     * The robot leaves Safe mode by itself, for instance when it is lifted, and a command may be lost on a noisy line: it
-     * is taken back, tried again until it obeys. On its dock it never does; but so many tries have switched it on, which is
-     * told by true.
+     * The robot leaves Safe mode by itself, for instance when it is lifted, and a command may be lost on a noisy line:
+     * it is taken back, tried again until it obeys. On its dock it never does; but so many tries have switched it on,
+     * which is told by true.
      */
     private boolean takeBack(Telemetry now) {
         SensorValues values = now.values();

@@ -162,7 +162,9 @@ final class RobotReader implements ConnectionOwner {
         listeners.forEach(listener -> listener.changed(before, now, estimate.activity()));
     }
 
-    /** Drives the robot, which was put into Full mode, off its dock, until it is away from it or somebody else moves it. */
+    /**
+     * Drives the robot, which was put into Full mode, off its dock, until it is away from it or somebody else moves it.
+     */
     synchronized void beginUndocking() {
         Telemetry now = latest;
         if (now != null) {
@@ -248,8 +250,8 @@ final class RobotReader implements ConnectionOwner {
     }
 
     /**
-     * What the robot does, if its frames show it for sure; a command that did not make it do so is not sent again. Null if
-     * they do not, or not yet.
+     * What the robot does, if its frames show it for sure; a command that did not make it do so is not sent again. Null
+     * if they do not, or not yet.
      *
      * @param since the number of a frame; what is told has to be newer
      */

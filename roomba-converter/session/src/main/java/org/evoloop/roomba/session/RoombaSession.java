@@ -24,8 +24,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * A conversation with a Roomba: one stream of sensor values, which is the session's only source, and commands. It outlives
- * a cable that is pulled and plugged in again, and a robot that sleeps.
+ * A conversation with a Roomba: one stream of sensor values, which is the session's only source, and commands. It
+ * outlives a cable that is pulled and plugged in again, and a robot that sleeps.
  *
  * <p>Lifecycle: {@link #open}, then {@link #awaitRobot}; {@link #close} stops a robot under control and leaves it in
  * Passive mode; one that works by itself goes on.
@@ -37,8 +37,8 @@ import org.slf4j.LoggerFactory;
  */
 public final class RoombaSession implements DeviceLink, AutoCloseable {
     /**
-     * All that is looked at and nothing else, 48 bytes a frame: the shorter, the more frames pass a noisy line. Fits 57600
-     * baud and above.
+     * All that is looked at and nothing else, 48 bytes a frame: the shorter, the more frames pass a noisy line. Fits
+     * 57600 baud and above.
      */
     public static final List<PacketId> STREAM = List.of(
             Packet.BUMPS_AND_WHEEL_DROPS,
@@ -111,8 +111,8 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
     }
 
     /**
-     * What the robot did when another process saw it last, before {@link #open}: its motors tell whether it still does, and
-     * listeners hear if not.
+     * What the robot did when another process saw it last, before {@link #open}: its motors tell whether it still does,
+     * and listeners hear if not.
      */
     public void assume(ActivityEstimate.EstimatedActivity last) {
         reader.assume(last);
@@ -128,8 +128,9 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
     }
 
     /**
-     * The same for a robot that may come later, as its link may: the session waits for both as it does after they were lost, and
-     * {@link #describe} says so. Returns when the robot has answered, as one that is there and awake soon does, or else is waited for.
+     * The same for a robot that may come later, as its link may: the session waits for both as it does after they were
+     * lost, and {@link #describe} says so. Returns when the robot has answered, as one that is there and awake soon
+     * does, or else is waited for.
      *
      * @param greeting what the robot is sent when it answers for the first time
      * @throws LinkException if the port is there, but is none, or is not for this user
@@ -191,8 +192,8 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
 
     /**
      * Waits until the robot's mode shows that the last command has had its effect; listeners have been told so by then.
-     * Returns at once if its mode does not show that, and after a quarter of a second of frames, or half a second without
-     * any, if it has not shown.
+     * Returns at once if its mode does not show that, and after a quarter of a second of frames, or half a second
+     * without any, if it has not shown.
      *
      * @throws InterruptedException if the thread is told to stop while it waits
      */
@@ -237,8 +238,8 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
     }
 
     /**
-     * Puts the robot under control now, and again whenever it has left Safe mode by itself and is at rest; what it does by
-     * itself without being asked is ended.
+     * Puts the robot under control now, and again whenever it has left Safe mode by itself and is at rest; what it does
+     * by itself without being asked is ended.
      *
      * @throws LinkException if the command could not be sent
      */
@@ -262,8 +263,8 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
     }
 
     /**
-     * Leaves the robot as it is when nobody uses it: in Passive mode, where its buttons act and it falls asleep after five
-     * minutes.
+     * Leaves the robot as it is when nobody uses it: in Passive mode, where its buttons act and it falls asleep after
+     * five minutes.
      *
      * @throws LinkException if the command could not be sent
      */
@@ -358,19 +359,25 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
     }
 
     /**
-     * What the robot does is told to listeners within a quarter of a second, unless it is commanded before; for who has just
-     * told an event of it, and wants to know that nothing else is true.
+     * What the robot does is told to listeners within a quarter of a second, unless it is commanded before; for who has
+     * just told an event of it, and wants to know that nothing else is true.
      */
     public void tellSoon() {
         reader.tellSoon();
     }
 
-    /** The robot's circumstances are told to listeners once more, with the next frame; see {@link SessionListener#changed}. */
+    /**
+     * The robot's circumstances are told to listeners once more, with the next frame; see {@link
+     * SessionListener#changed}.
+     */
     public void tellAgain() {
         reader.tellAgain();
     }
 
-    /** What is known of the robot: see {@link RobotReadings}; nothing while it is out of reach. Of a sleeper, what it told last. */
+    /**
+     * What is known of the robot: see {@link RobotReadings}; nothing while it is out of reach. Of a sleeper, what it
+     * told last.
+     */
     @Override
     public List<Reading> readings() {
         Telemetry now = reader.latest();
@@ -397,7 +404,8 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
     }
 
     /**
-     * Somebody else has stopped the robot and ended its control: listeners are told, see {@link SessionListener#stopped}.
+     * Somebody else has stopped the robot and ended its control: listeners are told, see {@link
+     * SessionListener#stopped}.
      *
      * @param why for people
      */

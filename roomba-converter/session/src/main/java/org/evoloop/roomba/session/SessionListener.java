@@ -38,8 +38,8 @@ public interface SessionListener {
     default void seen(EstimatedActivity activity) {}
 
     /**
-     * The robot's circumstances have changed, or are told again because somebody {@link RoombaSession#tellAgain asked}: then
-     * {@code before} is {@link Circumstances#USUAL}.
+     * The robot's circumstances have changed, or are told again because somebody {@link RoombaSession#tellAgain asked}:
+     * then {@code before} is {@link Circumstances#USUAL}.
      *
      * @param activity what the robot is taken to do
      */

@@ -58,8 +58,8 @@ public final class SessionOptions {
     }
 
     /**
-     * What the robot adds to the OI mode it reports: 1 for some 600 models with Wi-Fi, else 0; empty if the session is to
-     * find out, see {@link org.evoloop.roomba.session.inference.ModeOffset}.
+     * What the robot adds to the OI mode it reports: 1 for some 600 models with Wi-Fi, else 0; empty if the session is
+     * to find out, see {@link org.evoloop.roomba.session.inference.ModeOffset}.
      */
     public OptionalInt modeOffset() {
         return modeOffset;

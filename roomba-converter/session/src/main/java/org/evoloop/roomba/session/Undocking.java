@@ -6,9 +6,9 @@ import org.evoloop.roomba.oi.Command;
 import org.evoloop.roomba.session.inference.ActivityEstimate;
 
 /**
- * Drives the robot backwards off its dock. On the dock it falls back from Safe to Passive mode at once (specification, "Safe
- * Mode"), so the first centimetres are driven in Full mode; as soon as the dock's contacts are gone, Safe mode is on, with the
- * robot's own care for cliffs and wheel drops.
+ * Drives the robot backwards off its dock. On the dock it falls back from Safe to Passive mode at once (specification,
+ * "Safe Mode"), so the first centimetres are driven in Full mode; as soon as the dock's contacts are gone, Safe mode is
+ * on, with the robot's own care for cliffs and wheel drops.
  *
  * <p>Time is counted in frames of the stream, one every 15 ms.
  *

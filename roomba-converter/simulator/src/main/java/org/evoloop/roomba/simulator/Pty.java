@@ -24,8 +24,8 @@ import org.jspecify.annotations.Nullable;
  * A pseudo-terminal: the device's end of a cable whose other end is a file that programs open as a serial port. Linux
  * only.
  *
- * <p>The line is raw and at 115200 baud from the start: no echo, no control characters. It has no RTS or DTR. The kernel
- * ignores the baud rate but {@linkplain #clientBaud() tells it}, so that a wrong one can be simulated.
+ * <p>The line is raw and at 115200 baud from the start: no echo, no control characters. It has no RTS or DTR. The
+ * kernel ignores the baud rate but {@linkplain #clientBaud() tells it}, so that a wrong one can be simulated.
  *
  * <p>Threading: thread-safe, made for one reading and any number of writing threads. No call blocks for longer than
  * {@value #LONGEST_WAIT_MILLIS} ms, and {@link #hangUp()} ends a waiting {@link #read} at once.
@@ -75,12 +75,12 @@ public final class Pty implements AutoCloseable {
     }
 
     /**
-     * A pseudo-terminal that is found under a path that stays the same, a symbolic link that goes with {@link #hangUp()}.
-     * It replaces one that a simulator left behind. The next pseudo-terminal of the same path is the cable plugged in
-     * again.
+     * A pseudo-terminal that is found under a path that stays the same, a symbolic link that goes with {@link
+     * #hangUp()}. It replaces one that a simulator left behind. The next pseudo-terminal of the same path is the cable
+     * plugged in again.
      *
-     * @throws IOException if the system cannot make one, or the path is that of something else than a symbolic link or of
-     *     a simulator that lives
+     * @throws IOException if the system cannot make one, or the path is that of something else than a symbolic link or
+     *     of a simulator that lives
      */
     public static Pty open(Path symlink) throws IOException {
         if (Files.exists(symlink, LinkOption.NOFOLLOW_LINKS) && !Files.isSymbolicLink(symlink)) {
@@ -95,8 +95,8 @@ public final class Pty implements AutoCloseable {
     }
 
     /**
-     * Where a link leads, if its terminal is still the one for which it was made. The kernel gives a terminal the path of
-     * one that is gone; then it is younger than the link.
+     * Where a link leads, if its terminal is still the one for which it was made. The kernel gives a terminal the path
+     * of one that is gone; then it is younger than the link.
      */
     private static Optional<Path> livingTarget(Path symlink) throws IOException {
         try {

@@ -28,7 +28,7 @@ import picocli.CommandLine.Spec;
 
 /**
  * The simulator as a program: a robot at a port, and {@link WorldCommands} on standard input, answered on standard
- * output. It ends with code 0 by the command {@code quit}, the end of its input, SIGTERM or SIGINT; with {@code
+ * output. It ends with code 0 by the command {@code exit}, the end of its input, SIGTERM or SIGINT; with {@code
  * --keep-running}, so that it can run in the background, the end of its input is no reason to end.
  *
  * @since 0.1
@@ -50,7 +50,7 @@ import picocli.CommandLine.Spec;
             "  camera unplug, camera replug     pulls the camera's cable, and plugs it in again",
             "  camera damage P                  damages this part of its pictures, 0 to 1",
             "  state                            prints its true state in JSON",
-            "  help, quit                       the end of the standard input quits, too",
+            "  help, exit                       the end of the standard input ends it, too",
             "",
             "A room file has one object per line, in mm and in degrees counterclockwise",
             "from the x axis; # begins a comment:",
@@ -122,9 +122,9 @@ public final class SimulatorCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws InterruptedException {
-        CountDownLatch quit = new CountDownLatch(1);
+        CountDownLatch exit = new CountDownLatch(1);
         CountDownLatch ended = new CountDownLatch(1);
-        Thread onSignal = new Thread(() -> endBySignal(quit, ended), "simulator-signal");
+        Thread onSignal = new Thread(() -> endBySignal(exit, ended), "simulator-signal");
         Trail trail = new Trail();
         try (Clock clock = new SystemClock();
                 SimulatorServer server = start(clock, trail)) {
@@ -134,8 +134,8 @@ public final class SimulatorCommand implements Callable<Integer> {
             output.println("ready " + server.path());
             server.camera().ifPresent(webcam -> output.println("camera " + webcam.url()));
             output.flush();
-            answerInBackground(new WorldCommands(server), output, quit);
-            quit.await();
+            answerInBackground(new WorldCommands(server), output, exit);
+            exit.await();
             draw(server, trail);
         }
         ended.countDown();
@@ -175,25 +175,25 @@ public final class SimulatorCommand implements Callable<Integer> {
     }
 
     /** A daemon thread, since nothing but the end of input ends a read. */
-    private void answerInBackground(WorldCommands commands, PrintWriter output, CountDownLatch quit) {
-        Thread thread = new Thread(() -> answer(commands, output, quit), "simulator-input");
+    private void answerInBackground(WorldCommands commands, PrintWriter output, CountDownLatch exit) {
+        Thread thread = new Thread(() -> answer(commands, output, exit), "simulator-input");
         thread.setDaemon(true);
         thread.start();
     }
 
-    private void answer(WorldCommands commands, PrintWriter output, CountDownLatch quit) {
+    private void answer(WorldCommands commands, PrintWriter output, CountDownLatch exit) {
         try {
             BufferedReader lines = new BufferedReader(new InputStreamReader(input, StandardCharsets.UTF_8));
             for (String line = lines.readLine(); line != null; line = lines.readLine()) {
                 output.println(commands.execute(line));
                 output.flush();
-                if (commands.hasQuit()) {
-                    quit.countDown();
+                if (commands.hasEnded()) {
+                    exit.countDown();
                     return;
                 }
             }
             if (!keepRunning) {
-                quit.countDown();
+                exit.countDown();
             }
         } catch (IOException failure) {
             LOG.warn("no more commands are read: {}", failure.getMessage());
@@ -201,8 +201,8 @@ public final class SimulatorCommand implements Callable<Integer> {
     }
 
     /** A signal is an ordinary way to end; left alone, the JVM would report it as a failure. */
-    private static void endBySignal(CountDownLatch quit, CountDownLatch ended) {
-        quit.countDown();
+    private static void endBySignal(CountDownLatch exit, CountDownLatch ended) {
+        exit.countDown();
         try {
             if (ended.await(END_LIMIT_SECONDS, TimeUnit.SECONDS)) {
                 Runtime.getRuntime().halt(CommandLine.ExitCode.OK);

@@ -27,7 +27,7 @@ import org.jspecify.annotations.Nullable;
  *   <li>{@code camera damage P}: {@code ok}, this part of its pictures is sent damaged, 0 to 1
  *   <li>{@code state}: the robot's true state in JSON, see {@code RobotState}
  *   <li>{@code help}: these commands
- *   <li>{@code quit}: {@code ok}, and from now on {@link #hasQuit()}
+ *   <li>{@code exit}: {@code ok}, and from now on {@link #hasEnded()}
  * </ul>
  *
  * <p>Everything else is answered by {@code error: } and what is wrong, and changes nothing.
@@ -57,7 +57,7 @@ public final class WorldCommands {
             CAMERA,
             "state",
             "help",
-            "quit");
+            "exit");
     private static final String HELP = String.join("; ", USAGES);
 
     /** The first word of each command. */
@@ -74,7 +74,7 @@ public final class WorldCommands {
     private final SimulatedRoomba robot;
     private final @Nullable Cable cable;
     private final @Nullable Webcam camera;
-    private volatile boolean quit;
+    private volatile boolean ended;
 
     /** Commands for this robot, which has no cable to unplug and no camera. */
     public WorldCommands(SimulatedRoomba robot) {
@@ -102,9 +102,9 @@ public final class WorldCommands {
         }
     }
 
-    /** Whether somebody wants the simulator to end. */
-    public boolean hasQuit() {
-        return quit;
+    /** Whether the simulator was asked to end. */
+    public boolean hasEnded() {
+        return ended;
     }
 
     private String execute(String command, List<String> arguments) throws IOException {
@@ -123,7 +123,7 @@ public final class WorldCommands {
                     "uncover-marker",
                     "state",
                     "help",
-                    "quit" -> {
+                    "exit" -> {
                 requireCount(command, arguments, 0, 0);
                 return act(command);
             }
@@ -142,7 +142,7 @@ public final class WorldCommands {
             case "replug" -> cable().replug();
             case "cover-marker" -> robot.coverMarker(true);
             case "uncover-marker" -> robot.coverMarker(false);
-            case "quit" -> quit = true;
+            case "exit" -> ended = true;
             case "help" -> {
                 return HELP;
             }

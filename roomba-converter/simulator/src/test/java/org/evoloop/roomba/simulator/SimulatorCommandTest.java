@@ -49,7 +49,7 @@ class SimulatorCommandTest {
     @Test
     void itTellsThatItIsReadyAnswersAndQuits() {
         Path link = folder.resolve("roomba");
-        int exitCode = run("press clean\nnonsense\nquit\nstate\n", "--link", link.toString());
+        int exitCode = run("press clean\nnonsense\nexit\nstate\n", "--link", link.toString());
         assertThat(output.toString().lines())
                 .containsExactly(
                         "ready " + link,
@@ -120,7 +120,7 @@ class SimulatorCommandTest {
     @Test
     void aCameraTellsItsAddress() {
         String link = folder.resolve("roomba").toString();
-        assertThat(run("camera stall\nquit\n", "--link", link, "--camera", "0", "--camera-size", "320x240"))
+        assertThat(run("camera stall\nexit\n", "--link", link, "--camera", "0", "--camera-size", "320x240"))
                 .isZero();
         assertThat(output.toString().lines()).hasSize(4).first().isEqualTo("ready " + link);
         assertThat(output.toString().lines().skip(1).findFirst().orElseThrow())
@@ -143,7 +143,7 @@ class SimulatorCommandTest {
     @Test
     void theDrawingIsWrittenAtTheEnd() throws IOException {
         Path svg = folder.resolve("room.svg");
-        assertThat(run("dock\nquit\n", "--link", folder.resolve("roomba").toString(), "--svg", svg.toString()))
+        assertThat(run("dock\nexit\n", "--link", folder.resolve("roomba").toString(), "--svg", svg.toString()))
                 .isZero();
         assertThat(svg).content().startsWith("<svg ").endsWith("</svg>\n");
     }
@@ -162,7 +162,7 @@ class SimulatorCommandTest {
         try (Clock clock = new SystemClock();
                 SimulatorServer living = SimulatorServer.start(link, RobotOptions.defaults(), clock, 1)) {
             Path port = Files.readSymbolicLink(link);
-            assertThat(run("quit\n", "--link", link.toString())).isEqualTo(2);
+            assertThat(run("exit\n", "--link", link.toString())).isEqualTo(2);
             assertThat(errors.toString().lines().findFirst())
                     .contains("cannot start the simulator: " + link + " is the port of a running simulator, " + port
                             + "; end that one or choose another path");
@@ -172,10 +172,10 @@ class SimulatorCommandTest {
         Process killed = inBackground(link);
         killed.destroyForcibly().waitFor();
         assertThat(link).as("left behind").isSymbolicLink();
-        assertThat(run("quit\n", "--link", link.toString())).isZero();
+        assertThat(run("exit\n", "--link", link.toString())).isZero();
 
         Files.createSymbolicLink(link, Path.of("/dev/pts/31415"));
-        assertThat(run("quit\n", "--link", link.toString())).isZero();
+        assertThat(run("exit\n", "--link", link.toString())).isZero();
     }
 
     @Test
@@ -192,7 +192,7 @@ class SimulatorCommandTest {
         }
         try (Pty terminal = younger) {
             assertThat(Files.readSymbolicLink(link)).isEqualTo(terminal.slavePath());
-            assertThat(run("quit\n", "--link", link.toString())).isZero();
+            assertThat(run("exit\n", "--link", link.toString())).isZero();
         }
     }
 

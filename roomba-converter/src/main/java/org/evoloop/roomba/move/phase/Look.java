@@ -1,8 +1,8 @@
 package org.evoloop.roomba.move.phase;
 
 /**
- * Looks around on the spot, from standstill to standstill: where the goal was seen last, or else ahead, then right and left
- * of that, and on until it has come round.
+ * Looks around on the spot, from standstill to standstill: where the goal was seen last, or else ahead, then right and
+ * left of that, and on until it has come round.
  *
  * @param aheadRad where the first look goes, as a heading
  * @param direction how many looks were taken before

@@ -15,9 +15,10 @@ public sealed interface Maneuver {
     double SLOWEST_MM_PER_S = 40;
 
     /**
-     * What may be touched is touched no faster than 100 mm/s, and nothing tells for sure what is in the way: a free line of
-     * sight is thinner than the robot, and a chair's leg fits between two of its light sensors. So the robot never drives
-     * faster than three steps of its speed controller, which knows only multiples of 28.5 mm/s (specification, "Drive").
+     * What may be touched is touched no faster than 100 mm/s, and nothing tells for sure what is in the way: a free
+     * line of sight is thinner than the robot, and a chair's leg fits between two of its light sensors. So the robot
+     * never drives faster than three steps of its speed controller, which knows only multiples of 28.5 mm/s
+     * (specification, "Drive").
      */
     double FASTEST_MM_PER_S = 85;
 
@@ -30,7 +31,10 @@ public sealed interface Maneuver {
     /** So many radians a second for each radian that the goal lies aside. */
     double TURN_PER_RAD = 2;
 
-    /** So many mm/s of each wheel for each radian that is left of a turn on the spot: it slows down for the last 15 degrees. */
+    /**
+     * So many mm/s of each wheel for each radian that is left of a turn on the spot: it slows down for the last 15
+     * degrees.
+     */
     double TURNING_PER_RAD = 570;
 
     Drive STAND = new Drive(new DriveDirect(0, 0));

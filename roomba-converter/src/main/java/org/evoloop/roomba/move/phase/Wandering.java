@@ -25,8 +25,8 @@ final class Wandering {
     private static final double CLEAR_MM = 230;
 
     /**
-     * A mm farther from the goal costs as much as so many mm nearer to a station. As long as the goal was never seen, it is
-     * taken to be where Move began: the owner lets it begin where there is something to be found.
+     * A mm farther from the goal costs as much as so many mm nearer to a station. As long as the goal was never seen,
+     * it is taken to be where Move began: the owner lets it begin where there is something to be found.
      */
     private static final double ASTRAY = 0.3;
 

@@ -1,6 +1,6 @@
 /**
- * What Move does next: from a situation, and from what it is about, to a maneuver and to what it is about then. All of it is
- * immutable, and pure functions; nothing here knows a robot, a sensor or a loop.
+ * What Move does next: from a situation, and from what it is about, to a maneuver and to what it is about then. All of
+ * it is immutable, and pure functions; nothing here knows a robot, a sensor or a loop.
  *
  * <p>This room may use {@code org.evoloop.roomba.oi}, and of {@code org.evoloop.roomba.session} what a robot tells.
  */

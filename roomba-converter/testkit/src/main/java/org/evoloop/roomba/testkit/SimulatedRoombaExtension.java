@@ -20,7 +20,8 @@ import org.junit.jupiter.api.extension.BeforeEachCallback;
 import org.junit.jupiter.api.extension.ExtensionContext;
 
 /**
- * Gives each test a simulated Roomba behind a serial port of its own, which any program can open, and ends it afterwards.
+ * Gives each test a simulated Roomba behind a serial port of its own, which any program can open, and ends it
+ * afterwards.
  *
  * <pre>{@code
  * @RegisterExtension
@@ -37,8 +38,8 @@ import org.junit.jupiter.api.extension.ExtensionContext;
  *
  * <p>Errors: what does not come to hold is an {@link AssertionError} with the state in which the robot was last.
  *
- * <p>Threading: the robot has a thread of its own; all methods may be called from any thread. One object serves one test at a
- * time.
+ * <p>Threading: the robot has a thread of its own; all methods may be called from any thread. One object serves one
+ * test at a time.
  * @since 0.1
  */
 public final class SimulatedRoombaExtension implements BeforeEachCallback, AfterEachCallback {

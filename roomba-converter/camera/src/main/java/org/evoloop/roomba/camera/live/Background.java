@@ -13,13 +13,13 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Has the calling thread work in the background: whoever wakes up with something short to do goes first. Looking at a picture
- * takes some milliseconds, and an event must not wait for that.
+ * Has the calling thread work in the background: whoever wakes up with something short to do goes first. Looking at a
+ * picture takes some milliseconds, and an event must not wait for that.
  *
- * <p>The thread asks for its share of a processor in long slices, which come later, instead of short ones, which come sooner,
- * and is content with a third of the share of others that want the processor as well; with less than that, pictures would
- * stay out where something else is busy. It needs no privilege. Linux knows slices of a thread's own since 6.12; before, they
- * change nothing. Where none of it is allowed, all stays as it is.
+ * <p>The thread asks for its share of a processor in long slices, which come later, instead of short ones, which come
+ * sooner, and is content with a third of the share of others that want the processor as well; with less than that,
+ * pictures would stay out where something else is busy. It needs no privilege. Linux knows slices of a thread's own
+ * since 6.12; before, they change nothing. Where none of it is allowed, all stays as it is.
  *
  * <p>Source: the manual page sched_setattr(2); the C library of Debian 12 does not have that call yet.
  */

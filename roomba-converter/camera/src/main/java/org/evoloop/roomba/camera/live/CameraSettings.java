@@ -51,7 +51,9 @@ public final class CameraSettings {
         this.recordLimitBytes = recordLimitBytes;
     }
 
-    /** The usual marker, 60 degrees, 640x480, two frames in a row, stalled after 300 ms, no recording, or one of 50 MB. */
+    /**
+     * The usual marker, 60 degrees, 640x480, two frames in a row, stalled after 300 ms, no recording, or one of 50 MB.
+     */
     public static CameraSettings of(CameraSource source) {
         return new CameraSettings(
                 source,

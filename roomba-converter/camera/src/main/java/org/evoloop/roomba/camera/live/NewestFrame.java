@@ -7,8 +7,8 @@ import org.evoloop.roomba.camera.vision.Frame;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Hands the newest frame from the thread that reads to the one that looks: three rooms for frames, of which each has one
- * and the third holds the newest. Nobody waits for who looks, unless every frame counts.
+ * Hands the newest frame from the thread that reads to the one that looks: three rooms for frames, of which each has
+ * one and the third holds the newest. Nobody waits for who looks, unless every frame counts.
  *
  * <p>Threading: thread-safe. After {@link #close}, each frame is closed as soon as its thread gives it back.
  */

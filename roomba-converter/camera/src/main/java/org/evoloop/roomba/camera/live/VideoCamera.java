@@ -22,10 +22,12 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * A camera with two daemon threads: {@code evoloop-camera} owns the source and reads all that comes, {@code evoloop-eye}
- * looks for the marker in the newest frame. However slow looking is, no frame ages in a driver's or a server's buffer.
+ * A camera with two daemon threads: {@code evoloop-camera} owns the source and reads all that comes, {@code
+ * evoloop-eye} looks for the marker in the newest frame. However slow looking is, no frame ages in a driver's or a
+ * server's buffer.
  *
- * <p>A source that is not there is no error: it is tried again, and {@link Look#health} says so. Threading: thread-safe.
+ * <p>A source that is not there is no error: it is tried again, and {@link Look#health} says so. Threading:
+ * thread-safe.
  *
  * @since 0.1
  */

@@ -1,5 +1,6 @@
 /**
- * A camera at work: the thread that reads it, the thread that looks, what they pass on, and what state the camera is in.
+ * A camera at work: the thread that reads it, the thread that looks, what they pass on, and what state the camera is
+ * in.
  *
  * <p>This room may use {@code camera}, {@code camera.vision}, {@code natives} and {@code org.evoloop.time}.
  */

@@ -21,8 +21,8 @@ final class Aruco {
     private static final Class<?> PARAMETERS = named(HOME + "DetectorParameters");
 
     /**
-     * Each way; OpenCV's 4 are too few for a blurred marker whose cells are 5 pixels wide: with 8, twice as many are found
-     * from 2.5 m on, and four times as many at 2 m with motion blur.
+     * Each way; OpenCV's 4 are too few for a blurred marker whose cells are 5 pixels wide: with 8, twice as many are
+     * found from 2.5 m on, and four times as many at 2 m with motion blur.
      */
     private static final int SAMPLES_PER_CELL = 8;
 

@@ -20,7 +20,9 @@ import org.opencv.imgproc.Imgproc;
 
 /** Finds an ArUco marker. */
 final class ArucoFinder implements MarkerFinder {
-    /** Takes most of the noise, and with it the candidates for markers that noise makes: detection is five times faster. */
+    /**
+     * Takes most of the noise, and with it the candidates for markers that noise makes: detection is five times faster.
+     */
     private static final Size BLUR = new Size(3, 3);
 
     /** Of a cell; farther away there are other cells' corners, and the edge of the white around the marker. */

@@ -21,8 +21,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Writes AVI until the file is as large as it may be: as MPEG-4 where OpenCV was built with FFmpeg, as in Debian, else as
- * Motion JPEG, whose encoder OpenCV always has.
+ * Writes AVI until the file is as large as it may be: as MPEG-4 where OpenCV was built with FFmpeg, as in Debian, else
+ * as Motion JPEG, whose encoder OpenCV always has.
  */
 final class AviRecorder implements FrameRecorder {
     private static final Scalar OUTLINE = new Scalar(0, 255, 0);

@@ -25,9 +25,9 @@ import org.slf4j.LoggerFactory;
  *
  * <p>Without an answer at either rate the first time, {@link #firstAnswer()} fails; the connection goes on asking.
  *
- * <p>Threading: everything that may take a moment runs on one thread of its own, or, without waiting, on the clock's. Each
- * link is read on a thread named {@code roomba-reader}, or, without waiting, by {@link #poll}. Commands and {@link #close()}
- * may come from any thread.
+ * <p>Threading: everything that may take a moment runs on one thread of its own, or, without waiting, on the clock's.
+ * Each link is read on a thread named {@code roomba-reader}, or, without waiting, by {@link #poll}. Commands and {@link
+ * #close()} may come from any thread.
  *
  * @since 0.1
  */
@@ -143,8 +143,8 @@ public final class Connection {
     }
 
     /**
-     * Completes with the first frame; with a {@link LinkException} if it is closed before. Unless it was opened patiently, also
-     * with a {@link RobotException} if none comes, or a {@link LinkException} if the link is lost.
+     * Completes with the first frame; with a {@link LinkException} if it is closed before. Unless it was opened
+     * patiently, also with a {@link RobotException} if none comes, or a {@link LinkException} if the link is lost.
      */
     public CompletableFuture<Void> firstAnswer() {
         return firstAnswer.future();

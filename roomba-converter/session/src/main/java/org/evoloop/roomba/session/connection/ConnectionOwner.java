@@ -9,8 +9,8 @@ import org.evoloop.roomba.link.Link;
  */
 public interface ConnectionOwner {
     /**
-     * Reads {@code link}, from the first byte on, and tells {@link Connection#answered} of each frame. Returns when nothing more
-     * comes: when the link has ended, or, if it does not wait, for now. Called on the thread that reads.
+     * Reads {@code link}, from the first byte on, and tells {@link Connection#answered} of each frame. Returns when
+     * nothing more comes: when the link has ended, or, if it does not wait, for now. Called on the thread that reads.
      */
     void read(Link link);
 

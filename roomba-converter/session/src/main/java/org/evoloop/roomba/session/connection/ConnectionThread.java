@@ -14,8 +14,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Does a connection's work piece by piece, now or later: on one thread of its own, or, without waiting, on the caller's and
- * the clock's. What fails is logged, and the next piece is done all the same.
+ * Does a connection's work piece by piece, now or later: on one thread of its own, or, without waiting, on the caller's
+ * and the clock's. What fails is logged, and the next piece is done all the same.
  *
  * <p>Threading: all methods may be called from any thread.
  */

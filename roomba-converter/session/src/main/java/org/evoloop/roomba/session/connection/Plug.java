@@ -13,8 +13,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * One end of the cable: the link of the moment, which is replaced by another whenever it is plugged in anew, and the thread
- * that reads it.
+ * One end of the cable: the link of the moment, which is replaced by another whenever it is plugged in anew, and the
+ * thread that reads it.
  *
  * <p>Threading: any thread may send and close; links are replaced and told apart by one thread at a time.
  */

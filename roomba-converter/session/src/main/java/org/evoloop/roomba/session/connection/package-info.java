@@ -1,6 +1,6 @@
 /**
- * Gets a robot on the line and keeps it there: opens links, wakes the robot, asks for its stream, and begins anew when it
- * was lost.
+ * Gets a robot on the line and keeps it there: opens links, wakes the robot, asks for its stream, and begins anew when
+ * it was lost.
  *
  * <p>This room may use {@code org.evoloop.roomba.oi}, {@code org.evoloop.roomba.link} and {@code org.evoloop.time}.
  */

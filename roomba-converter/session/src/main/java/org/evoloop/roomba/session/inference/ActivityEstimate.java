@@ -6,8 +6,8 @@ import org.evoloop.roomba.oi.SensorValues;
 
 /**
  * What the robot does by itself, followed by the rules of its firmware: at work, each of its buttons pauses it; on and
- * idle, they start what they are named after; in standby CLEAN only switches it on. What is seen of its motors while nobody
- * controls its wheels corrects the estimate, whatever the reason: its schedule, an empty battery, being lifted.
+ * idle, they start what they are named after; in standby CLEAN only switches it on. What is seen of its motors while
+ * nobody controls its wheels corrects the estimate, whatever the reason: its schedule, an empty battery, being lifted.
  *
  * <p>Time is counted in frames, as in {@link SpotWatch}.
  *

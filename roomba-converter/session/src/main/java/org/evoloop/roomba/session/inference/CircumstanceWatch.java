@@ -6,9 +6,9 @@ import org.evoloop.roomba.oi.OiMode;
 import org.evoloop.roomba.oi.SensorValues;
 
 /**
- * Follows the robot's circumstances: wheel drops and overcurrents (packets 7 and 14) are trouble, the home base among the
- * charging sources (34) is the dock, and the charging state (21) tells whether that fills the battery. That it sleeps is
- * inferred: it has rested in Passive mode for as long as the specification gives it, and has fallen silent.
+ * Follows the robot's circumstances: wheel drops and overcurrents (packets 7 and 14) are trouble, the home base among
+ * the charging sources (34) is the dock, and the charging state (21) tells whether that fills the battery. That it
+ * sleeps is inferred: it has rested in Passive mode for as long as the specification gives it, and has fallen silent.
  *
  * <p>Time is counted in frames of the stream, one every 15 ms.
  *
@@ -18,8 +18,8 @@ import org.evoloop.roomba.oi.SensorValues;
  */
 public final class CircumstanceWatch {
     /**
-     * A robot that was idle in Passive mode for five minutes sleeps (specification, "Passive Mode"). So many frames must have
-     * been seen of them: on a noisy line one in four is lost.
+     * A robot that was idle in Passive mode for five minutes sleeps (specification, "Passive Mode"). So many frames
+     * must have been seen of them: on a noisy line one in four is lost.
      */
     static final Duration DROWSY = Duration.ofSeconds(200);
 

@@ -6,8 +6,9 @@ import org.evoloop.roomba.oi.SensorValues;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Sees in the OI mode that a command has had its effect, where the mode shows it: Safe and Full put a robot under control,
- * and what starts work or switches off ends that. What a command does to a robot that works by itself shows in its motors, much later.
+ * Sees in the OI mode that a command has had its effect, where the mode shows it: Safe and Full put a robot under
+ * control, and what starts work or switches off ends that. What a command does to a robot that works by itself shows in
+ * its motors, much later.
  *
  * <p>Time is counted in frames of the stream, one every 15 ms.
  *

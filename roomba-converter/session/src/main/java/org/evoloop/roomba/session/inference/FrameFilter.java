@@ -4,8 +4,8 @@ import org.evoloop.roomba.oi.Packet;
 import org.evoloop.roomba.oi.SensorValues;
 
 /**
- * Lets buttons and mode change only when two frames in a row agree. The checksum of a frame has eight bits, so that on a
- * noisy line a spoilt frame now and then passes; a press lasts several frames, so one frame later is soon enough.
+ * Lets buttons and mode change only when two frames in a row agree. The checksum of a frame has eight bits, so that on
+ * a noisy line a spoilt frame now and then passes; a press lasts several frames, so one frame later is soon enough.
  *
  * <p>Threading: not thread-safe.
  *

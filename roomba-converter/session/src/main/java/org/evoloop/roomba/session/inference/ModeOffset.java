@@ -4,9 +4,9 @@ import java.util.OptionalInt;
 import org.evoloop.roomba.oi.OiMode;
 
 /**
- * Finds out what a robot adds to the OI mode that it reports: 1 on some 600 models with Wi-Fi, else 0. The command Start
- * leads to Passive mode from everywhere (specification, "Start"), so a robot that goes on showing the mode above it,
- * however often Start is sent, reports its mode one too high.
+ * Finds out what a robot adds to the OI mode that it reports: 1 on some 600 models with Wi-Fi, else 0. The command
+ * Start leads to Passive mode from everywhere (specification, "Start"), so a robot that goes on showing the mode above
+ * it, however often Start is sent, reports its mode one too high.
  *
  * <p>Time is counted in frames of the stream, one every 15 ms.
  *
@@ -15,7 +15,9 @@ import org.evoloop.roomba.oi.OiMode;
  * @since 0.1
  */
 public final class ModeOffset {
-    /** So long Start must have been sent in vain: 0.5 s. A robot that is in Safe mode obeys sooner, if it hears at all. */
+    /**
+     * So long Start must have been sent in vain: 0.5 s. A robot that is in Safe mode obeys sooner, if it hears at all.
+     */
     static final int SURE_FRAMES = 33;
 
     /** So often Start is sent meanwhile: every 0.12 s. */

@@ -19,7 +19,9 @@ public final class SpotWatch {
     /** How long after its start a spot cleaning must show: 3 s. */
     static final int START_FRAMES = 200;
 
-    /** How long all must be quiet: 1 s. A spiral never stops the wheels that long, a turn after a bump may take less. */
+    /**
+     * How long all must be quiet: 1 s. A spiral never stops the wheels that long, a turn after a bump may take less.
+     */
     public static final int QUIET_FRAMES = 67;
 
     /** No spot cleaning lasts longer: 180 s. */

@@ -5,7 +5,9 @@ import java.util.List;
 import java.util.SplittableRandom;
 import org.evoloop.roomba.simulator.eye.Face.Patch;
 
-/** Paints the fronts of furniture and what hangs on walls: much that is square and full of contrast, as in real rooms. */
+/**
+ * Paints the fronts of furniture and what hangs on walls: much that is square and full of contrast, as in real rooms.
+ */
 final class Decor {
     private static final int[] VIVID = {
         0xC92A2A, 0x1971C2, 0x2F9E44, 0xE8590C, 0x9C36B5, 0x0C8599, 0xF2C037, 0x5C940D, 0x862E9C, 0xD6336C, 0x3B3B45,

@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * What can be chosen about the camera. It looks straight ahead and level from above the robot's centre. What is out of its
- * range is refused with all that is wrong in one message.
+ * What can be chosen about the camera. It looks straight ahead and level from above the robot's centre. What is out of
+ * its range is refused with all that is wrong in one message.
  *
  * <p>Threading: immutable.
  *

@@ -16,9 +16,9 @@ import org.evoloop.roomba.simulator.body.Surroundings;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The robot's program from one boot to the next: it holds mode and activity, and moves both as the specification says in
- * "Open Interface Modes" and the commands' descriptions. What the specification leaves open follows robots in the field:
- * a press is seen in packet 18 and obeyed at once, and cleaning commands start from standby too.
+ * The robot's program from one boot to the next: it holds mode and activity, and moves both as the specification says
+ * in "Open Interface Modes" and the commands' descriptions. What the specification leaves open follows robots in the
+ * field: a press is seen in packet 18 and obeyed at once, and cleaning commands start from standby too.
  */
 final class Firmware {
     /** How long the robot holds down what command Buttons presses: 1/6 s. */

@@ -12,11 +12,11 @@ package org.evoloop.roomba.simulator.robot;
  * </pre>
  *
  * <p>The arrows are presses of the robot's buttons, which it obeys in the modes Off and Passive. The commands Safe and
- * Full lead to ON from everywhere; the commands Clean, Max, Spot and Seek Dock lead from OFF and ON to the activity, and
- * from an activity to ON.
+ * Full lead to ON from everywhere; the commands Clean, Max, Spot and Seek Dock lead from OFF and ON to the activity,
+ * and from an activity to ON.
  *
- * <p>By itself, every activity leads to ON when the robot loses its floor, is stuck or gets onto its dock, and CLEAN leads
- * to DOCK, or without a dock to ON, when the battery is low. Whoever sleeps is OFF.
+ * <p>By itself, every activity leads to ON when the robot loses its floor, is stuck or gets onto its dock, and CLEAN
+ * leads to DOCK, or without a dock to ON, when the battery is low. Whoever sleeps is OFF.
  *
  * @since 0.1
  */

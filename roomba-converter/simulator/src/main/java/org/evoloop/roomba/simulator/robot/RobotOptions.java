@@ -103,8 +103,8 @@ public final class RobotOptions {
     }
 
     /**
-     * How long spot cleaning lasts, {@value #SHORTEST_SPOT_MILLIS} to {@value #LONGEST_SPOT_MILLIS}; iRobot does not tell
-     * how long it is in truth.
+     * How long spot cleaning lasts, {@value #SHORTEST_SPOT_MILLIS} to {@value #LONGEST_SPOT_MILLIS}; iRobot does not
+     * tell how long it is in truth.
      */
     public int spotDurationMillis() {
         return spotDurationMillis;

@@ -21,11 +21,11 @@ import org.slf4j.LoggerFactory;
  *         &lt;--- CLEAN button, wake line, or dock ---------------
  * </pre>
  *
- * <p>Asleep it hears and says nothing; when it wakes its interface is off. So it is for the {@value #BOOT_MILLIS} ms in which
- * it boots after command Reset; its boot text follows.
+ * <p>Asleep it hears and says nothing; when it wakes its interface is off. So it is for the {@value #BOOT_MILLIS} ms in
+ * which it boots after command Reset; its boot text follows.
  *
- * <p>Threading: thread-safe, each call is atomic; it has no threads of its own. The sink is called within calls and must
- * not call back.
+ * <p>Threading: thread-safe, each call is atomic; it has no threads of its own. The sink is called within calls and
+ * must not call back.
  *
  * @since 0.1
  */
@@ -62,8 +62,8 @@ public final class SimulatedRoomba {
     /**
      * A robot that waits to be used.
      *
-     * @param sink takes what the robot sends: whole replies, frames and texts as the line leaves them, in arrays that it
-     *     may keep
+     * @param sink takes what the robot sends: whole replies, frames and texts as the line leaves them, in arrays that
+     *     it may keep
      */
     public SimulatedRoomba(RobotOptions options, Consumer<byte[]> sink) {
         this.options = options;
@@ -173,8 +173,8 @@ public final class SimulatedRoomba {
     }
 
     /**
-     * Somebody presses one of the robot's own buttons. It shows for as many of the ticks to come as the time covers, and
-     * the robot obeys at once. A button that is still down is let go for a moment first, when its time is over.
+     * Somebody presses one of the robot's own buttons. It shows for as many of the ticks to come as the time covers,
+     * and the robot obeys at once. A button that is still down is let go for a moment first, when its time is over.
      * Asleep, CLEAN wakes the robot and turns it on, and the others do nothing; while it boots all of them do nothing.
      *
      * @param durationMillis how long it is held; at least one tick
@@ -195,8 +195,8 @@ public final class SimulatedRoomba {
 
     /**
      * The client pulls the line to the BRC pin low, or lets it go high again. Low for 50 ms wakes the robot, or begins
-     * its idle time anew; three pulses of 50 to 500 ms in the time from 2 to 20 s after power-on or waking make it go to
-     * 19200 baud. A sleepy robot has no such line.
+     * its idle time anew; three pulses of 50 to 500 ms in the time from 2 to 20 s after power-on or waking make it go
+     * to 19200 baud. A sleepy robot has no such line.
      */
     public synchronized void wakeLine(boolean low) {
         if (!options.sleepy() && wakeLine.set(low)) {

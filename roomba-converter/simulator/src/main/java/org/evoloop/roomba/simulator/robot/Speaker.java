@@ -5,8 +5,8 @@ import org.evoloop.roomba.oi.ActuatorCommand.Song;
 import org.evoloop.roomba.simulator.body.Body;
 
 /**
- * Stores songs and plays one at a time. The songs lie one behind the other in its memory: a song of more notes than its place
- * holds takes the places of those after it, and what is beyond the last is lost.
+ * Stores songs and plays one at a time. The songs lie one behind the other in its memory: a song of more notes than its
+ * place holds takes the places of those after it, and what is beyond the last is lost.
  */
 final class Speaker {
     private static final double DURATIONS_PER_SECOND = 64;

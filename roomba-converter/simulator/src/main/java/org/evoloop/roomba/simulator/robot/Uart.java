@@ -2,7 +2,9 @@ package org.evoloop.roomba.simulator.robot;
 
 import java.io.ByteArrayOutputStream;
 
-/** What a serial port reads of bytes that were sent at another rate: the same levels on the wire, looked at too often. */
+/**
+ * What a serial port reads of bytes that were sent at another rate: the same levels on the wire, looked at too often.
+ */
 final class Uart {
     /** A low start bit, eight bits from the lowest on, and a high stop bit. */
     private static final int BITS_PER_BYTE = 10;

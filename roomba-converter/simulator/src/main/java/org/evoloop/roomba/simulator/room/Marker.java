@@ -1,8 +1,8 @@
 package org.evoloop.roomba.simulator.room;
 
 /**
- * An ArUco tag of the dictionary 4x4_50, upright on a white board. It is thin, and unless it is solid in nobody's way: it
- * hangs on a wall, or where a robot can push it aside.
+ * An ArUco tag of the dictionary 4x4_50, upright on a white board. It is thin, and unless it is solid in nobody's way:
+ * it hangs on a wall, or where a robot can push it aside.
  *
  * @param pose the floor beneath its middle, and where it looks
  * @param id 0 to {@value #HIGHEST_ID}

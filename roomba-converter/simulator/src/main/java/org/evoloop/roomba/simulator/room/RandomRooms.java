@@ -42,7 +42,9 @@ public final class RandomRooms {
     /** Farther to the side a marker is seen too narrow from far away. */
     private static final double MOST_ASIDE_RAD = Math.toRadians(50);
 
-    /** Between furniture and the lines from the start to the board's edges: the camera turns about the robot's middle. */
+    /**
+     * Between furniture and the lines from the start to the board's edges: the camera turns about the robot's middle.
+     */
     private static final double SIGHT_CLEARANCE_MM = 100;
 
     /** From a stand to what is around it. */
@@ -71,9 +73,9 @@ public final class RandomRooms {
 
     /**
      * A room with a marker so far from the robot, that can be seen from the start: no furniture is between the two, and
-     * the marker looks at most 50 degrees past the start. Where the robot looks is left to chance, so that it may have to
-     * turn first. {@value #GOAL_MM} mm before the marker, on the way from the start and straight in front of it, there is
-     * room for the robot, and it can get there; but furniture may be close to the way.
+     * the marker looks at most 50 degrees past the start. Where the robot looks is left to chance, so that it may have
+     * to turn first. {@value #GOAL_MM} mm before the marker, on the way from the start and straight in front of it,
+     * there is room for the robot, and it can get there; but furniture may be close to the way.
      */
     public static Room withMarker(long seed, double nearestMm, double farthestMm) {
         if (!(nearestMm >= NEAREST_MARKER_MM && nearestMm < farthestMm && farthestMm <= FARTHEST_MARKER_MM)) {

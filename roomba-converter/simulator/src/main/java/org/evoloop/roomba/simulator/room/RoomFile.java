@@ -58,8 +58,8 @@ public final class RoomFile {
     /**
      * Reads the file.
      *
-     * @throws IllegalArgumentException if it cannot be read or understood; the message names the file, the line and what
-     *     would be right
+     * @throws IllegalArgumentException if it cannot be read or understood; the message names the file, the line and
+     *     what would be right
      */
     public static Room read(Path file) {
         try {

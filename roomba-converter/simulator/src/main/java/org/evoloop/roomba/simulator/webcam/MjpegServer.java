@@ -17,11 +17,11 @@ import org.evoloop.roomba.simulator.webcam.Newest.Numbered;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Serves JPEGs over HTTP on this machine alone: {@value #STREAM} is an endless stream, {@value #FRAME} the next picture,
- * {@code /} a page with the stream. Each client has a thread that sends it the newest picture when it has taken the one
- * before; one that takes none holds up nobody else. A request that is not whole after {@value #REQUEST_SECONDS} s is hung up
- * on, and so is at once whoever comes when {@value #MOST_CONNECTIONS} are connected, or while {@value #MOST_CLIENTS} clients and
- * {@value #MOST_REQUESTS} requests have the threads.
+ * Serves JPEGs over HTTP on this machine alone: {@value #STREAM} is an endless stream, {@value #FRAME} the next
+ * picture, {@code /} a page with the stream. Each client has a thread that sends it the newest picture when it has
+ * taken the one before; one that takes none holds up nobody else. A request that is not whole after {@value
+ * #REQUEST_SECONDS} s is hung up on, and so is at once whoever comes when {@value #MOST_CONNECTIONS} are connected, or
+ * while {@value #MOST_CLIENTS} clients and {@value #MOST_REQUESTS} requests have the threads.
  */
 final class MjpegServer implements AutoCloseable {
     static final String STREAM = "/stream";

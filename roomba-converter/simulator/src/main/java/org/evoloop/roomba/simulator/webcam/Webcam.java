@@ -17,9 +17,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * The robot's camera, served on this machine as motion JPEG, and the faults that cameras have. It is told every state of
- * the robot and shows the newest one as often as it should, by the robot's time; while nobody looks, nothing is drawn.
- * Neither drawing nor clients ever hold up whoever tells it.
+ * The robot's camera, served on this machine as motion JPEG, and the faults that cameras have. It is told every state
+ * of the robot and shows the newest one as often as it should, by the robot's time; while nobody looks, nothing is
+ * drawn. Neither drawing nor clients ever hold up whoever tells it.
  *
  * <p>Threading: thread-safe; it draws on a thread of its own.
  *

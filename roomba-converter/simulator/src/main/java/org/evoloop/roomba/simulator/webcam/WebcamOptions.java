@@ -52,7 +52,10 @@ public final class WebcamOptions {
         return port;
     }
 
-    /** Frames in a second of the robot's time, 0.1 to 60; fewer come when the robot lives so fast that they cannot be made. */
+    /**
+     * Frames in a second of the robot's time, 0.1 to 60; fewer come when the robot lives so fast that they cannot be
+     * made.
+     */
     public double framesPerSecond() {
         return framesPerSecond;
     }
