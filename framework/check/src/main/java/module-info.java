@@ -1,4 +1,4 @@
-/** What is wrong with a pair of models, or likely to surprise. */
+/** Finds errors and likely surprises in a pair of models. */
 module org.evoloop.check {
     requires static org.jspecify;
     requires transitive org.evoloop.core;

@@ -1,4 +1,4 @@
-/** Keeps what a converter is told in a file, so that a crash loses nothing. */
+/** Records a converter's inputs in a file, so that a crash loses nothing. */
 module org.evoloop.journal {
     requires static org.jspecify;
     requires transitive org.evoloop.check;

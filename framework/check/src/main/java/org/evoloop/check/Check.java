@@ -9,10 +9,10 @@ import org.evoloop.evolution.DecisionTable;
 import org.evoloop.evolution.ModelPair;
 
 /**
- * Checks a pair of machines before it runs: all rules of {@link Rule} but {@link Rule#PROPERTY} and those about
+ * Checks a pair of machines before it runs: all rules of {@link Rule} except {@link Rule#PROPERTY} and those about
  * time, {@link Rule#TIME_DEADLOCK}, {@link Rule#TIMER_RACE} and {@link Rule#STEP_OUTLIVES_VISIT}.
  *
- * <p>Threading: none needed, it keeps nothing.
+ * <p>Threading: thread-safe, since it has no state.
  *
  * @since 0.1
  */
@@ -20,7 +20,7 @@ public final class Check {
     private Check() {}
 
     /**
-     * Every breach, ordered by rule and then as drawn. What depends on pairs of states is judged only if the pair is an
+     * All findings, ordered by rule and then as drawn. Rules about pairs of states are checked only if the pair is an
      * evolution, since otherwise no converter could run it.
      */
     public static List<Finding> run(CheckInput input) {
@@ -29,7 +29,7 @@ public final class Check {
         MachineRules original = new MachineRules(Element.ModelRole.ORIGINAL, pair.original());
         MachineRules evolved = new MachineRules(Element.ModelRole.NEW, pair.evolved());
         findings.addAll(original.findings());
-        // What the new model has taken over from the device's is told once, there.
+        // Findings that the new model shares with the device's are reported once, for the latter.
         Set<Breach> known = new HashSet<>();
         findings.forEach(finding -> known.add(Breach.of(finding)));
         evolved.findings().stream()
@@ -48,7 +48,7 @@ public final class Check {
         return List.copyOf(findings);
     }
 
-    /** A finding, whichever machine it is about. */
+    /** A finding without its machine. */
     private record Breach(Rule rule, Object part) {
         static Breach of(Finding finding) {
             return new Breach(finding.rule(), finding.element().part());

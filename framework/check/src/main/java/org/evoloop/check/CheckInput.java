@@ -8,16 +8,17 @@ import org.evoloop.statemachine.Event;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What is checked, and what is known about the converter around it. What is null is not known, and not judged.
+ * The pair to check, and what is known about its converter. A null component is unknown, and the rules that need it are
+ * skipped.
  *
  * <p>Threading: immutable.
  *
  * @param pair need not be an evolution
- * @param device what can be sent, and by which ways
+ * @param device the events that can be sent, and the allowed paths
  * @param functions names of the new states for which a function or a timer is registered
  * @param raised names of the events that monitors and functions raise; time triggers need not be among them
- * @param guards texts of the guards that something is bound to
- * @param effects texts of the effects that something is bound to
+ * @param guards texts of the bound guards
+ * @param effects texts of the bound effects
  * @since 0.1
  */
 public record CheckInput(
@@ -29,8 +30,8 @@ public record CheckInput(
         @Nullable Set<String> effects) {
 
     /**
-     * Of the models alone: every event of the device can be sent, but its time triggers and those that its model
-     * declares to be its own; all guards can be asked.
+     * An input of the models alone: every event of the device can be sent, except its time triggers and those that its
+     * model declares to be its own; all guards can be evaluated.
      */
     public static CheckInput of(ModelPair pair) {
         Set<Event> sendable = new HashSet<>(pair.original().triggers());
@@ -41,12 +42,12 @@ public record CheckInput(
         return new CheckInput(pair, device, null, null, null, null);
     }
 
-    /** The same with another device; guards that can be asked are named by {@link #withGuards}. */
+    /** A copy with another device; {@link #withGuards} sets the bound guards. */
     public CheckInput withDevice(DeviceEvents other) {
         return new CheckInput(pair, other.withBoundGuards(device.boundGuards()), functions, raised, guards, effects);
     }
 
-    /** The same with events that the device takes of its own accord and that cannot be sent. */
+    /** A copy with events that the device takes by itself and that cannot be sent. */
     public CheckInput withOwnEvents(Set<String> names) {
         Set<Event> sendable = new HashSet<>(device.sendable());
         Set<Event> spontaneous = new HashSet<>(device.spontaneous());
@@ -58,22 +59,22 @@ public record CheckInput(
                 sendable, spontaneous, device.costs(), device.doNotPass(), device.boundGuards(), device.onFailure()));
     }
 
-    /** The same with functions. */
+    /** A copy with functions. */
     public CheckInput withFunctions(Set<String> states) {
         return new CheckInput(pair, device, states, raised, guards, effects);
     }
 
-    /** The same with events that somebody raises. */
+    /** A copy with the events that monitors and functions raise. */
     public CheckInput withRaised(Set<String> names) {
         return new CheckInput(pair, device, functions, names, guards, effects);
     }
 
-    /** The same with guards that something is bound to. */
+    /** A copy with bound guards. */
     public CheckInput withGuards(Set<String> texts) {
         return new CheckInput(pair, device.withBoundGuards(texts), functions, raised, texts, effects);
     }
 
-    /** The same with effects that something is bound to. */
+    /** A copy with bound effects. */
     public CheckInput withEffects(Set<String> texts) {
         return new CheckInput(pair, device, functions, raised, guards, texts);
     }

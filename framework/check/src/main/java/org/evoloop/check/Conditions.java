@@ -10,7 +10,7 @@ import org.evoloop.evolution.ModelPair;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 
-/** What a pair needs to be an evolution: the paper's Definition IV.1, and the same start. */
+/** The conditions for an evolution: the paper's Definition IV.1, and the same initial state. */
 final class Conditions {
     private final ModelPair pair;
     private final List<MissingState> missing = new ArrayList<>();
@@ -32,7 +32,7 @@ final class Conditions {
                 .filter(state -> state.matter() == MissingState.Matter.BESIDE_REGION)
                 .toList();
         if (beside.size() > 1) {
-            // Whoever draws a region beside the device's states draws it beside all of them.
+            // A region drawn beside one of the device's states is beside all of them, so it is reported once.
             findings.add(besideOneRegion(beside));
         }
         missing.stream()
@@ -72,7 +72,7 @@ final class Conditions {
     private void initial() {
         State device = pair.original().initial();
         State system = pair.evolved().initial();
-        // Where the device's first state is missing, that is told already.
+        // If the device's initial state is missing, that has already been reported.
         if (!pair.deviceStates(system).contains(device)
                 && missing.stream().noneMatch(state -> state.state().equals(device))) {
             findings.add(new Finding(

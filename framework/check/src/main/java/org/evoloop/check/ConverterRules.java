@@ -9,7 +9,7 @@ import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.Transition;
 
-/** The rules about what the converter's author adds to the new model: functions, events, guards. */
+/** The rules about the code for the new model: functions, events, guards. */
 final class ConverterRules {
     private final CheckInput input;
     private final StateMachine evolved;
@@ -69,7 +69,7 @@ final class ConverterRules {
                     .forEach(transition -> waitedFor.add(transition.event().trigger()));
         }
         for (Event trigger : waitedFor) {
-            // What was meant to be a time trigger is told as that.
+            // An event that was meant to be a time trigger is reported as that.
             if (trigger.timeTrigger().isEmpty()
                     && !MachineRules.looksLikeATimer(trigger)
                     && !raised.contains(trigger.name())) {

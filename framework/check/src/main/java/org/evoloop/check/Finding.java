@@ -8,11 +8,11 @@ import org.evoloop.evolution.Turn;
  *
  * <p>Threading: immutable.
  *
- * @param element what it is about
+ * @param element the part of a model that it is about
  * @param message what is wrong, one sentence without a full stop
  * @param mend how to fix it
- * @param example what happens, from the start, until it shows; empty where it shows in the drawing alone, or at once
- * @param timed the same with times, where they matter; empty where they do not
+ * @param example the turns from the start until it shows; empty if it shows in the drawing itself, or at once
+ * @param timed the example with times, if they matter; else empty
  * @since 0.1
  */
 public record Finding(
@@ -22,12 +22,12 @@ public record Finding(
         timed = List.copyOf(timed);
     }
 
-    /** One in which times do not matter. */
+    /** A finding in which times do not matter. */
     public Finding(Rule rule, Element element, String message, String mend, List<Turn> example) {
         this(rule, element, message, mend, example, List.of());
     }
 
-    /** One that shows in the drawing alone. */
+    /** A finding that shows in the drawing itself. */
     Finding(Rule rule, Element element, String message, String mend) {
         this(rule, element, message, mend, List.of());
     }

@@ -18,9 +18,9 @@ import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.Transition;
 
-/** The rules that one machine can break by itself. */
+/** The rules about a single machine. */
 final class MachineRules {
-    /** What looks like a time trigger to people and is an ordinary event to all else. */
+    /** Names that look like a time trigger to people, but are ordinary events. */
     private static final Pattern LIKE_A_TIMER =
             Pattern.compile("(?i)(?:tm|after|at|when)[\\s(\\[{_]*[0-9]+(?:\\.[0-9]+)?\\s*(?:ms|s|sec|min|h)?[)\\]}]*");
 
@@ -29,7 +29,7 @@ final class MachineRules {
     private final GuardedTriggers guards;
     private final Set<State> reachable = new LinkedHashSet<>();
 
-    /** Time triggers of states around others: they may have run for a while when a state is entered. */
+    /** Time triggers of enclosing states: they may have run for a while when a state is entered. */
     private final Set<String> kept = new HashSet<>();
 
     private final Set<Event> likeTimers = new HashSet<>();
@@ -50,7 +50,7 @@ final class MachineRules {
         }
     }
 
-    /** States to which some sequence of events leads. */
+    /** The reachable states. */
     Set<State> reachable() {
         return reachable;
     }
@@ -160,7 +160,7 @@ final class MachineRules {
         return transition.event().timeTrigger().orElseThrow();
     }
 
-    /** Whether an event that is no time trigger was probably meant to be one. */
+    /** Whether an event that is not a time trigger was probably meant to be one. */
     static boolean looksLikeATimer(Event event) {
         return LIKE_A_TIMER.matcher(event.name()).matches();
     }
@@ -197,7 +197,7 @@ final class MachineRules {
         }
     }
 
-    /** States that are reached and from which no transition leads to another one, though they are drawn as no end. */
+    /** Reachable states from which no transition leads to another one, although they are not drawn as an end. */
     private void traps() {
         if (machine.states().size() == 1) {
             return;

@@ -19,8 +19,8 @@ import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.Transition;
 
 /**
- * Finds what impossible decisions have in common: the state of the device that cannot be reached, or the first event of
- * the drawn way there that cannot be sent.
+ * Groups impossible decisions by their cause: the state of the device that cannot be reached, or the first event on the
+ * drawn path there that cannot be sent.
  */
 final class NoPathCauses {
     private final StateMachine original;
@@ -32,10 +32,10 @@ final class NoPathCauses {
         this.device = device;
     }
 
-    /** Turns of one cause, in order, and what cannot be sent. */
+    /** The turns with one cause, in order, and the events that cannot be sent. */
     record Group(List<Turn> turns, Set<State> targets, Set<Event> unsendable) {}
 
-    /** @param targets the device's states of which one is wanted: several differ in what is remembered */
+    /** @param targets the device's states of which one is wanted; several if they differ in their history */
     void add(Turn turn, List<State> targets) {
         Configuration after = turn.decision().after();
         Optional<Event> missing = firstUnsendable(after.original(), targets);
@@ -63,7 +63,7 @@ final class NoPathCauses {
         return groups;
     }
 
-    /** On the shortest way of all that are drawn; empty if there is none, or all of it can be sent. */
+    /** The event on the shortest drawn path; empty if there is no path, or all of its events can be sent. */
     private Optional<Event> firstUnsendable(State source, List<State> targets) {
         Map<State, Transition> arrivals = new HashMap<>();
         Queue<State> frontier = new ArrayDeque<>(List.of(source));

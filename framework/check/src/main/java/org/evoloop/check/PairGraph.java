@@ -15,7 +15,7 @@ import org.evoloop.evolution.DecisionTable;
 import org.evoloop.evolution.Turn;
 
 /**
- * Every configuration that can be reached without a failure, what can happen in it, and the shortest way there.
+ * Every configuration that is reachable without a failure, its possible turns, and the shortest way to it.
  *
  * <p>Threading: immutable.
  *
@@ -26,7 +26,7 @@ public final class PairGraph {
     private final Map<Configuration, List<Turn>> turns = new LinkedHashMap<>();
     private final Map<Configuration, Turn> arrivals = new HashMap<>();
 
-    /** @param initial where {@code table} was explored from */
+    /** @param initial the configuration from which {@code table} was explored */
     public PairGraph(Configuration initial, DecisionTable table) {
         this.initial = initial;
         Queue<Configuration> frontier = new ArrayDeque<>(List.of(initial));
@@ -60,23 +60,24 @@ public final class PairGraph {
         return taken;
     }
 
-    /** Where both machines start. */
+    /** The initial states of both machines. */
     public Configuration initial() {
         return initial;
     }
 
-    /** Every configuration, first reached first. */
+    /** Every configuration, in the order of exploration. */
     public Set<Configuration> configurations() {
         return Collections.unmodifiableSet(turns.keySet());
     }
 
-    /** What can happen in {@code at}: first what is expected, then what the device may do by itself instead. */
+    /** The possible turns in {@code at}: first the expected ones, then what the device may do by itself instead. */
     public List<Turn> turnsFrom(Configuration at) {
         return Collections.unmodifiableList(turns.getOrDefault(at, List.of()));
     }
 
     /**
-     * The fewest turns that lead to {@code target}; none to the initial configuration, and to one that is not reached.
+     * The fewest turns that lead to {@code target}; empty for the initial configuration, and for one that is not
+     * reachable.
      */
     public List<Turn> wayTo(Configuration target) {
         ArrayDeque<Turn> way = new ArrayDeque<>();
@@ -87,7 +88,7 @@ public final class PairGraph {
         return List.copyOf(way);
     }
 
-    /** The fewest turns that lead to where {@code last} can happen, and {@code last}. */
+    /** The fewest turns that end with {@code last}. */
     public List<Turn> wayOver(Turn last) {
         List<Turn> way = new ArrayList<>(wayTo(last.decision().before()));
         way.add(last);

@@ -20,7 +20,7 @@ import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.Transition;
 
-/** What is good to know of a pair that runs: events without effect, and what the device does on the way. */
+/** Notes on a pair that runs: events without effect, and what the device does on the way to a state. */
 final class PairNotes {
     private static final int NAMED = 3;
 
@@ -75,7 +75,7 @@ final class PairNotes {
                         .noneMatch(each -> each.trigger().equals(event));
     }
 
-    /** Where it cannot, that is told, or meant. */
+    /** If it cannot, that is either reported elsewhere or intended. */
     private boolean canBeLeft(State state) {
         return input.pair().evolved().transitionsFrom(state).stream()
                 .anyMatch(transition -> !transition.target().equals(state));

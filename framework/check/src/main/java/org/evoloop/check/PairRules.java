@@ -15,7 +15,7 @@ import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.Transition;
 
-/** The rules about decisions, in every pair of states that can be reached. */
+/** The rules about decisions, in every reachable pair of states. */
 final class PairRules {
     private final CheckInput input;
     private final DecisionTable table;
@@ -35,7 +35,7 @@ final class PairRules {
     private final NoPathCauses noPath;
     private final NoPathCauses hazards;
 
-    /** States of the device to which no events that can be sent lead where that is wanted. */
+    /** States of the device that some decision needs but that no events that can be sent lead to. */
     private final Set<State> unreached = new HashSet<>();
 
     PairRules(
@@ -134,7 +134,7 @@ final class PairRules {
         impossible(Rule.HAZARD, group.turns(), "nothing, if the event may fail then; the state is entered anew");
     }
 
-    /** @param turns that have one cause */
+    /** @param turns the turns with one cause */
     private void impossible(Rule rule, List<Turn> turns, String mend) {
         Turn first = turns.get(0);
         Decision.Impossible decision = (Decision.Impossible) first.decision();
@@ -174,7 +174,9 @@ final class PairRules {
         }
     }
 
-    /** A state of the device that the new model never enters is an unreachable state, or has no path. */
+    /**
+     * A state of the device that the new model never enters is reported as an unreachable state, or as having no path.
+     */
     private boolean isToldOtherwise(Transition transition) {
         return !isEntered(transition.source())
                 || !isEntered(transition.target())

@@ -3,8 +3,8 @@ package org.evoloop.check;
 import java.util.Locale;
 
 /**
- * What is checked; the identifier is the name in lower case with hyphens, such as {@code dead-transition}. The order is
- * that of findings.
+ * The rules; the identifier is the name in lower case with hyphens, such as {@code dead-transition}. Findings are in
+ * this order.
  *
  * @since 0.1
  */
@@ -15,11 +15,11 @@ public enum Rule {
     CONDITION_2(Severity.ERROR),
     /** The two machines start in different states. */
     INITIAL_DIFFERS(Severity.ERROR),
-    /** Two transitions of a state count at the same time. */
+    /** Two transitions of a state are enabled at the same time. */
     NONDETERMINISM(Severity.ERROR),
     /** No sequence of events leads to a state. */
     UNREACHABLE_STATE(Severity.WARNING),
-    /** A transition can never be taken, since another one counts whenever it would. */
+    /** A transition can never be taken, since another one always takes precedence. */
     DEAD_TRANSITION(Severity.WARNING),
     /** A state that is entered and never left. */
     TRAP_STATE(Severity.WARNING),
@@ -27,35 +27,35 @@ public enum Rule {
     UNSENDABLE_EVENT(Severity.ERROR),
     /** A new state has no function. */
     NO_FUNCTION(Severity.ERROR),
-    /** A decision needs a way through the device's states that does not exist or cannot be sent. */
+    /** A decision needs a path through the device's states that does not exist or cannot be sent. */
     NO_PATH(Severity.ERROR),
-    /** The same, but only after the device has done by itself what it could have been asked for. */
+    /** As {@link #NO_PATH}, but only after the device has done by itself what could have been sent to it. */
     HAZARD(Severity.NOTE),
-    /** Something that the device does can no longer be had from anywhere. */
+    /** Something that the device does is no longer available anywhere. */
     DEGRADATION(Severity.WARNING),
     /** A time trigger that never comes. */
     TIMER_CANNOT_FIRE(Severity.WARNING),
     /** The new model waits for an event that is never raised. */
     UNRAISED_EVENT(Severity.WARNING),
-    /** A guard of the new model that nothing is bound to. */
+    /** An unbound guard of the new model. */
     UNBOUND_GUARD(Severity.ERROR),
-    /** An effect of the new model that nothing is bound to and that the device does not do itself. */
+    /** An unbound effect of the new model that the device does not run itself. */
     UNBOUND_EFFECT(Severity.ERROR),
-    /** Different guards of one trigger may hold at once; the one drawn first counts. */
+    /** Different guards of one trigger may hold at once; the one drawn first is taken. */
     GUARD_OVERLAP(Severity.NOTE),
     /** An event of the device that does nothing in a new state, though the device would act on it. */
     SWALLOWED_EVENT(Severity.NOTE),
-    /** A way leads through a state of the device in which the device does something by itself. */
+    /** A path leads through a state of the device in which the device does something by itself. */
     PASSED_EFFECT(Severity.NOTE),
-    /** A step of a plan may fail where no way leads back, or no other way on, though that is asked for. */
+    /** A step of a plan may fail where the configured recovery, a way back or another path, does not exist. */
     NO_FALLBACK(Severity.WARNING),
-    /** Something must happen before time can pass, and nothing that could happen lets it pass. */
+    /** Something must happen before time can pass, but nothing that can happen lets it pass. */
     TIME_DEADLOCK(Severity.ERROR),
     /** Two timers are due in one instant. */
     TIMER_RACE(Severity.WARNING),
-    /** A timer is due while a step of its own visit is still on its way to the device. */
+    /** A timer is due while a step of its own visit is still being sent. */
     STEP_OUTLIVES_VISIT(Severity.WARNING),
-    /** A property that was written down for the pair does not hold. */
+    /** A property of the pair does not hold. */
     PROPERTY(Severity.ERROR);
 
     private final Severity severity;
@@ -64,22 +64,22 @@ public enum Rule {
         this.severity = severity;
     }
 
-    /** How bad a breach is. */
+    /** The severity of a finding. */
     public enum Severity {
         /** A converter of this pair would be refused, or would fail. */
         ERROR,
-        /** It would run, but hardly as it was meant. */
+        /** It would run, but probably not as intended. */
         WARNING,
-        /** Good to know. */
+        /** For information. */
         NOTE
     }
 
-    /** How bad a breach of this rule is. */
+    /** The severity of a violation of this rule. */
     public Severity severity() {
         return severity;
     }
 
-    /** As users read and write it: {@code dead-transition}. */
+    /** The identifier that users read and write: {@code dead-transition}. */
     public String id() {
         return name().toLowerCase(Locale.ROOT).replace('_', '-');
     }

@@ -13,8 +13,8 @@ import org.evoloop.statemachine.ModelException;
  *
  * <p>Threading: immutable.
  *
- * @param element as findings call it
- * @param line where it stands in its file, from 1
+ * @param element the element's name in findings
+ * @param line its line in the file, from 1
  * @since 0.1
  */
 public record RuleSwitch(Rule rule, String element, String reason, int line) {
@@ -22,11 +22,11 @@ public record RuleSwitch(Rule rule, String element, String reason, int line) {
             Pattern.compile("off\\s+(\\S+?)(?:\\s+(?:\"([^\"]*)\"|([^:]*?)))?\\s*(?::(.*))?");
 
     /**
-     * Reads one line with all that goes on with it.
+     * Parses one line, including its continuation lines.
      *
-     * @param isElement whether a model has something of this name
-     * @return empty if it is no switch
-     * @throws ModelException if it is one, and not understood
+     * @param isElement whether a model has an element of this name
+     * @return empty if it is not a switch
+     * @throws ModelException if it is a switch that cannot be understood
      */
     static Optional<RuleSwitch> parse(String text, int line, Predicate<String> isElement) {
         Matcher form = FORM.matcher(text);
@@ -65,7 +65,7 @@ public record RuleSwitch(Rule rule, String element, String reason, int line) {
         return finding.rule() == rule && finding.element().toString().equals(element);
     }
 
-    /** Whether it is known to be of no use where no finding was switched off: not for what may not have been judged. */
+    /** Whether it is certainly useless if it matches no finding. It is not for rules that may not have been checked. */
     boolean isAlwaysJudged() {
         return switch (rule) {
             case NO_FUNCTION, UNRAISED_EVENT, UNBOUND_GUARD, UNBOUND_EFFECT -> false;

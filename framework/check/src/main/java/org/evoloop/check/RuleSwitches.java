@@ -12,7 +12,7 @@ import org.evoloop.statemachine.StateMachine;
  *
  * <p>Threading: immutable.
  *
- * @param rest the rest of the file's text, with every line where it was
+ * @param rest the rest of the file's text, with unchanged line numbers
  * @since 0.1
  */
 public record RuleSwitches(String file, List<RuleSwitch> all, String rest) {
@@ -26,7 +26,7 @@ public record RuleSwitches(String file, List<RuleSwitch> all, String rest) {
     }
 
     /**
-     * Reads a file's text.
+     * Parses a file's text.
      *
      * @param file for messages
      * @throws ModelException naming file, line and remedy of everything that cannot be understood
@@ -80,12 +80,12 @@ public record RuleSwitches(String file, List<RuleSwitch> all, String rest) {
                         .anyMatch(transition -> transition.toString().equals(name));
     }
 
-    /** The findings that no switch concerns. */
+    /** The findings that no switch matches. */
     public List<Finding> left(List<Finding> findings) {
         return findings.stream().filter(finding -> switchOf(finding).isEmpty()).toList();
     }
 
-    /** What is switched off of {@code findings}. */
+    /** The switched-off ones of {@code findings}. */
     public List<SwitchedOff> off(List<Finding> findings) {
         return findings.stream()
                 .flatMap(finding ->
@@ -99,7 +99,7 @@ public record RuleSwitches(String file, List<RuleSwitch> all, String rest) {
         return all.stream().filter(each -> each.concerns(finding)).findFirst();
     }
 
-    /** A message for each switch that concerns none of {@code findings}. */
+    /** A message for each switch that matches none of {@code findings}. */
     public List<String> useless(List<Finding> findings) {
         return all.stream()
                 .filter(each -> each.isAlwaysJudged() && findings.stream().noneMatch(each::concerns))
@@ -109,9 +109,9 @@ public record RuleSwitches(String file, List<RuleSwitch> all, String rest) {
     }
 
     /**
-     * A finding that does not count.
+     * A switched-off finding.
      *
-     * @param where the switch stands
+     * @param where the place of the switch
      */
     public record SwitchedOff(Finding finding, String reason, String where) {}
 }

@@ -15,7 +15,7 @@ import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.Transition;
 
-/** The states to which nothing leads, without those to which only such states lead. */
+/** The unreachable states to which nothing leads, without those to which only other unreachable states lead. */
 final class UnreachableStates {
     private final StateMachine machine;
     private final Set<State> reachable;
@@ -26,14 +26,14 @@ final class UnreachableStates {
     }
 
     /**
-     * The fewest states from which all that are unreachable can be reached, each with the others that it leads to. Of
-     * states that lead to each other it is one of them.
+     * The smallest set of states from which all unreachable ones can be reached, each with the others to which it
+     * leads. Of states that lead to each other, one is chosen.
      */
     Map<State, Set<State>> roots() {
         Map<State, Set<State>> roots = new LinkedHashMap<>();
         Set<State> told = new HashSet<>(reachable);
         List<State> finished = finished();
-        // Whatever leads to a state and not back has finished after it.
+        // A state that leads to another one, but not back, has finished after it.
         for (int i = finished.size() - 1; i >= 0; i--) {
             if (told.add(finished.get(i))) {
                 roots.put(finished.get(i), below(finished.get(i), told));

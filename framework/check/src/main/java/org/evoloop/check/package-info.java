@@ -1,9 +1,9 @@
 /**
- * The checks of an evolution at design time: named rules over two state machines and every pair of their states that
- * can be reached, found by the very decisions that run. {@link org.evoloop.check.Check} is the way in.
+ * The checks of an evolution at design time: named rules about two state machines and every reachable pair of their
+ * states, computed from the same decisions as at run time. {@link org.evoloop.check.Check} is the entry point.
  *
  * <p>This package may use {@code org.evoloop.evolution} and {@code org.evoloop.statemachine} only. It knows no files:
- * who reads models from files knows where an {@link org.evoloop.check.Element} stands.
+ * the code that reads models from files knows the place of an {@link org.evoloop.check.Element}.
  */
 @NullMarked
 package org.evoloop.check;

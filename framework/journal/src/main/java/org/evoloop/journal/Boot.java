@@ -4,9 +4,9 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 
-/** Which start of the computer this is: what a killed process wrote is whole until the next. */
+/** Identifies the present boot of the computer: what a killed process wrote stays complete until the next boot. */
 final class Boot {
-    /** Empty where the system does not tell. */
+    /** Empty if the system does not provide it. */
     static final String ID = read();
 
     private Boot() {}

@@ -7,8 +7,8 @@ import java.util.HashMap;
 import java.util.Map;
 
 /**
- * One record being written, again and again in the same memory. Whole numbers take as many bytes as they need; a name
- * is spelt out where a segment uses it first, and is a number from then on.
+ * The record being written, in reused memory. Whole numbers take as many bytes as they need; a name is spelt out at its
+ * first use in a segment, and is a number from then on.
  */
 final class Bytes {
     private final Map<String, Integer> names = new HashMap<>();
@@ -19,7 +19,7 @@ final class Bytes {
         length = 0;
     }
 
-    /** Another segment begins: all names are new to it. */
+    /** Forgets all names, since another segment begins. */
     void forgetNames() {
         names.clear();
     }
@@ -43,7 +43,7 @@ final class Bytes {
         octet(value ? 1 : 0);
     }
 
-    /** Seven bits a byte, the lowest first; small numbers below zero are short, too. */
+    /** Seven bits per byte, lowest first; small negative numbers are short, too. */
     void number(long value) {
         long left = (value << 1) ^ (value >> 63);
         while ((left & ~0x7FL) != 0) {
@@ -60,7 +60,7 @@ final class Bytes {
         }
     }
 
-    /** A text that need not come again. */
+    /** A text that is unlikely to be repeated. */
     void text(String text) {
         byte[] encoded = text.getBytes(StandardCharsets.UTF_8);
         number(encoded.length);
@@ -69,7 +69,7 @@ final class Bytes {
         }
     }
 
-    /** A text of the models, or another that comes again. */
+    /** A text of the models, or another that is repeated. */
     void name(String name) {
         Integer known = names.get(name);
         if (known != null) {

@@ -6,7 +6,7 @@ import java.util.List;
 
 /** Reads what {@link Bytes} writes, from one record to the next of a segment. */
 final class Cursor {
-    /** What a record's bytes cannot be, although they match its checksum. */
+    /** A record's bytes make no sense, although they match its checksum. */
     static final class Senseless extends RuntimeException {
         Senseless(String what) {
             super(what, null, false, false);
@@ -60,7 +60,7 @@ final class Cursor {
         throw new Senseless("a number is too long");
     }
 
-    /** How many of something follow; each takes a byte at least. */
+    /** The count of the items that follow; each takes at least a byte. */
     int count() {
         long count = number();
         if (count < 0 || count > end - at) {

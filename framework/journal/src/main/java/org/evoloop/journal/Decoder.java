@@ -26,13 +26,13 @@ final class Decoder {
     private final Cursor cursor;
     private final Rules rules;
 
-    /** @param rules by which the segment was written */
+    /** @param rules the rules by which the segment was written */
     Decoder(Cursor cursor, Rules rules) {
         this.cursor = cursor;
         this.rules = rules;
     }
 
-    /** The input of one record. @throws Cursor.Senseless if it is none */
+    /** The input of one record. @throws Cursor.Senseless if it is not an input */
     Input read(int from, int length) {
         cursor.goTo(from, length);
         Input input = read(Kind.of(cursor.octet()));

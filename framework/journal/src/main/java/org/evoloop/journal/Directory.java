@@ -20,7 +20,7 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** The segments of a journal, and the lock by which one process has them. */
+/** The segments of a journal, and the lock that reserves them for one process. */
 final class Directory implements AutoCloseable {
     static final String DAMAGED =
             "The journal is damaged; restore a copy of its directory, or move that away to begin without it";
@@ -33,7 +33,7 @@ final class Directory implements AutoCloseable {
     private final ArrayDeque<Piece> pieces = new ArrayDeque<>();
     private long total;
 
-    /** A segment, and what it takes on the disk. */
+    /** A segment, and its size on the disk. */
     private record Piece(Path file, long bytes) {}
 
     /** @throws JournalException if it cannot be written, or another process has it */
@@ -96,8 +96,8 @@ final class Directory implements AutoCloseable {
     }
 
     /**
-     * The last segments, oldest first, as many as hold {@code bytes}, and two at least. One that was only being created
-     * is no segment, and is deleted.
+     * The last segments, oldest first, as many as hold {@code bytes}, and at least two. One whose creation was not
+     * completed does not count, and is deleted.
      */
     List<Path> last(int bytes) {
         for (Path file : segments(path)) {
@@ -108,7 +108,7 @@ final class Directory implements AutoCloseable {
             total -= newest.bytes();
             long written = SegmentReader.writtenBytes(newest.file());
             if (written > 0) {
-                // A killed process leaves the room behind that it did not need.
+                // A killed process leaves the unused room allocated.
                 add(newest.file(), written);
             } else {
                 LOG.info("{} was being created when its process ended, and is left out", newest.file());
@@ -137,7 +137,7 @@ final class Directory implements AutoCloseable {
         return path.resolve(String.format(Locale.ROOT, "%010d", number) + SUFFIX);
     }
 
-    /** The file of a segment that is being prepared; one that a process has left behind is gone. */
+    /** The file of a segment that is being prepared; deletes one that an earlier process has left. */
     Path prepared() throws IOException {
         Path file = path.resolve("prepared");
         Files.deleteIfExists(file);
@@ -149,8 +149,8 @@ final class Directory implements AutoCloseable {
     }
 
     /**
-     * Forgets the oldest segments until the others take {@code bytes} at most; two stay in any case. They are to be
-     * deleted.
+     * Removes the oldest segments from the list until the others take at most {@code bytes}; two always stay. Returns
+     * the removed ones, to be deleted.
      */
     List<Path> outgrown(long bytes) {
         List<Path> files = new ArrayList<>();
@@ -162,7 +162,9 @@ final class Directory implements AutoCloseable {
         return files;
     }
 
-    /** Puts the names of new files on the disk; where a directory cannot be opened, the system does that by itself. */
+    /**
+     * Forces the names of new files to the disk; where a directory cannot be opened, the system does that by itself.
+     */
     static void force(Path directory) {
         try (FileChannel channel = FileChannel.open(directory, StandardOpenOption.READ)) {
             channel.force(true);

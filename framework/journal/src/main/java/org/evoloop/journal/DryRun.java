@@ -16,12 +16,11 @@ import org.evoloop.rehearsal.Verdict;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What other models would have made of what a converter was told, event by event.
+ * Finds out, event by event, what other models would have decided on a converter's inputs.
  *
- * <p>The events, the device's own acts and their times are those of the journal: what the device would have done
- * otherwise nobody knows. A step that failed fails again; others succeed. Timers are due when the other models have
- * them. An event of a new function happens again only where the other models are in the state of that function. Guards
- * hold that held then.
+ * <p>The events, the device's own actions and their times are those of the journal; what else the device might have
+ * done is unknown. A step that failed fails again; others succeed. Timers are due by the other models. An event of a
+ * new function happens again only if the other models are in the state of that function. A guard holds if it held then.
  *
  * <p>Threading: not thread-safe.
  *
@@ -39,11 +38,11 @@ public final class DryRun {
     private long lastNanos;
 
     /**
-     * A property of the other models that the events break.
+     * A property of the other models that the recorded events violate.
      *
-     * @param at when
-     * @param occurrence the event that breaks it; null if it is broken where the journal begins
-     * @param where the other models stand then
+     * @param at the time
+     * @param occurrence the event that violates it; null if it is violated where the journal begins
+     * @param where the other models' states then
      */
     public record Broken(
             Property property, Instant at, @Nullable Occurrence occurrence, Configuration where) {
@@ -60,12 +59,12 @@ public final class DryRun {
     }
 
     /**
-     * What came of it.
+     * The result of a dry run.
      *
      * @param events how many were compared
-     * @param differences in order
-     * @param broken in order of their events
-     * @param open the properties that ask for something that had not come when the journal ended
+     * @param differences the differences, in order
+     * @param broken the violations, in the order of their events
+     * @param open the properties that require something that had not come when the journal ended
      */
     public record Result(long events, List<Difference> differences, List<Broken> broken, List<Property> open) {
         public Result {
@@ -85,7 +84,7 @@ public final class DryRun {
      * Runs a journal through other models; the journal is only read.
      *
      * @param models a valid pair
-     * @param properties of these models, that are watched meanwhile
+     * @param properties the properties of these models to watch
      * @throws JournalException if the journal is damaged
      */
     public static Result of(JournalFiles journal, ModelPair models, List<Property> properties) {
@@ -110,7 +109,7 @@ public final class DryRun {
         }
     }
 
-    /** Goes on where the segment before has ended; on another clock as after a restart. */
+    /** Continues where the previous segment ended; on another clock, as after a restart. */
     private void goOn(Told told) {
         Head before = last;
         Head head = told.head();

@@ -15,12 +15,12 @@ import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.Transition;
 import org.jspecify.annotations.Nullable;
 
-/** Writes down each input that it is told; {@link Decoder} reads it. */
+/** Encodes each input that it receives; {@link Decoder} reads it. */
 final class Encoder implements Inputs {
     Bytes bytes = new Bytes();
     private final Masks masks;
 
-    /** @param masks what is not written */
+    /** @param masks the values that are not written */
     Encoder(Masks masks) {
         this.masks = masks;
     }
@@ -35,7 +35,7 @@ final class Encoder implements Inputs {
         bytes.number(number);
     }
 
-    /** @throws IllegalStateException since other models stand in the head of another segment */
+    /** @throws IllegalStateException always, since other models are written in the head of a new segment */
     @Override
     public void evolved(Swap swap, long atNanos) {
         throw new IllegalStateException("other models are no record");
@@ -214,7 +214,7 @@ final class Encoder implements Inputs {
         bytes.text(reason);
     }
 
-    /** The rules stand in the head of the segment, see {@link Recorder#changed}. */
+    /** The rules are written in the head of the segment, see {@link Recorder#changed}. */
     @Override
     public void changed(Rules rules, long atNanos) {
         begin(Kind.CHANGED, atNanos);

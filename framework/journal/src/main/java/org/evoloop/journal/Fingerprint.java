@@ -10,13 +10,13 @@ import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.Transition;
 
-/** What two pairs of models have in common if one can go on with the journal of the other. */
+/** A fingerprint of two models: pairs with the same one can continue each other's journal. */
 final class Fingerprint {
     private static final int DIGITS = 16;
 
     private Fingerprint() {}
 
-    /** Of everything in both models that decides how a converter behaves, in hexadecimal digits. */
+    /** The fingerprint of everything in both models that determines a converter's behaviour, in hexadecimal digits. */
     static String of(ModelPair models) {
         StringBuilder text = new StringBuilder();
         describe(models.original(), text);
@@ -46,7 +46,7 @@ final class Fingerprint {
         }
     }
 
-    /** All but its name, which may be that of the file it was read from: that may move. */
+    /** Everything except its name, which may be that of the file that it was read from: the file may be moved. */
     private static void describe(StateMachine machine, StringBuilder text) {
         text.append(machine.initial()).append('\n');
         text.append(machine.spontaneous().stream().sorted().toList()).append('\n');

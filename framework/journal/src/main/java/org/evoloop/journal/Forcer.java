@@ -10,9 +10,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Puts on the disk what was written, every {@value #PERIOD_MILLIS} ms while something is, and does the chores that no
- * event has to wait for, such as closing segments and deleting files. It sleeps when nothing was written for {@value
- * #AWAKE_PERIODS} periods, so that an event seldom has to wake it.
+ * Forces written data to the disk, every {@value #PERIOD_MILLIS} ms while there is any, and does the work for which no
+ * event has to wait, such as closing segments and deleting files. It sleeps when nothing was written for {@value
+ * #AWAKE_PERIODS} periods, so that events rarely have to wake it.
  */
 final class Forcer implements AutoCloseable {
     static final int PERIOD_MILLIS = 100;
@@ -32,9 +32,9 @@ final class Forcer implements AutoCloseable {
     }
 
     /**
-     * From now on {@code next} is written.
+     * Sets the segment that is written from now on.
      *
-     * @param chore what there is to do about those before it
+     * @param chore the work left for the previous segments
      */
     void use(Segment next, Runnable chore) {
         segment = next;
@@ -68,7 +68,7 @@ final class Forcer implements AutoCloseable {
 
     private void sleep() {
         asleep = true;
-        // Whoever wrote before it saw that has woken nobody.
+        // A write before {@code asleep} was set woke no thread, so the flags are checked again.
         while (asleep && !closed && chores.isEmpty() && !isDirty()) {
             LockSupport.park(this);
         }

@@ -20,16 +20,16 @@ import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
 
 /**
- * The first record of a segment: by what it was written, and when.
+ * The first record of a segment: the rules by which it was written, and the time.
  *
- * @param fingerprint of the models, see {@link Fingerprint}
- * @param built of the models with which the converter was built, and from which it may have evolved
+ * @param fingerprint the fingerprint of the models, see {@link Fingerprint}
+ * @param built the fingerprint of the models with which the converter was built, and from which it may have evolved
  * @param models both models
- * @param boot which start of the computer it was written in; empty if that cannot be told
+ * @param boot the boot of the computer in which it was written; empty if unknown
  * @param wallNanos the time of day when the segment began, in nanoseconds since 1970
  * @param nowNanos the converter's monotonic clock at that moment
- * @param device what passed between converter and device
- * @param timers of the states that have any
+ * @param device the events between converter and device
+ * @param timers the timers of the states that have any
  * @param queueCapacity see {@link Rules}
  */
 record Head(
@@ -65,7 +65,7 @@ record Head(
                 rules.queueCapacity());
     }
 
-    /** Whether a core goes by the same as {@code other} says. */
+    /** Whether {@code other} has the same rules. */
     boolean hasRulesOf(Head other) {
         return fingerprint.equals(other.fingerprint)
                 && device.equals(other.device)
@@ -74,7 +74,8 @@ record Head(
     }
 
     /**
-     * By what the segment was written; {@code present} has decisions to begin with if its models have this fingerprint.
+     * The rules by which the segment was written; starts with the decisions of {@code present} if its models have this
+     * fingerprint.
      */
     Rules rules(Rules present, String presentFingerprint) {
         if (!fingerprint.equals(presentFingerprint)) {
@@ -87,7 +88,7 @@ record Head(
         return new Rules(table, state -> timers.getOrDefault(state, Map.of()), queueCapacity);
     }
 
-    /** By what the segment was written, with the models as it holds them. */
+    /** The rules by which the segment was written, with the models that it contains. */
     Rules rules() {
         DecisionTable table = DecisionTable.compile(models, device);
         return new Rules(table, state -> timers.getOrDefault(state, Map.of()), queueCapacity);

@@ -25,18 +25,18 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>The directory holds segments of {@code segmentBytes} each, {@value #DEFAULT_SEGMENT_BYTES} bytes by default, of
  * which the oldest are deleted when all take more than {@code keptBytes}, {@value #DEFAULT_KEPT_BYTES} by default. At a
- * start the last of them are looked through, as many as hold {@code segmentBytes}. A segment becomes larger only if
- * what the converter knows does not fit into it.
+ * start the last of them are read, as many as hold {@code segmentBytes}. A segment becomes larger only if the
+ * converter's state does not fit into it.
  *
  * <p>Threading: options are set before it is opened; then it belongs to its converter.
  *
  * @since 0.1
  */
 public final class Journal implements ConverterJournal {
-    /** How large a segment is: some 40,000 inputs. */
+    /** The size of a segment: room for some 40,000 inputs. */
     public static final int DEFAULT_SEGMENT_BYTES = 1 << 20;
 
-    /** How much is kept. */
+    /** The total size kept. */
     public static final long DEFAULT_KEPT_BYTES = 16 << 20;
 
     private static final int LEAST_SEGMENT_BYTES = 1 << 16;
@@ -67,31 +67,31 @@ public final class Journal implements ConverterJournal {
         }
     }
 
-    /** A journal with the usual options, forced by batch. The directory is created if it does not exist. */
+    /** A journal with the default options, forced by batch. The directory is created if it does not exist. */
     public static Journal in(Path directory) {
         return new Journal(directory, DEFAULT_SEGMENT_BYTES, DEFAULT_KEPT_BYTES, Forcing.BY_BATCH, Masks.NONE);
     }
 
-    /** The same with segments of {@code bytes}, 65,536 to 1,073,741,824. */
+    /** A copy with segments of {@code bytes}, 65,536 to 1,073,741,824. */
     public Journal withSegmentBytes(int bytes) {
         return new Journal(path, bytes, keptBytes, forcing, masks);
     }
 
-    /** The same that keeps so much, in bytes; two segments are kept in any case. */
+    /** A copy that keeps this many bytes; two segments are always kept. */
     public Journal withKeptBytes(long bytes) {
         return new Journal(path, segmentBytes, bytes, forcing, masks);
     }
 
-    /** The same, put on the disk at other times. */
+    /** A copy with another forcing. */
     public Journal withForcing(Forcing when) {
         return new Journal(path, segmentBytes, keptBytes, when, masks);
     }
 
     /**
-     * The same that never writes these values of events. An event that is dealt with after a recovery does not have
-     * them: whoever asks for one gets the exception as for any value that is missing, so the event fails.
+     * A copy that never writes these values of events. An event that is handled after a recovery does not have them:
+     * code that asks for one gets the exception for a missing value, so the event fails.
      *
-     * @param values names of values, {@code pin}, or of an event and its value, {@code unlock.pin}
+     * @param values names of values, such as {@code pin}, or of an event and its value, such as {@code unlock.pin}
      * @throws IllegalArgumentException if a name is blank
      */
     public Journal withMasked(String... values) {
@@ -132,7 +132,7 @@ public final class Journal implements ConverterJournal {
         return null;
     }
 
-    /** @throws JournalException if it cannot be gone on with */
+    /** @throws JournalException if it cannot be continued */
     @Override
     public @Nullable Snapshot open(Rules rules, Clock usedClock, Past past) {
         Directory opened = new Directory(path);
@@ -170,7 +170,7 @@ public final class Journal implements ConverterJournal {
     public void retell(Rules rules, Past past) {
         Replay replay = new Replay(rules, Fingerprint.of(rules.table().models()), past);
         for (Path segment : Directory.segments(path)) {
-            // One that was deleted meanwhile was too old to be kept.
+            // A segment that was deleted meanwhile was too old to be kept.
             if (SegmentReader.writtenBytes(segment) > 0) {
                 replay.tell(segment);
             }

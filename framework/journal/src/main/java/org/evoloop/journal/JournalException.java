@@ -1,8 +1,8 @@
 package org.evoloop.journal;
 
 /**
- * A journal that cannot be read, written or gone on with. The message names the file, the place in it and what to do;
- * it needs no stack trace.
+ * A journal cannot be read, written or continued. The message names the file, the place in it and what to do; it needs
+ * no stack trace.
  *
  * @since 0.1
  */
@@ -25,7 +25,7 @@ public final class JournalException extends RuntimeException {
         this.damage = damage;
     }
 
-    /** That something is not as it was written; {@code what} names the file and the place in it. */
+    /** An exception for damaged data; {@code what} names the file and the place in it. */
     static JournalException ofDamage(String what) {
         return new JournalException(what + ". " + Directory.DAMAGED, true);
     }

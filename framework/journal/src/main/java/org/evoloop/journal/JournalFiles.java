@@ -10,24 +10,24 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 
 /**
- * A journal as it lies in its directory, for whoever wants to see what is in it. Nothing is written and no lock is
- * taken: the journal may be in use, and is read as far as it has been written.
+ * Read access to a journal in its directory. Nothing is written and no lock is taken: the journal may be in use, and is
+ * read as far as it has been written.
  *
  * <p>Threading: thread-safe.
  *
  * @since 0.1
  */
 public final class JournalFiles {
-    /** A file that is being written may be seen half; the second look sees what was missing. */
+    /** A read may see a half-written file; reading it again sees the rest. */
     private static final int LOOKS = 3;
 
     private final Path directory;
 
     /**
-     * What a segment's first record says.
+     * The contents of a segment's first record.
      *
      * @param segment the name of its file
-     * @param fingerprint of the models
+     * @param fingerprint the fingerprint of the models
      * @param original the name of the device's model
      * @param evolved the name of the new model
      * @param begun when the segment began
@@ -46,7 +46,7 @@ public final class JournalFiles {
     /**
      * The journal in {@code directory}.
      *
-     * @throws JournalException if there is no journal
+     * @throws JournalException if there is none
      */
     public JournalFiles(Path directory) {
         this.directory = directory;
@@ -62,7 +62,7 @@ public final class JournalFiles {
     }
 
     /**
-     * Reads every record, the oldest first. That other models took over is a record, too, of number 0.
+     * Reads every record, oldest first. A takeover by other models is a record, too, with number 0.
      *
      * @return its segments, the oldest first
      * @throws JournalException if it is damaged, of another version or cannot be read
@@ -81,7 +81,7 @@ public final class JournalFiles {
         return read;
     }
 
-    /** Has every segment read, the oldest first, none of which is told before it is known to be whole. */
+    /** Reads every segment, oldest first; each is passed on only after it has been read completely. */
     <T> void each(Function<Path, T> reading, Consumer<T> reader) {
         List<Path> files = Directory.segments(directory);
         for (Path file : files) {

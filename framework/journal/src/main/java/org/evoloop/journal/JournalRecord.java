@@ -11,15 +11,15 @@ import org.evoloop.evolution.Configuration;
  * <p>Threading: immutable.
  *
  * @param segment the name of its file
- * @param number of the record in its segment, from 1; 0 where other models took over with the segment
+ * @param number its number in its segment, from 1; 0 for a takeover by other models, which begins the segment
  * @param offset where its payload begins in the file, in bytes
- * @param at the time of day, by the clock that the segment began with; that of the latest time that was told by then
- * @param nanos the same on the converter's monotonic clock
- * @param kind what the converter was told: {@code observed}, {@code planned}, {@code sending}, and so on
- * @param input the same in full
- * @param where the states of both models once it was told
+ * @param at the time of day, computed from the segment's beginning, of the latest input time up to this record
+ * @param nanos the same time on the converter's monotonic clock
+ * @param kind the kind of input: {@code observed}, {@code planned}, {@code sending}, and so on
+ * @param input the input
+ * @param where the states of both models after it
  * @param doubt why that may be wrong; empty if it is certain
- * @param endings the events that came to their end, and how
+ * @param endings the events that ended with it, and how
  * @since 0.1
  */
 public record JournalRecord(

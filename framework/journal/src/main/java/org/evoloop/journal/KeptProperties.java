@@ -13,7 +13,7 @@ import org.evoloop.journal.DryRun.Broken;
 import org.evoloop.rehearsal.Ending;
 import org.jspecify.annotations.Nullable;
 
-/** The properties that are watched while other models are told a journal's events. */
+/** The properties that are watched while other models process a journal's events. */
 final class KeptProperties {
     private final List<Property> properties;
     private final List<Broken> broken = new ArrayList<>();
@@ -36,7 +36,7 @@ final class KeptProperties {
         add(begun.broken(), process.nowNanos(), process, null, at);
     }
 
-    /** An event has come to its end. */
+    /** An event has ended. */
     void see(Ending ending) {
         PropertyWatch watching = watch;
         Head process = head;
@@ -61,7 +61,7 @@ final class KeptProperties {
         return List.copyOf(broken);
     }
 
-    /** Those that ask for something that has not come. */
+    /** The properties that require something that has not come. */
     List<Property> open() {
         PropertyWatch watching = watch;
         return watching == null

@@ -1,6 +1,6 @@
 package org.evoloop.journal;
 
-/** What an input is, as its record begins. The codes stay for good; a new kind takes a new one. */
+/** The kind of an input, with which its record begins. Codes are never changed; a new kind gets a new code. */
 enum Kind {
     OPENED(1),
     CLOSING(2),

@@ -10,7 +10,7 @@ import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.StateMachineBuilder;
 import org.evoloop.statemachine.Transition;
 
-/** State machines in the head of a segment, so that a journal can be read by whoever does not have its models. */
+/** State machines in the head of a segment, so that a journal can be read without its model files. */
 final class MachineBytes {
     private MachineBytes() {}
 

@@ -15,9 +15,9 @@ import org.evoloop.evolution.Values;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Which values of events are left out of a journal.
+ * The values of events that are left out of a journal.
  *
- * @param names of values, {@code pin}, or of an event and its value, {@code unlock.pin}
+ * @param names names of values, such as {@code pin}, or of an event and its value, such as {@code unlock.pin}
  */
 record Masks(Set<String> names) {
     static final Masks NONE = new Masks(Set.of());
@@ -46,7 +46,7 @@ record Masks(Set<String> names) {
         return shown;
     }
 
-    /** The same snapshot without what is masked. */
+    /** A copy of the snapshot without masked values. */
     Snapshot of(Snapshot known) {
         return names.isEmpty()
                 ? known
@@ -121,7 +121,7 @@ record Masks(Set<String> names) {
                 : occurrence;
     }
 
-    /** These and more. */
+    /** A copy with more names. */
     Masks and(Collection<String> more) {
         return new Masks(Stream.concat(names.stream(), more.stream()).collect(Collectors.toSet()));
     }

@@ -14,7 +14,10 @@ import org.evoloop.evolution.ModelPair;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 
-/** Other models under the conditions of a recorded converter: what can be sent, timers, and the room in the queue. */
+/**
+ * Other models under the conditions of a recorded converter: the events that can be sent, timers, and the queue's
+ * capacity.
+ */
 final class OtherRules {
     private final ModelPair models;
 
@@ -29,7 +32,7 @@ final class OtherRules {
         return new Rules(table, state -> timers.getOrDefault(state, Map.of()), head.queueCapacity());
     }
 
-    /** What only the other device knows can be sent, unless it is the device's own. */
+    /** Events that only the other device knows can be sent, unless they are the device's own. */
     private DeviceEvents device(DeviceEvents then, ModelPair recorded) {
         Set<Event> triggers = models.original().triggers();
         Set<Event> sendable = new HashSet<>(triggers);
@@ -46,7 +49,7 @@ final class OtherRules {
                 .withBoundGuards(models.original().guards());
     }
 
-    /** Those that are drawn, and those that code had registered for a state of the same name. */
+    /** The drawn timers, and those that code had registered for a state of the same name. */
     private Map<Event, Duration> timers(State state, Head head) {
         Map<Event, Duration> timers = new LinkedHashMap<>();
         head.timers().getOrDefault(state, Map.of()).forEach((event, delay) -> {
@@ -58,7 +61,7 @@ final class OtherRules {
         return timers;
     }
 
-    /** Where the other models begin when the recorded ones were at {@code then}. */
+    /** The states in which the other models begin if the recorded ones were in {@code then}. */
     Configuration placed(Configuration then) {
         State device = models.original().hasState(then.original())
                 ? then.original()

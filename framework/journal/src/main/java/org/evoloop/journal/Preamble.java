@@ -4,13 +4,13 @@ import java.nio.ByteBuffer;
 import java.nio.file.Path;
 
 /**
- * How a segment begins: what it is, the version of its format, a checksum of both, and up to where it is on the disk
- * for sure, twice. It is written after the first records, so that a segment that has one has those.
+ * The beginning of a segment: a magic number, the version of its format, a checksum of both, and, twice, up to where it
+ * is certainly on the disk. It is written after the first records, so a segment with a preamble has those.
  */
 final class Preamble {
     static final int BYTES = 32;
 
-    /** The version that is written and read. */
+    /** The version of the format. */
     static final int VERSION = 4;
 
     private static final long MAGIC = 0x45564F4C4F4F504AL; // EVOLOOPJ
@@ -35,7 +35,7 @@ final class Preamble {
         return file.length < BYTES || ByteBuffer.wrap(file).getLong(0) == 0;
     }
 
-    /** @throws JournalException if something keeps the file, which has these bytes, from being read */
+    /** @throws JournalException if the file with these bytes cannot be read */
     static void require(Path file, byte[] content) {
         if (content.length < BYTES) {
             throw JournalException.ofDamage(file + ", byte " + content.length + ": it ends too early");
@@ -56,7 +56,7 @@ final class Preamble {
         }
     }
 
-    /** Up to where the file is on the disk for sure; where the two disagree, that was being noted. */
+    /** Up to where the file is certainly on the disk; if the two copies disagree, one was being written. */
     static long sure(byte[] file) {
         ByteBuffer bytes = ByteBuffer.wrap(file);
         long until = bytes.getLong(SURE);

@@ -13,12 +13,12 @@ import org.evoloop.statemachine.State;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Writes each input before the core is told. When the segment is full it begins another one, whose snapshot bounds what
- * has to be looked through again; an input is encoded once more then, since another segment knows no names.
+ * Writes each input before passing it to the core. When the segment is full it begins another one, whose snapshot
+ * limits what a restart has to read; the input is then encoded again, since the new segment has no names yet.
  *
- * <p>While nothing can be written, nothing is begun that could not be told apart from what was not: events of
- * controllers are refused, and no step or effect is announced. What has happened counts all the same, and is in the
- * snapshot with which the next segment begins.
+ * <p>While writing is impossible, nothing is begun that would be missing from the journal: events of controllers are
+ * refused, and no step or effect is announced. Facts count all the same, and are in the snapshot with which the next
+ * segment begins.
  */
 final class Recorder implements Inputs {
     private final Core core;
@@ -35,7 +35,7 @@ final class Recorder implements Inputs {
         segments.begin(core, encoder.bytes);
     }
 
-    /** Appends what was encoded; false if it has to be encoded once more. */
+    /** Appends the encoded input; false if it has to be encoded again. */
     private boolean append() {
         boolean worked = segments.isWritable();
         try {
@@ -54,7 +54,7 @@ final class Recorder implements Inputs {
         return true;
     }
 
-    /** @throws JournalException if what was encoded last could not be written */
+    /** @throws JournalException if the last encoded input could not be written */
     private void requireKept() {
         if (!kept) {
             throw new JournalException(
@@ -94,7 +94,7 @@ final class Recorder implements Inputs {
         core.running(number);
     }
 
-    /** Other rules stand in the head of another segment; equal ones need none. */
+    /** Other rules are written in the head of a new segment; equal ones need none. */
     @Override
     public void changed(Rules rules, long atNanos) {
         if (!segments.isBy(rules)) {
@@ -109,8 +109,8 @@ final class Recorder implements Inputs {
     }
 
     /**
-     * Other models stand in the head of another segment, together with what is known in them: as soon as it has begun
-     * they have taken over.
+     * Other models are written in the head of a new segment, together with their state: as soon as the segment has
+     * begun they have taken over.
      */
     @Override
     public void evolved(Swap swap, long atNanos) {
@@ -124,7 +124,7 @@ final class Recorder implements Inputs {
                     "the journal " + segments.path() + " cannot be written, so the models stay; make room on its disk",
                     e);
         }
-        // Where that fails, the segment before goes on, with the names that it knows.
+        // If that fails, the previous segment continues, with its names.
         encoder.bytes = names;
         core.evolved(swap, atNanos);
     }
@@ -169,7 +169,7 @@ final class Recorder implements Inputs {
         core.timerDue(visit, event, atNanos);
     }
 
-    /** Where nothing waits, nothing comes of it. */
+    /** Not recorded if nothing waits, since it has no effect then. */
     @Override
     public void ready() {
         if (core.hasNext()) {

@@ -17,7 +17,7 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Tells a core again what the segments of a journal hold. */
+/** Replays the segments of a journal on a core. */
 final class Replay {
     private static final Logger LOG = LoggerFactory.getLogger(Journal.class);
 
@@ -40,7 +40,7 @@ final class Replay {
         }
     }
 
-    /** Tells the past only; nothing is repaired, and nobody goes on from there. */
+    /** Only replays; repairs nothing, and is not continued from. */
     void tell(Path file) {
         tell(file, new SegmentReader(file));
     }
@@ -48,7 +48,7 @@ final class Replay {
     private void of(Path file, boolean newest) {
         SegmentReader segment = new SegmentReader(file);
         if (newest) {
-            // Those before may be of models from which the converter has evolved.
+            // Earlier segments may be of models from which the converter has evolved.
             Fingerprint.requireSame(
                     file, segment.head(), fingerprint, present.table().models());
         }
@@ -86,7 +86,7 @@ final class Replay {
         return core;
     }
 
-    /** What was never written, or not to its end, is in nobody's way any more. */
+    /** Cuts off a record that was not written completely. */
     private static void cut(Path file, int end) {
         try (FileChannel channel = FileChannel.open(file, StandardOpenOption.WRITE)) {
             channel.truncate(end);
@@ -103,7 +103,7 @@ final class Replay {
         }
     }
 
-    /** Where the converter stood, in times of {@code clock}; null if there is nothing. */
+    /** The last state of the converter, with times of {@code clock}; null if there is none. */
     @Nullable
     Snapshot result(Clock clock) {
         Snapshot kept = last;
@@ -111,7 +111,7 @@ final class Replay {
         if (kept == null || head == null) {
             return null;
         }
-        // The monotonic clocks of two processes have nothing in common; what passed in between, the time of day tells.
+        // The monotonic clocks of two processes are unrelated; the time of day tells how much time passed in between.
         long passed = Math.max(0, Times.nanos(clock.wallTime()) - head.wallNanos());
         long thenNow = Math.max(kept.nowNanos(), head.nowNanos() + passed);
         return kept.later(clock.nanoTime() - thenNow);

@@ -10,8 +10,8 @@ import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 
 /**
- * A file that is being written. All its bytes are allocated when it is created, so that a record needs no call of the
- * operating system and cannot find the disk full; what is in the mapped memory outlives the process.
+ * A file that is being written. All its bytes are allocated when it is created, so that a record needs no system call
+ * and cannot find the disk full; the contents of the mapped memory outlive the process.
  *
  * <p>Threading: one thread appends, another may force.
  */
@@ -24,7 +24,7 @@ final class Segment implements AutoCloseable {
     private volatile int end = Preamble.BYTES;
     private int sure = Preamble.BYTES;
 
-    /** @throws IOException if it exists, or there is no room for it; then nothing is left of it */
+    /** @throws IOException if it exists, or there is no room for it; then no file is left */
     Segment(Path file, int bytes) throws IOException {
         this.file = file;
         this.channel = FileChannel.open(
@@ -47,24 +47,24 @@ final class Segment implements AutoCloseable {
         return file;
     }
 
-    /** How many bytes it takes on the disk while it is written. */
+    /** Its size on the disk, in bytes, while it is written. */
     int size() {
         return map.capacity();
     }
 
-    /** Gives the file another name, before it {@linkplain #begin is one}. */
+    /** Renames the file, before the segment {@linkplain #begin begins}. */
     void moveTo(Path name) throws IOException {
         Files.move(file, name);
         file = name;
     }
 
-    /** It is not needed: nothing is left of it. */
+    /** Deletes the segment, which is not needed. */
     void discard() {
         try {
             channel.close();
             Files.deleteIfExists(file);
         } catch (IOException left) {
-            // The next one that is prepared takes its place.
+            // The next prepared segment overwrites it.
         }
     }
 
@@ -81,17 +81,17 @@ final class Segment implements AutoCloseable {
         return true;
     }
 
-    /** From now on it is one: its first records are there. */
+    /** Makes it a valid segment, after its first records. */
     void begin() {
         Preamble.write(map);
     }
 
-    /** Whether something was written that is not on the disk for sure. */
+    /** Whether something was written that may not be on the disk yet. */
     boolean isDirty() {
         return sure != end;
     }
 
-    /** Puts all on the disk that has been appended. */
+    /** Forces everything appended to the disk. */
     synchronized void force() {
         int until = end;
         if (sure != until) {
@@ -104,13 +104,13 @@ final class Segment implements AutoCloseable {
         }
     }
 
-    /** Gives back the room that was not needed; nothing may be appended any more. */
+    /** Releases the unused room; nothing may be appended any more. */
     @Override
     public void close() throws IOException {
         try {
             channel.truncate(end);
         } catch (IOException stillMapped) {
-            // Windows does not let a mapped file be shortened; the zeros at its end mean nothing.
+            // Windows cannot truncate a mapped file; the zeros at its end are harmless.
         } finally {
             channel.close();
         }

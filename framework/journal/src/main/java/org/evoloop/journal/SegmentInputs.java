@@ -12,7 +12,7 @@ import org.evoloop.core.text.SnapshotException;
 import org.evoloop.core.text.SnapshotText;
 import org.jspecify.annotations.Nullable;
 
-/** Tells a core of its own again what a segment holds, by the models that the segment holds. */
+/** Replays a segment on a core of its own, with the models that the segment contains. */
 final class SegmentInputs {
     private final SegmentReader segment;
     private final Decoder decoder;
@@ -32,12 +32,12 @@ final class SegmentInputs {
         }
     }
 
-    /** Where the converter was when the segment began. */
+    /** The converter's state when the segment began. */
     Snapshot from() {
         return from;
     }
 
-    /** The core that is told, which these hear. */
+    /** Creates the core, which gives its outputs to these. */
     Core begin(Outputs outputs) {
         Core begun = new Core(rules, from, outputs);
         core = begun;
@@ -45,7 +45,7 @@ final class SegmentInputs {
     }
 
     /**
-     * The record that {@link SegmentReader#next} has come to, told to the core. @throws JournalException if it is
+     * Gives the record at which {@link SegmentReader#next} has arrived to the core. @throws JournalException if it is
      * damaged
      */
     Input tell() {

@@ -8,8 +8,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 
 /**
- * A segment, read record by record. What was being written when the process or the computer ended is cut off at the
- * end; what was whole once and is not any more is refused.
+ * A segment, read record by record. A record that was being written when the process or the computer ended is ignored;
+ * a damaged record is refused.
  */
 final class SegmentReader {
     private final Path file;
@@ -20,7 +20,7 @@ final class SegmentReader {
     private final Head head;
     private final String snapshot;
 
-    /** As the head says, once it has been read. */
+    /** From the head, once it has been read. */
     private String boot = "";
 
     private int next = Preamble.BYTES;
@@ -57,7 +57,7 @@ final class SegmentReader {
         records = 0;
     }
 
-    /** How much of {@code file} is not blank; 0 if it was being created when the process or the computer ended. */
+    /** The used size of {@code file}; 0 if it was being created when the process or the computer ended. */
     static long writtenBytes(Path file) {
         byte[] bytes = read(file);
         if (Preamble.isBlank(bytes)) {
@@ -99,7 +99,7 @@ final class SegmentReader {
         return cursor;
     }
 
-    /** Goes on to the next record; false if there is none. */
+    /** Advances to the next record; false if there is none. */
     boolean next() {
         if (bytes.length - next < Frame.HEADER_BYTES) {
             return ends(!isZeroFrom(next));
@@ -149,7 +149,7 @@ final class SegmentReader {
         return false;
     }
 
-    /** A power cut leaves such a record where the disk had not been told for sure; nothing else does. */
+    /** Only a power cut leaves such a record, beyond the part certainly on the disk. */
     private boolean endsAtRagged(String what) {
         boolean powerCut = !boot.isEmpty() && !boot.equals(Boot.ID);
         if (next < sure || !powerCut) {
@@ -158,7 +158,7 @@ final class SegmentReader {
         return ends(true);
     }
 
-    /** Where the record that was gone on to begins, in the file's bytes. */
+    /** The offset of the present record in the file, in bytes. */
     int at() {
         return at;
     }
@@ -167,12 +167,12 @@ final class SegmentReader {
         return length;
     }
 
-    /** What the record is, if it is an input. */
+    /** The kind of the present record, if it is an input. */
     Kind kind() {
         return Kind.of(bytes[at]);
     }
 
-    /** The number of the record in its segment, from 1. */
+    /** The number of the present record in its segment, from 1. */
     long number() {
         return records;
     }
@@ -182,7 +182,7 @@ final class SegmentReader {
         return torn;
     }
 
-    /** Up to where there are whole records. */
+    /** The end of the last complete record. */
     int end() {
         return next;
     }
@@ -191,7 +191,7 @@ final class SegmentReader {
         return bytes.length;
     }
 
-    /** The record that was gone on to makes no sense. */
+    /** An exception for the present record, which makes no sense. */
     JournalException damaged(String what) {
         return wrong(at - Frame.HEADER_BYTES, records, what);
     }

@@ -8,7 +8,7 @@ import org.evoloop.core.Input;
 import org.evoloop.core.Output;
 import org.evoloop.journal.JournalFiles.SegmentInfo;
 
-/** The records of one segment, in order, and where the converter was at each. */
+/** The records of one segment, in order, and the converter's states at each. */
 final class SegmentRecords {
     private final Path file;
     private final SegmentReader segment;
@@ -55,7 +55,7 @@ final class SegmentRecords {
                 ended);
     }
 
-    /** That the models of this segment took over from those of {@code before}. */
+    /** The record of the takeover by this segment's models from those of {@code before}. */
     JournalRecord evolvedFrom(SegmentInfo before) {
         Head head = segment.head();
         Core begun = new SegmentInputs(file, segment).begin(output -> {});

@@ -14,14 +14,14 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** The segments of a journal that is being written: the last one, and when the next one begins. */
+/** The segments of a journal that is being written; decides when the next one begins. */
 final class Segments implements AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(Journal.class);
 
-    /** So much room a new segment has at least, beyond its head and snapshot. */
+    /** The least room in a new segment, beyond its head and snapshot. */
     private static final int LEAST_ROOM = 1 << 16;
 
-    /** So long after it could not be begun a segment is tried again. */
+    /** The pause after a failed attempt to begin a segment. */
     private static final long RETRY_NANOS = TimeUnit.SECONDS.toNanos(1);
 
     private final Journal options;
@@ -38,7 +38,7 @@ final class Segments implements AutoCloseable {
     private boolean failing;
     private long failedNanos;
 
-    /** A segment with nothing but its head, and the names that stand there. */
+    /** A segment with only its head, and the names used there. */
     private record Prepared(Rules rules, Head head, Bytes names, Segment segment) {}
 
     /** @param built the fingerprint of the models with which the converter was built */
@@ -60,17 +60,20 @@ final class Segments implements AutoCloseable {
         return options.masks();
     }
 
-    /** Whether there was room the last time that any was needed. */
+    /** Whether the last attempt to write succeeded. */
     boolean isWritable() {
         return !failing;
     }
 
-    /** Whether a segment may be begun now: nothing is closed, and the last failure is not too recent. */
+    /** Whether a segment may be begun now: the journal is open, and the last failure is not too recent. */
     boolean mayBegin() {
         return !closed && (!failing || System.nanoTime() - failedNanos >= RETRY_NANOS);
     }
 
-    /** Appends the record; false if the segment is full, or there is none. @throws IOException if it fits into none */
+    /**
+     * Appends the record; false if the segment is full, or there is none. @throws IOException if it does not fit into
+     * any
+     */
     boolean append(Bytes record) throws IOException {
         if (record.length() > Frame.MOST_BYTES) {
             throw new IOException("an input takes " + record.length() + " bytes, allowed are " + Frame.MOST_BYTES);
@@ -85,7 +88,7 @@ final class Segments implements AutoCloseable {
         return true;
     }
 
-    /** Begins another segment with what {@code core} knows; where that fails, the one before can still be written. */
+    /** Begins another segment with the state of {@code core}; if that fails, the previous one can still be written. */
     void begin(Core core, Bytes bytes) throws IOException {
         byte[] snapshot = snapshot(core);
         Head begun = head(core.rules());
@@ -142,7 +145,7 @@ final class Segments implements AutoCloseable {
         outgrown.forEach(Directory::delete);
     }
 
-    /** Writes beforehand with what a segment by {@code rules} begins, in a file that is none yet. */
+    /** Writes the beginning of a segment by {@code rules} in advance, in a file that is not a segment yet. */
     void prepare(Rules rules) throws IOException {
         discardPrepared();
         Bytes names = new Bytes();
@@ -154,9 +157,9 @@ final class Segments implements AutoCloseable {
     }
 
     /**
-     * Begins the segment that was prepared, with what {@code core} knows, which goes by the same rules.
+     * Begins the prepared segment with the state of {@code core}, which has the same rules.
      *
-     * @return the names that stand in its head
+     * @return the names used in its head
      */
     Bytes beginPrepared(Core core) throws IOException {
         Prepared ready = prepared;
@@ -205,7 +208,7 @@ final class Segments implements AutoCloseable {
         }
     }
 
-    /** The segment cannot be gone on with: the next input begins another one. */
+    /** Ends the present segment: the next input begins another one. */
     void suspend() {
         try {
             end();
@@ -219,7 +222,7 @@ final class Segments implements AutoCloseable {
         failedNanos = System.nanoTime();
     }
 
-    /** Nothing could be written: for a while no segment is begun. */
+    /** Notes that writing failed: for a while no segment is begun. */
     void fail() {
         suspend();
         fails();
@@ -231,7 +234,7 @@ final class Segments implements AutoCloseable {
         return begun != null && begun.hasRulesOf(head(rules));
     }
 
-    /** Something is about to be sent. */
+    /** Called before a step is sent. */
     void forceIntent() {
         Segment current = segment;
         if (current != null && options.forcing() == Forcing.PER_INTENT) {

@@ -11,9 +11,9 @@ import org.evoloop.rehearsal.Ending;
 import org.evoloop.statemachine.State;
 
 /**
- * What a converter was told while a segment was written, and what it made of it.
+ * The inputs of a converter in one segment, and their results.
  *
- * @param from where it was when the segment began
+ * @param from its state when the segment began
  * @param moments its inputs, in order
  */
 record Told(Head head, Snapshot from, List<Moment> moments) {
@@ -21,9 +21,9 @@ record Told(Head head, Snapshot from, List<Moment> moments) {
     /**
      * An input.
      *
-     * @param atNanos the latest time that was told by then
-     * @param visit of which state, before
-     * @param endings of events that came to their ends by it
+     * @param atNanos the latest input time so far
+     * @param visit the visit before it
+     * @param endings the events that ended with it
      */
     record Moment(Input input, long atNanos, long visit, State state, List<Ending> endings) {}
 

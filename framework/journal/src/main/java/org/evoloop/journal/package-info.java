@@ -1,6 +1,6 @@
 /**
- * A converter's journal: what its core is told is written to a file before it counts, so that another process can go on
- * where this one ended.
+ * A converter's journal: each input of its core is written to a file before it takes effect, so that another process
+ * can continue where this one ended.
  *
  * <pre>
  *            Input                         bytes                        file
@@ -13,10 +13,10 @@
  * </pre>
  *
  * <p>A segment is a preamble, then records: its {@link org.evoloop.journal.Head}, the core's snapshot as text, then
- * inputs. {@link org.evoloop.journal.Frame} says how a record lies in the file, and docs/journal.md what is promised.
+ * inputs. {@link org.evoloop.journal.Frame} describes the layout of a record, and docs/journal.md the guarantees.
  *
- * <p>This room may use {@code org.evoloop.converter}, {@code core}, {@code evolution}, {@code statemachine},
- * {@code time} and {@code check.temporal}.
+ * <p>This package may use {@code org.evoloop.converter}, {@code core}, {@code evolution}, {@code statemachine}, {@code
+ * time} and {@code check.temporal}.
  */
 @NullMarked
 package org.evoloop.journal;

@@ -12,7 +12,7 @@ import org.evoloop.check.timing.Span;
 import org.evoloop.check.timing.TimeForm;
 import org.evoloop.check.timing.TimeProperty;
 
-/** Whether what is written of time can all be so at once. */
+/** Checks that the lines about time do not contradict each other. */
 final class Agreement {
     private final String file;
     private final List<TimeProperty> properties = new ArrayList<>();

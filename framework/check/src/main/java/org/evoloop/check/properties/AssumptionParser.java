@@ -18,7 +18,7 @@ import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.ModelException;
 
 /**
- * Reads what is known of time, and what is to follow:
+ * Parses assumptions about time, and reactions to violations:
  *
  * <pre>
  * takes Spot 200 ms .. 1 s
@@ -40,7 +40,7 @@ final class AssumptionParser {
         this.formulas = formulas;
     }
 
-    /** What {@code words} say about time; empty if they are not an assumption. */
+    /** The assumption in {@code words}; empty if they are not one. */
     Optional<Assumption> assumption(List<Word> words) {
         boolean isGap =
                 words.size() > 3 && words.get(0).is("at") && words.get(1).is("least");
@@ -100,7 +100,7 @@ final class AssumptionParser {
         return new Assumption.Queue(Integer.parseInt(number));
     }
 
-    /** What is to follow from a violation; empty if {@code text} does not say so. */
+    /** The reaction in {@code text}; empty if it is not one. */
     Optional<Reaction> reaction(String text) {
         if (!text.strip().startsWith("on violation ")) {
             return Optional.empty();

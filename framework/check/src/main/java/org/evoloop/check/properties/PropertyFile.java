@@ -7,33 +7,33 @@ import org.evoloop.check.timing.TimeRules;
 import org.evoloop.evolution.ModelPair;
 
 /**
- * What the author of an evolution has written beside its models: properties, what concerns time, and rules that are
- * switched off. docs/models.md and docs/time.md describe the language.
+ * The property file beside an evolution's models: properties, lines about time, and rules that are switched off.
+ * docs/models.md and docs/time.md describe the language.
  *
  * <p>Threading: immutable.
  *
- * @param file what messages call it
- * @param properties in the order in which they are written
+ * @param file its name in messages
+ * @param properties the properties, in the file's order
  * @since 0.1
  */
 public record PropertyFile(String file, List<Property> properties, TimeRules time, RuleSwitches switches) {
-    /** How the names of such files end. */
+    /** The ending of such files' names. */
     public static final String ENDING = ".properties.txt";
 
     public PropertyFile {
         properties = List.copyOf(properties);
     }
 
-    /** One in which nothing is written. */
+    /** An empty file. */
     public static PropertyFile none() {
         return new PropertyFile("", List.of(), TimeRules.NONE, RuleSwitches.none());
     }
 
     /**
-     * Reads a file's text.
+     * Parses a file's text.
      *
      * @param file for messages
-     * @param pair whose states and events it names
+     * @param pair the models whose states and events it names
      * @throws org.evoloop.statemachine.ModelException naming file, line and remedy of everything that cannot be
      *     understood
      */

@@ -14,7 +14,7 @@ import org.evoloop.check.timing.TimeRules;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.statemachine.ModelException;
 
-/** Reads the text of a file of properties: a property a line, {@code name: formula}; more of it on indented lines. */
+/** Parses the text of a property file: one property per line, {@code name: formula}, continued on indented lines. */
 final class PropertyText {
     private final FormulaParser formulas;
     private final TimeFormParser forms;
@@ -92,7 +92,7 @@ final class PropertyText {
         }
     }
 
-    /** Where the name ends; a colon in quotation marks is part of a name of the models. */
+    /** The end of the name; a colon in quotation marks is part of a name from the models. */
     private static int colon(String text) {
         int colon = text.indexOf(':');
         long quotes = colon < 0

@@ -13,7 +13,7 @@ import org.evoloop.check.timing.TimeForm;
 import org.evoloop.statemachine.ModelException;
 
 /**
- * Reads what a time property asks for:
+ * Parses time properties:
  *
  * <pre>
  * after F, G within 3 s            after F, G within 1 s .. 3 s
@@ -35,8 +35,8 @@ final class TimeFormParser {
     /**
      * The form of {@code words}.
      *
-     * @return empty if they are about the order of things alone
-     * @throws ModelException if they are about time and cannot be understood, or not be expressed
+     * @return empty if they do not mention time
+     * @throws ModelException if they mention time and cannot be understood or expressed
      */
     Optional<TimeForm> parse(List<Word> words) {
         Optional<TimeForm> form = response(words)
@@ -132,7 +132,7 @@ final class TimeFormParser {
         return Optional.of(new TimeForm.Count(moment(words.subList(0, at)), Integer.parseInt(number), nanos));
     }
 
-    /** A formula of one moment. */
+    /** A formula about one moment. */
     private Formula moment(List<Word> words) {
         Formula formula = formulas.parse(words);
         if (!formula.isPlain()) {
@@ -158,7 +158,7 @@ final class TimeFormParser {
         return words.stream().map(Word::text).collect(Collectors.joining(" "));
     }
 
-    /** Where these keywords stand, one after the other; -1 if nowhere. */
+    /** The position of these consecutive keywords; -1 if there is none. */
     private static int at(List<Word> words, String... keywords) {
         for (int start = 0; start + keywords.length < words.size(); start++) {
             boolean found = true;

@@ -1,10 +1,10 @@
 package org.evoloop.check.temporal;
 
 /**
- * What a formula asks of the moments to come, of which one after the other is seen.
+ * What a formula requires of future moments, which are observed one after another.
  *
- * <p>A formula that speaks of everything that may happen asks the same of what does happen. What speaks of one way that
- * must be possible, as {@code can} does, asks for nothing to happen: it is a fact of a moment, which the models know.
+ * <p>A formula about all possible futures requires the same of the actual one. A formula about one possible future,
+ * such as {@code can}, requires nothing to happen: it is a fact about a moment, which the models determine.
  *
  * <p>Threading: immutable.
  */
@@ -24,10 +24,10 @@ sealed interface Duty {
     /** In the moment that follows. */
     record Next(Duty duty) implements Duty {}
 
-    /** In each moment before one that does {@code right}; {@code must} if there has to be one. */
+    /** {@code left} in each moment before one with {@code right}; {@code must} if there has to be one. */
     record Until(Duty left, Duty right, boolean must) implements Duty {}
 
-    /** That {@code formula} holds, or that it does not. */
+    /** The duty that {@code formula} holds, or that it does not. */
     static Duty of(Formula formula, boolean wanted) {
         if (formula.isPlain()) {
             return fact(formula, wanted);
@@ -64,7 +64,7 @@ sealed interface Duty {
         throw new AssertionError(formula);
     }
 
-    /** Whether something has to come that has not come yet. */
+    /** Whether something that has to come has not come yet. */
     default boolean isOwed() {
         if (this instanceof Both both) {
             return both.left().isOwed() || both.right().isOwed();

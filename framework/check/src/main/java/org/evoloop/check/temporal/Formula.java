@@ -4,7 +4,7 @@ import java.util.List;
 import org.evoloop.evolution.ModelPair;
 
 /**
- * A formula of computation tree logic over moments.
+ * A formula of computation tree logic (CTL) over moments.
  *
  * <p>Threading: immutable.
  *
@@ -16,7 +16,7 @@ public sealed interface Formula {
         return List.of();
     }
 
-    /** Whether it is about one moment alone, and not about what comes after. */
+    /** Whether it is about one moment only, not about the future. */
     default boolean isPlain() {
         boolean simple = this instanceof Constant || this instanceof Atom || this instanceof Not;
         return (simple || this instanceof And || this instanceof Or)
@@ -32,7 +32,7 @@ public sealed interface Formula {
     /**
      * Whether it holds in {@code moment}.
      *
-     * @param pair whose moment it is
+     * @param pair the models of the moment
      * @throws IllegalStateException if it is not {@linkplain #isPlain plain}
      */
     default boolean isSeenIn(Moment moment, ModelPair pair) {
@@ -52,7 +52,7 @@ public sealed interface Formula {
 
     /** A formula of one part. */
     sealed interface Unary extends Formula {
-        /** What it is about. */
+        /** The operand. */
         Formula operand();
 
         @Override
@@ -63,10 +63,10 @@ public sealed interface Formula {
 
     /** A formula of two parts. */
     sealed interface Binary extends Formula {
-        /** What stands before the operator. */
+        /** The operand before the operator. */
         Formula left();
 
-        /** What stands behind the operator. */
+        /** The operand after the operator. */
         Formula right();
 
         @Override
@@ -78,22 +78,22 @@ public sealed interface Formula {
     /** True or false. */
     record Constant(boolean value) implements Formula {}
 
-    /** Something that can be seen of a moment. */
+    /** A fact that can be observed in a moment. */
     record Atom(Kind kind, String name) implements Formula {}
 
-    /** What an atom is about. */
+    /** The kind of an atom. */
     enum Kind {
         /** The state of the new model. */
         STATE,
-        /** The state of the original model: where the device is. */
+        /** The state of the original model, that is, of the device. */
         DEVICE,
         /** The event that has led here. */
         EVENT,
-        /** The function of a new state that runs. */
+        /** The running function of a new state. */
         FUNCTION
     }
 
-    /** Exactly when it does not hold. */
+    /** Negation. */
     record Not(Formula operand) implements Unary {}
 
     /** Both. */

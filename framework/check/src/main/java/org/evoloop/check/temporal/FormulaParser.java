@@ -14,7 +14,7 @@ import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
 
 /**
- * Reads a formula, loosest first:
+ * Parses a formula; the operators, from lowest to highest precedence:
  *
  * <pre>
  * always F   never F                      the rest of the brackets
@@ -58,13 +58,13 @@ public final class FormulaParser {
     private List<Word> words = List.of();
     private int position;
 
-    /** @param pair whose states and events formulas name */
+    /** @param pair the models whose states and events formulas name */
     public FormulaParser(ModelPair pair) {
         this.pair = pair;
     }
 
     /**
-     * The formula that {@code words} make up.
+     * Parses the words of a formula.
      *
      * @throws ModelException saying what is wrong and where in the formula
      */
@@ -79,9 +79,9 @@ public final class FormulaParser {
     }
 
     /**
-     * What is called {@code name}.
+     * The atom for {@code name}.
      *
-     * @throws ModelException if nothing of this kind is, with what there is
+     * @throws ModelException if nothing of this kind has that name; the message lists the names
      */
     public Formula.Atom known(Kind kind, String name) {
         Set<String> names = names(kind);

@@ -13,9 +13,9 @@ import org.evoloop.evolution.ModelPair;
 
 /**
  * The moments of a graph in which a formula holds: the labelling of Clarke, Emerson and Sistla (1986), backwards from
- * where something is so to all that lead there. What has no next moment does not come to anything.
+ * the moments where a formula holds to all that lead there. A moment without successors reaches nothing further.
  *
- * <p>Threading: not thread-safe; it remembers the answers.
+ * <p>Threading: not thread-safe; it caches its results.
  */
 final class Labels {
     private final MomentGraph graph;
@@ -78,9 +78,9 @@ final class Labels {
     }
 
     /**
-     * Where one is, or from where one comes there through {@code passable} moments.
+     * The moments in {@code goal}, or from which it is reached through {@code passable} moments.
      *
-     * @param surely whatever happens; else if the right events come
+     * @param surely true for whatever happens, false for if the right events come
      */
     private Set<Moment> comingTo(Set<Moment> goal, Set<Moment> passable, boolean surely) {
         Set<Moment> found = new HashSet<>(goal);

@@ -8,17 +8,17 @@ import org.evoloop.statemachine.StateMachine;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What is known of a running converter between two events.
+ * The observable state of a running converter between two events.
  *
  * <p>Threading: immutable.
  *
- * @param at where both models stand
+ * @param at the states of both models
  * @param last the event that has led here, without its guards; null at the start
  * @since 0.1
  */
 public record Moment(Configuration at, @Nullable Event last) {
 
-    /** Whether {@code atom} is so. */
+    /** Whether {@code atom} holds. */
     public boolean shows(Formula.Atom atom, ModelPair pair) {
         return switch (atom.kind()) {
             case STATE -> isCalled(atom.name(), at.evolved(), pair.evolved());
@@ -28,7 +28,7 @@ public record Moment(Configuration at, @Nullable Event last) {
         };
     }
 
-    /** With what the machine remembers in it, or without. */
+    /** Compares with and without the history that the machine remembers. */
     private static boolean isCalled(String name, State state, StateMachine machine) {
         return state.name().equals(name) || machine.withoutMemory(state).name().equals(name);
     }

@@ -13,7 +13,7 @@ import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Turn;
 
 /**
- * Every moment that can be reached and what can happen next; events that fail lead nowhere.
+ * All reachable moments and their possible successors; events that fail lead nowhere.
  *
  * <p>Threading: immutable.
  *
@@ -23,15 +23,15 @@ public final class MomentGraph {
     private final Moment initial;
     private final Map<Moment, List<Edge>> edges = new LinkedHashMap<>();
 
-    /** A turn and the moment it leads to. */
+    /** A turn and the moment to which it leads. */
     public record Edge(Turn turn, Moment target) {}
 
-    /** From where both machines start. */
+    /** The graph from the initial states. */
     public MomentGraph(PairGraph pairs) {
         this(pairs, new Moment(pairs.initial(), null));
     }
 
-    /** From {@code initial} on, of which {@code pairs} knows where it stands. */
+    /** The graph from {@code initial}, whose states are in {@code pairs}. */
     MomentGraph(PairGraph pairs, Moment initial) {
         this.initial = initial;
         Queue<Moment> frontier = new ArrayDeque<>(List.of(initial));
@@ -52,17 +52,17 @@ public final class MomentGraph {
         }
     }
 
-    /** Where it begins. */
+    /** The first moment. */
     public Moment initial() {
         return initial;
     }
 
-    /** First reached first. */
+    /** All moments, in the order of exploration. */
     public Set<Moment> moments() {
         return Collections.unmodifiableSet(edges.keySet());
     }
 
-    /** What can happen next; nothing where it ends. */
+    /** The edges from {@code moment}; empty at an end. */
     public List<Edge> from(Moment moment) {
         return edges.getOrDefault(moment, List.of());
     }

@@ -6,9 +6,10 @@ import org.evoloop.check.PairGraph;
 import org.evoloop.evolution.DecisionTable;
 
 /**
- * Whether a formula holds in a moment, by what can happen from there: the decisions of a converter say that.
+ * Decides whether a formula holds in a moment, by everything that can happen from there according to a converter's
+ * decisions.
  *
- * <p>Threading: not thread-safe; it remembers what it has found out.
+ * <p>Threading: not thread-safe; it caches its results.
  *
  * @since 0.1
  */
@@ -17,17 +18,17 @@ public final class Outlook {
     private final List<Labels> known = new ArrayList<>();
 
     /**
-     * By the decisions of a converter.
+     * An outlook by the decisions of a converter.
      *
-     * @param table of a valid pair
+     * @param table the decisions for a valid pair
      */
     public Outlook(DecisionTable table) {
         this.table = table;
     }
 
     /**
-     * Whether {@code formula} holds in {@code moment}, which need not be one that events as they should go lead to. The
-     * first answer about the future takes as long as to look at every moment that can be reached.
+     * Whether {@code formula} holds in {@code moment}, which need not be reachable by expected events. The first answer
+     * about the future takes as long as exploring all reachable moments.
      */
     public boolean holds(Formula formula, Moment moment) {
         return formula.isPlain()

@@ -15,11 +15,11 @@ import org.evoloop.statemachine.Event;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Watches what happens, and says which property is broken and when: at the first moment after which it can no longer be
- * kept, whatever follows. What must come sometime is open as long as it has not come; that is never broken, since it
- * may still come. What can happen, as in {@code can F}, the models say of the moment.
+ * Watches what happens, and reports a property as violated at the first moment after which it can no longer be
+ * satisfied, whatever follows. A property that requires something to come is open until it comes; it is never violated,
+ * since that may still come. What can happen, as in {@code can F}, is determined by the models.
  *
- * <p>It keeps what is left to be done of each property, of which there are finitely many, and nothing of the past.
+ * <p>For each property it stores only what is still required, which has finitely many values, and nothing of the past.
  *
  * <p>Threading: not thread-safe.
  *
@@ -31,22 +31,22 @@ public final class PropertyWatch {
     private Outlook outlook;
     private Moment now;
 
-    /** How a property stands. */
+    /** The status of a property. */
     public enum Standing {
-        /** It is not broken, and nothing that must come is missing. */
+        /** It is not violated, and nothing that must come is missing. */
         KEPT,
-        /** It is not broken, and something that must come has not come yet. */
+        /** It is not violated, but something that must come has not come yet. */
         OPEN,
-        /** It is broken. */
+        /** It is violated. */
         BROKEN
     }
 
     /**
-     * Begins where the models do, or elsewhere. What led there is then not known: it is taken to have been the shortest
-     * way, on which nothing counts as broken.
+     * Begins in the models' initial states, or in others. The events that led there are then unknown: they are assumed
+     * to be the shortest way, on which nothing counts as violated.
      *
-     * @param properties to be watched
-     * @param table of a valid pair
+     * @param properties the properties to watch
+     * @param table the decisions for a valid pair
      */
     public PropertyWatch(List<Property> properties, DecisionTable table, Configuration from) {
         this.properties = List.copyOf(properties);
@@ -65,7 +65,7 @@ public final class PropertyWatch {
         see();
     }
 
-    /** Those that this moment has broken. */
+    /** The properties that this moment has violated. */
     private List<Property> see() {
         List<Property> broken = List.of();
         for (Watched each : watched.values()) {
@@ -77,13 +77,13 @@ public final class PropertyWatch {
         return broken;
     }
 
-    /** What is watched, in order. */
+    /** The watched properties, in order. */
     public List<Property> properties() {
         return properties;
     }
 
     /**
-     * How a property stands after what has happened so far.
+     * The status of a property so far.
      *
      * @param property one of {@link #properties}
      */
@@ -95,23 +95,23 @@ public final class PropertyWatch {
         return of.isBroken() ? Standing.BROKEN : of.isOpen() ? Standing.OPEN : Standing.KEPT;
     }
 
-    /** Those that are broken, in order. */
+    /** The violated properties, in order. */
     public List<Property> broken() {
         return properties.stream()
                 .filter(property -> standing(property) == Standing.BROKEN)
                 .toList();
     }
 
-    /** From here on other decisions of the same models say what can happen. */
+    /** Sets the decisions of the same models that determine from now on what can happen. */
     public void decideBy(DecisionTable table) {
         outlook = new Outlook(table);
     }
 
     /**
-     * An event has led somewhere, maybe where it was before.
+     * An event has led to these states, possibly unchanged.
      *
-     * @param last the event; null if none led there, as where the device was found elsewhere
-     * @return the properties that this has broken
+     * @param last the event; null if none led there, for example if the device was found in another state
+     * @return the properties that this has violated
      */
     public List<Property> happened(Configuration at, @Nullable Event last) {
         now = new Moment(at, last == null ? now.last() : last.trigger());
@@ -119,11 +119,11 @@ public final class PropertyWatch {
     }
 
     /**
-     * An occurrence has come to its end, as {@link org.evoloop.core.Outputs#ended} tells. An event that was ignored,
-     * came too late, was lost or failed has not happened, unless it has moved something all the same.
+     * An occurrence has ended, as reported by {@link org.evoloop.core.Outputs#ended}. An event that was ignored, came
+     * too late, was lost or failed has not happened, unless it has changed a state all the same.
      *
-     * @param after where device and evolved system stand then
-     * @return the properties that this has broken
+     * @param after the states of device and evolved system then
+     * @return the properties that this has violated
      */
     public List<Property> ended(
             Occurrence occurrence, Configuration after, Outcome outcome, @Nullable Decision decision) {
@@ -143,7 +143,7 @@ public final class PropertyWatch {
         return switch (outcome) {
             case HANDLED -> true;
             case IGNORED -> decision != null && !decision.steps().isEmpty();
-            // Of what failed only its effects, the transition is taken.
+            // If only effects failed, the transition was taken.
             case FAILED -> decision != null && !(decision instanceof Decision.Impossible);
             case STALE, DROPPED -> false;
         };

@@ -10,10 +10,10 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * A property while moments are seen: what is left to be done of it. There may be several ways to keep it, and each is a
- * set of duties from the next moment on; where no way is left it is broken. What follows from a set of ways and the
- * facts of a moment is found out once: this is a deterministic automaton whose states are made when they are needed.
- * There are finitely many.
+ * The remaining duties of a property while moments are observed. There may be several ways to satisfy it, each a set of
+ * duties from the next moment on; without any way left it is violated. The successor of a set of ways for the facts of
+ * a moment is computed once: this is a deterministic automaton with states made on demand, of which there are finitely
+ * many.
  *
  * <p>Threading: not thread-safe.
  */
@@ -25,7 +25,7 @@ final class Watched {
     private final Place start;
     private Place at;
 
-    /** A state of the automaton, and where facts lead from there. */
+    /** A state of the automaton, and its successors by facts. */
     private record Place(Set<Set<Duty>> ways, Map<BitSet, Place> next) {}
 
     Watched(Property property) {
@@ -61,7 +61,7 @@ final class Watched {
         return property;
     }
 
-    /** As if nothing had been seen. */
+    /** Resets to the state before the first moment. */
     void forget() {
         at = start;
     }
@@ -70,12 +70,12 @@ final class Watched {
         return at.ways().isEmpty();
     }
 
-    /** Whether something that must come has not come, whichever way it is kept. */
+    /** Whether, in every way to satisfy it, something that must come has not come. */
     boolean isOpen() {
         return !isBroken() && at.ways().stream().allMatch(way -> way.stream().anyMatch(Duty::isOwed));
     }
 
-    /** Sees another moment; whether that breaks it. */
+    /** Observes another moment; returns whether that violates the property. */
     boolean breaksIn(Moment moment, Outlook outlook) {
         for (int number = 0; number < facts.size(); number++) {
             seen.set(number, outlook.holds(facts.get(number), moment));
@@ -105,7 +105,7 @@ final class Watched {
         return shortest(after);
     }
 
-    /** The ways to do {@code duty} from the moment that is seen on. */
+    /** The ways to satisfy {@code duty} from the observed moment on. */
     private Set<Set<Duty>> unfold(Duty duty) {
         if (duty instanceof Duty.Fact fact) {
             return seen.get(facts.indexOf(fact.formula())) ? Set.of(Set.of()) : Set.of();
@@ -141,7 +141,7 @@ final class Watched {
         return shortest(all);
     }
 
-    /** A way that takes all that another one takes, and more, is of no use. */
+    /** Removes each way that includes another one. */
     private static Set<Set<Duty>> shortest(Set<Set<Duty>> ways) {
         Set<Set<Duty>> shortest = new HashSet<>(ways);
         shortest.removeIf(way -> ways.stream().anyMatch(other -> other.size() < way.size() && way.containsAll(other)));

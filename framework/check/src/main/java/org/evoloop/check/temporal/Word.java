@@ -10,7 +10,7 @@ import java.util.regex.Pattern;
  *
  * <p>Threading: immutable.
  *
- * @param quoted whether it stands in quotation marks, and so is a name, whatever it is
+ * @param quoted whether it is in quotation marks, and so is a name, whatever its text
  * @since 0.1
  */
 public record Word(String text, boolean quoted) {
@@ -26,7 +26,7 @@ public record Word(String text, boolean quoted) {
         return List.copyOf(words);
     }
 
-    /** Whether it is {@code keyword}, and no name. */
+    /** Whether it is {@code keyword} and not a name. */
     public boolean is(String keyword) {
         return !quoted && text.equals(keyword);
     }

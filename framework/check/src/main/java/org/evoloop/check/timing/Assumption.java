@@ -4,17 +4,17 @@ import org.evoloop.check.temporal.Formula;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What is known of the time that things around a converter take. The check before it runs counts on that.
+ * An assumption about the timing of a converter's environment, used by the check before it runs.
  *
  * <p>Threading: immutable.
  *
  * @since 0.1
  */
 public sealed interface Assumption {
-    /** What it is about: no two of a file are about the same. */
+    /** Its subject: no two assumptions of a file have the same. */
     Object about();
 
-    /** From when {@code event} is sent until the device has obeyed. */
+    /** The time from when {@code event} is sent until the device has obeyed. */
     record Takes(String event, Span span) implements Assumption {
         @Override
         public Object about() {
@@ -23,7 +23,8 @@ public sealed interface Assumption {
     }
 
     /**
-     * From one event of this name to the next one; of any name if it is null: of all that controllers and people press.
+     * The least time between two events of this name; if it is null, between any two that controllers and people
+     * request.
      */
     record Gap(@Nullable String event, long minNanos) implements Assumption {
         @Override
@@ -32,7 +33,9 @@ public sealed interface Assumption {
         }
     }
 
-    /** {@code event} comes by itself once in each time that {@code during} lasts, so long after its beginning. */
+    /**
+     * {@code event} comes by itself once in each period in which {@code during} holds, this long after its beginning.
+     */
     record Comes(String event, Span span, Formula.Atom during) implements Assumption {
         @Override
         public Object about() {

@@ -11,9 +11,9 @@ import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 
 /**
- * The clocks beside a situation, in ticks, and where each stands in a row of numbers: the situation, how long the step
- * is on its way, what is left of each timer, since when controls were pressed, how long what comes by itself is
- * awaited, violations that something follows from, and what the monitors remember.
+ * The clocks of a situation, in ticks, and their places in a row of numbers: the situation, the age of the step being
+ * sent, the remaining time of each timer, the time since controls were pressed, the age of each awaited event,
+ * violations with pending reactions, and the monitors' memory.
  */
 final class Clocks {
     /** Places in the row. */
@@ -86,7 +86,7 @@ final class Clocks {
         }
     }
 
-    /** What is written, and the device's own time triggers. */
+    /** The written assumptions, and the device's own time triggers. */
     private static List<Assumption.Comes> comings(ModelPair pair, TimeRules written) {
         List<Assumption.Comes> comings = new ArrayList<>(written.assumptions(Assumption.Comes.class));
         for (State state : pair.original().states()) {
@@ -120,10 +120,10 @@ final class Clocks {
         }
     }
 
-    /** The time at which rows are looked at: so late that every age is after 0. */
+    /** The time at which rows are evaluated: late enough for every age to begin after 0. */
     static final long NOW = 1L << 40;
 
-    /** Writes what the monitors remember at {@code now} into a row. */
+    /** Writes the monitors' memory at {@code now} into a row. */
     void note(int[] row, long now) {
         int place = monitorsAt;
         for (TimeMonitor monitor : monitors) {

@@ -10,8 +10,8 @@ import org.evoloop.core.Rules;
 import org.evoloop.statemachine.Event;
 
 /**
- * Everything that can happen to a converter, tick by tick: first with the fewest happenings, and of these first what
- * takes the least time.
+ * Explores everything that can happen to a converter, tick by tick: fewest events first, and among these the least time
+ * first.
  */
 final class Exploration {
     /** How time passing is labelled. */
@@ -35,7 +35,7 @@ final class Exploration {
     private ArrayDeque<Integer> later = new ArrayDeque<>();
     private boolean[] done = new boolean[1 << 10];
 
-    /** Who looks at what is found. */
+    /** Receives the results. */
     interface Judge {
         /** A moment, before what can happen in it is tried. */
         default void looks(int number, int[] row, boolean blocked) {}
@@ -44,7 +44,7 @@ final class Exploration {
          * Something has happened, or time has passed; the rows tell what the monitors say of it.
          *
          * @param from the moment before; -1 at the beginning
-         * @return whether that is enough
+         * @return whether to stop
          */
         boolean goes(int from, int label, Rows rows);
     }
@@ -52,7 +52,7 @@ final class Exploration {
     /**
      * @param forms what is watched, the first of which the rows measure
      * @param raised for each of them what follows from its violation
-     * @param most so many moments are looked at
+     * @param most the largest number of moments to explore
      */
     Exploration(
             Rules rules, TimeRules written, Clocks clocks, List<TimeForm> forms, List<Set<Event>> raised, int most) {
@@ -68,9 +68,9 @@ final class Exploration {
     }
 
     /**
-     * Goes on until all is seen, or the judge has enough.
+     * Explores until everything is done, or the judge stops it.
      *
-     * @throws TooLargeException if there is more than may be looked at
+     * @throws TooLargeException if there are too many moments
      */
     void run(Judge judge) {
         int[] row = rows.first();

@@ -13,8 +13,8 @@ import org.evoloop.statemachine.Event;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A snapshot without what makes no difference to how things go on: equal for those that differ in nothing but how much
- * was counted and how late it is. Timers that run are told apart by deadlines far in the future.
+ * A snapshot without what is irrelevant to the future: equal for snapshots that differ only in counters and times.
+ * Running timers are distinguished by deadlines far in the future.
  */
 final class Likeness {
     /** The deadline of the first timer that runs; the others follow. */

@@ -1,6 +1,6 @@
 package org.evoloop.check.timing;
 
-/** Looks for the first violation of the first property that is watched, and measures what it comes to. */
+/** Searches for the first violation of the first watched property, and measures its best and worst values. */
 final class Measuring implements Exploration.Judge {
     private final Exploration exploration;
     private final boolean stops;
@@ -38,7 +38,7 @@ final class Measuring implements Exploration.Judge {
         return violated;
     }
 
-    /** Whether a time has run down without what should have come. */
+    /** Whether a time has run out without the required event. */
     boolean hasLapsed() {
         return lapsed;
     }
@@ -51,7 +51,7 @@ final class Measuring implements Exploration.Judge {
         return label;
     }
 
-    /** In nanoseconds, or how many; -1 if it never came to that. */
+    /** The lowest value, in nanoseconds or as a count; -1 if it never occurred. */
     long best() {
         return best == Long.MAX_VALUE ? -1 : best;
     }

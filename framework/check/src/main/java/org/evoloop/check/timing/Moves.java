@@ -11,7 +11,7 @@ import org.evoloop.evolution.Step;
 import org.evoloop.statemachine.Event;
 import org.jspecify.annotations.Nullable;
 
-/** What can happen in a row of clocks, and whether time can pass before. */
+/** The possible moves in a row of clocks, and whether time can pass first. */
 final class Moves {
     private final Rules rules;
     private final Clocks clocks;
@@ -139,7 +139,7 @@ final class Moves {
         return moves;
     }
 
-    /** What somebody may ask for, and what the device may do, in this very moment or never. */
+    /** The events that may be requested, and what the device may do, at this moment or never. */
     List<Move> asked(int[] row) {
         Situation situation = situations.number(row[Clocks.SITUATION]);
         Known here = known(situation);

@@ -3,7 +3,7 @@ package org.evoloop.check.timing;
 import java.util.Arrays;
 import java.util.List;
 
-/** Puts small numbers side by side into as few words as hold them, and takes them out again. */
+/** Packs small numbers into as few words as possible, and unpacks them. */
 final class Packing {
     private final int[] word;
     private final int[] shift;

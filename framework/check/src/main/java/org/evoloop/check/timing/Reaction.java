@@ -3,12 +3,12 @@ package org.evoloop.check.timing;
 import org.evoloop.statemachine.Event;
 
 /**
- * What follows while the converter runs when a time property is violated.
+ * The reaction to the violation of a time property while the converter runs.
  *
  * <p>Threading: immutable.
  *
- * @param property its name
- * @param event of the new model, which is raised then
+ * @param property the property's name
+ * @param event the event of the new model that is raised then
  * @since 0.1
  */
 public record Reaction(String property, Event event) {}

@@ -6,7 +6,7 @@ import org.evoloop.check.temporal.Formula;
 import org.evoloop.check.timing.Situation.Branch;
 import org.evoloop.statemachine.Event;
 
-/** What becomes of the clocks when something happens, and when time passes. */
+/** Computes the clocks after an event, and after a tick. */
 final class Rows {
     private final Clocks clocks;
     private final Situations situations;

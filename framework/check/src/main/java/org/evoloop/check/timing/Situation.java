@@ -10,7 +10,7 @@ import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.Transition;
 import org.jspecify.annotations.Nullable;
 
-/** All that a core knows at one moment, but for when: where its timers stand is told beside it. */
+/** The state of a core at one moment without times: the timers' remaining times are kept separately. */
 final class Situation {
     final int number;
     final Snapshot snapshot;

@@ -14,8 +14,7 @@ import org.evoloop.core.Snapshot;
 import org.evoloop.statemachine.Event;
 
 /**
- * Every situation that a converter can get into, and what follows in it: the converter's own core says so, which is
- * told one thing after the other.
+ * All situations of a converter and their successors, computed by the converter's own core, one input at a time.
  */
 final class Situations {
     private final Rules rules;

@@ -7,12 +7,12 @@ import java.util.regex.Pattern;
 import org.evoloop.statemachine.ModelException;
 
 /**
- * A closed interval of time: both its ends belong to it.
+ * A closed interval of time.
  *
  * <p>Threading: immutable.
  *
- * @param minNanos at least, not less than 0
- * @param maxNanos at most, {@link #FOR_EVER} if there is no limit
+ * @param minNanos the lower bound, 0 or more
+ * @param maxNanos the upper bound, {@link #FOR_EVER} if there is none
  * @since 0.1
  */
 public record Span(long minNanos, long maxNanos) {
@@ -26,7 +26,7 @@ public record Span(long minNanos, long maxNanos) {
     private static final Pattern STRICT = Pattern.compile("(<|>|less\\b|more\\b|below\\b|above\\b).*");
 
     /**
-     * Reads {@code 200 ms .. 1 s}, or {@code 1 s}, which is from 1 s to 1 s.
+     * Parses {@code 200 ms .. 1 s}, or {@code 1 s}, which is from 1 s to 1 s.
      *
      * @throws ModelException saying what is wrong and how it is written
      */
@@ -45,7 +45,7 @@ public record Span(long minNanos, long maxNanos) {
     }
 
     /**
-     * Reads {@code 1.5 s}.
+     * Parses {@code 1.5 s}.
      *
      * @throws ModelException saying what is wrong and how it is written
      */
@@ -70,7 +70,7 @@ public record Span(long minNanos, long maxNanos) {
         return nanos.longValueExact();
     }
 
-    /** As it is written: {@code 1.5 s}. */
+    /** Formats a duration: {@code 1.5 s}. */
     public static String length(long nanos) {
         if (nanos == FOR_EVER) {
             return "for ever";

@@ -9,9 +9,9 @@ import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
 
 /**
- * The unit in which time is counted: the greatest length of which every length that matters is a multiple. With closed
- * intervals nothing is lost by that: what can happen at all happens at whole ticks, too (Henzinger, Manna and Pnueli,
- * What good are digital clocks?, ICALP 1992).
+ * The unit in which time is counted: the greatest common divisor of all relevant durations. With closed intervals this
+ * loses nothing: whatever can happen at all can also happen at whole ticks (Henzinger, Manna and Pnueli, What good are
+ * digital clocks?, ICALP 1992).
  */
 record Ticks(long nanos) {
 

@@ -18,23 +18,23 @@ import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.StateMachine;
 
 /**
- * Decides before it runs what an evolution keeps to in time: over every pair of states that can be reached, with its
- * timers, the time that steps take, and its queue. The converter's own core says what follows from what.
+ * Decides the time properties of an evolution before it runs: over every reachable pair of states, with its timers, the
+ * duration of steps, and its queue. The converter's own core computes what follows.
  *
- * <p>Threading: none needed, it keeps nothing.
+ * <p>Threading: thread-safe, since it has no state.
  *
  * @since 0.1
  */
 public final class TimeCheck {
-    /** So many moments are looked at for one property, which takes some ten seconds. */
+    /** The largest number of moments explored for one property, which takes some ten seconds. */
     static final int MOST_MOMENTS = 2_000_000;
 
     private static final int MOST_TOGETHER = 4 * MOST_MOMENTS;
 
-    /** As many events wait in a converter unless it is built otherwise. */
+    /** The default queue capacity of a converter. */
     private static final int QUEUE = 8;
 
-    /** Where a bound does not hold, one that does is looked for up to so many times as long. */
+    /** If a bound does not hold, one that does is searched up to this many times as long. */
     private static final int FURTHER = 8;
 
     private final Rules rules;
@@ -58,10 +58,10 @@ public final class TimeCheck {
     }
 
     /**
-     * Everything that is wrong in time, and what each property comes to.
+     * All findings about time, and the verdict on each property.
      *
      * @param file for messages
-     * @throws org.evoloop.statemachine.ModelException if the pair is no evolution
+     * @throws org.evoloop.statemachine.ModelException if the pair is not an evolution
      */
     public static TimeReport run(CheckInput input, TimeRules written, String file) {
         input.pair().requireValid();
@@ -80,7 +80,7 @@ public final class TimeCheck {
             } catch (TooLargeException tooLarge) {
                 undecided.add(file + ", line " + property.line() + ": '" + property.name() + "' cannot be decided: "
                         + tooLarge.getMessage() + "; " + remedy());
-                // What has made it too large makes the others so, and each would take as long.
+                // The others would be too large for the same reason, and each would take as long.
                 return new TimeReport(verdicts, findings, undecided, "");
             }
         }
@@ -147,7 +147,7 @@ public final class TimeCheck {
                 way));
     }
 
-    /** How bad it can get, as far as that can be found out. */
+    /** The worst case, as far as it can be determined. */
     private TimeVerdict further(TimeProperty property, Measuring stopped) {
         try {
             TimeForm wider = wider(property.form());

@@ -4,23 +4,23 @@ import java.util.List;
 import org.evoloop.check.temporal.Formula;
 
 /**
- * What a time property asks for. Its formulas are about one moment each. They are seen as follows: a state, a state of
- * the device and a function last; an event is there in the instant in which it comes, whatever becomes of it.
+ * The form of a time property. Each of its formulas is about one moment. A state, a state of the device and a function
+ * last; an event is present in the instant in which it comes, whatever its outcome.
  *
  * <p>Threading: immutable.
  *
  * @since 0.1
  */
 public sealed interface TimeForm {
-    /** What it is about: what begins, lasts, or occurs. */
+    /** The formula that begins, lasts, or occurs. */
     Formula subject();
 
-    /** What else is to be seen; the subject itself if nothing is. */
+    /** The other formula; the subject itself if there is none. */
     default Formula other() {
         return subject();
     }
 
-    /** Every length of time in it. */
+    /** Every duration in it. */
     List<Long> nanos();
 
     /** After {@code subject} begins, {@code other} holds for the first time within {@code span}. */
@@ -31,7 +31,7 @@ public sealed interface TimeForm {
         }
     }
 
-    /** {@code subject} lasts as long as {@code span} says whenever it has begun. */
+    /** {@code subject} lasts for a duration within {@code span} whenever it has begun. */
     record Stay(Formula subject, Span span) implements TimeForm {
         @Override
         public List<Long> nanos() {

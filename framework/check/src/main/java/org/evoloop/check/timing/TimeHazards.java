@@ -15,8 +15,8 @@ import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 
 /**
- * What is wrong in time whatever is asked for: two timers that are due in one instant, a step that is on its way when a
- * timer of its own visit is due, and time that cannot go on.
+ * Finds timing errors that need no property: two timers due at the same instant, a step that is being sent when a timer
+ * of its own visit is due, and time that cannot advance.
  */
 final class TimeHazards implements Exploration.Judge {
     private final Exploration exploration;

@@ -3,11 +3,12 @@ package org.evoloop.check.timing;
 import java.util.Arrays;
 
 /**
- * What has to be remembered of the past to judge one time property. The same monitors are fed while a converter runs,
- * in nanoseconds, and before it runs with everything that can happen, in ticks. Nothing is allocated after the first.
+ * Monitors one time property, storing as little of the past as it needs. The same monitors are used while a converter
+ * runs, in nanoseconds, and before it runs for everything that can happen, in ticks. Nothing is allocated after
+ * creation.
  *
- * <p>It gets each moment in order, several of them at one time if that is how things happen: whether the property's
- * subject and what else it names are to be seen. For an event it gets one moment with the event and one without.
+ * <p>It gets each moment in order, possibly several at the same time: whether the property's subject and its other
+ * formula hold. For an event it gets one moment with the event and one without.
  *
  * <p>Threading: not thread-safe.
  *
@@ -17,13 +18,13 @@ public abstract sealed class TimeMonitor {
     /** No time. */
     public static final long NONE = Long.MIN_VALUE;
 
-    /** Times that are remembered. */
+    /** The stored times. */
     final long[] marks;
 
-    /** What was seen last: bit 0 the subject, bit 1 the other. */
+    /** The last observation: bit 0 is the subject, bit 1 the other. */
     int seen;
 
-    /** How long it took what has just come to its end, or how many there were; {@link #NONE} if nothing did. */
+    /** The duration that has just ended, or the count; {@link #NONE} if none has. */
     long measured = NONE;
 
     private TimeMonitor(int marks) {
@@ -32,7 +33,7 @@ public abstract sealed class TimeMonitor {
     }
 
     /**
-     * One that is told times in units of {@code unitNanos}, of which all lengths of time in {@code form} are multiples.
+     * A monitor with times in units of {@code unitNanos}, of which all durations in {@code form} are multiples.
      */
     public static TimeMonitor of(TimeForm form, long unitNanos) {
         if (form instanceof TimeForm.Response response) {
@@ -57,7 +58,7 @@ public abstract sealed class TimeMonitor {
     /**
      * A moment.
      *
-     * @param now not before any earlier time; {@link #lapsed} must have been asked for it
+     * @param now not before any earlier time; {@link #lapsed} must have been called for it
      * @return whether this violates the property
      */
     public final boolean sees(long now, boolean subject, boolean other) {
@@ -75,7 +76,10 @@ public abstract sealed class TimeMonitor {
         return NONE;
     }
 
-    /** It is {@code now}, and since the last moment nothing has happened: whether that violates the property. */
+    /**
+     * Advances the time to {@code now}, with nothing having happened since the last moment; returns whether that
+     * violates the property.
+     */
     public final boolean lapsed(long now) {
         long deadline = deadline();
         boolean late = deadline != NONE && now > deadline;
@@ -85,7 +89,7 @@ public abstract sealed class TimeMonitor {
         return late;
     }
 
-    /** Forgets what makes no difference any more, so that there are finitely many situations. */
+    /** Forgets what is no longer relevant, so that there are finitely many situations. */
     abstract void forget(long now);
 
     static long max(long one, long other) {

@@ -5,15 +5,15 @@ import java.util.Optional;
 import java.util.function.Predicate;
 
 /**
- * All that is written of time beside the models of an evolution.
+ * All lines about time in the property file of an evolution.
  *
  * <p>Threading: immutable.
  *
- * @param properties in the order in which they are written
+ * @param properties the properties, in the file's order
  * @since 0.1
  */
 public record TimeRules(List<TimeProperty> properties, List<Assumption> assumptions, List<Reaction> reactions) {
-    /** Nothing is written. */
+    /** No lines about time. */
     public static final TimeRules NONE = new TimeRules(List.of(), List.of(), List.of());
 
     public TimeRules {
@@ -27,7 +27,7 @@ public record TimeRules(List<TimeProperty> properties, List<Assumption> assumpti
         return assumptions.stream().filter(kind::isInstance).map(kind::cast).toList();
     }
 
-    /** The one of a kind that {@code wanted} holds for. */
+    /** The assumption of one kind that matches {@code wanted}. */
     <A extends Assumption> Optional<A> find(Class<A> kind, Predicate<A> wanted) {
         return assumptions(kind).stream().filter(wanted).findFirst();
     }

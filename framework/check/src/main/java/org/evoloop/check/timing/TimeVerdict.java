@@ -1,13 +1,14 @@
 package org.evoloop.check.timing;
 
 /**
- * Whether a time property holds over everything that can happen, and how close it comes to not holding.
+ * Whether a time property holds for everything that can happen, and by what margin.
  *
  * <p>Threading: immutable.
  *
- * @param best the least that it ever takes, in nanoseconds; of a count, the lowest number; -1 if it never comes to that
- * @param worst the most; -1 if it never comes to that; {@link Span#FOR_EVER} if no bound was found
- * @param moments how many were looked at
+ * @param best the shortest time that it ever takes, in nanoseconds; for a count, the lowest number; -1 if it never
+ *     occurs
+ * @param worst the longest time or highest number; -1 if it never occurs; {@link Span#FOR_EVER} if no bound was found
+ * @param moments how many moments were explored
  * @since 0.1
  */
 public record TimeVerdict(TimeProperty property, boolean holds, long best, long worst, long moments) {

@@ -12,10 +12,10 @@ import org.evoloop.statemachine.Event;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Watches the time properties of an evolution while it runs, with the monitors that judge it before. What a property
- * sees of a configuration and an event is found out once; after that, nothing is allocated.
+ * Watches the time properties of an evolution while it runs, with the same monitors as the check. What a property
+ * observes of a configuration and an event is computed once; after that, nothing is allocated.
  *
- * <p>What came before it begins is not known, and nothing counts as violated by it.
+ * <p>Earlier events are unknown, and nothing counts as violated because of them.
  *
  * <p>Threading: not thread-safe.
  *
@@ -27,7 +27,7 @@ public final class TimeWatch implements Sentry {
     private final TimeForm[] forms;
     private final TimeMonitor[] monitors;
 
-    /** Violations that were not reported yet. */
+    /** Violations not reported yet. */
     private final boolean[] violated;
 
     private final Map<Configuration, int[]> lasting = new HashMap<>();
@@ -36,7 +36,7 @@ public final class TimeWatch implements Sentry {
     private Configuration at;
     private long now;
 
-    /** Begins to watch what is written for {@code pair}. */
+    /** Starts watching the rules for {@code pair}. */
     public TimeWatch(TimeRules rules, ModelPair pair, Configuration at, long atNanos) {
         this.rules = rules;
         this.pair = pair;
@@ -75,7 +75,7 @@ public final class TimeWatch implements Sentry {
 
     @Override
     public void passed(long atNanos) {
-        // What was observed before may be told after.
+        // An earlier observation may be reported later.
         now = Math.max(now, atNanos);
         for (int index = 0; index < monitors.length; index++) {
             violated[index] |= monitors[index].lapsed(now);
@@ -116,7 +116,7 @@ public final class TimeWatch implements Sentry {
         long due = NEVER;
         for (int index = 0; index < monitors.length; index++) {
             long deadline = violated[index] ? now - 1 : monitors[index].deadline();
-            // At the deadline itself it may still be kept.
+            // At the deadline itself the property may still be satisfied.
             due = deadline == TimeMonitor.NONE ? due : Math.min(due, deadline + 1);
         }
         return due;

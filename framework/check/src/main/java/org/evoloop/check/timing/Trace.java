@@ -7,7 +7,7 @@ import org.evoloop.evolution.Step;
 import org.evoloop.statemachine.Event;
 import org.jspecify.annotations.Nullable;
 
-/** What has happened until a moment, with times. */
+/** The events up to a moment, with times. */
 final class Trace {
     private final Exploration exploration;
     private final List<TimedEvent> events = new ArrayList<>();

@@ -18,7 +18,7 @@ import org.evoloop.evolution.Values;
 import org.evoloop.statemachine.Event;
 import org.jspecify.annotations.Nullable;
 
-/** Gives a core one input, and carries out all that follows in the same instant. */
+/** Gives a core one input, and carries out everything that follows in the same instant. */
 final class Turnover implements Outputs {
     private final Rules rules;
     private final Core core;
@@ -88,7 +88,7 @@ final class Turnover implements Outputs {
         return Objects.requireNonNull(begun).number();
     }
 
-    /** Until nothing is left to do but to wait. */
+    /** Continues until only waiting is left. */
     private Turnover settle() {
         boolean goesOn = true;
         while (goesOn) {

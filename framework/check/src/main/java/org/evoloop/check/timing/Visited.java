@@ -2,7 +2,7 @@ package org.evoloop.check.timing;
 
 import java.util.Arrays;
 
-/** The moments that were found, numbered as they came: each with how it was come to, and when first. */
+/** The moments found, numbered in order, each with how and when it was first reached. */
 final class Visited {
     private final int words;
     private long[] keys;
