@@ -1,8 +1,8 @@
-/** What is typed at a running converter, and what it answers. */
+/** The console of a running converter. */
 module org.evoloop.console {
     requires static org.jspecify;
     requires static jdk.unsupported;
-    // Line editing, if it is there.
+    // Line editing, if it is available.
     requires static org.jline.reader;
     requires static org.jline.terminal;
     requires transitive org.evoloop.core;

@@ -1,4 +1,4 @@
-/** For tests of anybody's converter: a harness without threads, and simulated devices made from models. */
+/** For tests of converters: a harness without threads, and simulated devices made from models. */
 module org.evoloop.testkit {
     requires static org.jspecify;
     requires transitive org.evoloop.core;

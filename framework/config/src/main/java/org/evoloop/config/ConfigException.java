@@ -3,8 +3,7 @@ package org.evoloop.config;
 import java.util.List;
 
 /**
- * What a program was told makes no sense. Its message holds every mistake with its place and how to mend it; one stands
- * on one line, several on one each.
+ * A program's options are invalid. The message lists every mistake with its place and how to fix it, one per line.
  *
  * @since 0.1
  */

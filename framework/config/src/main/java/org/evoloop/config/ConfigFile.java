@@ -26,11 +26,11 @@ import org.snakeyaml.engine.v2.parser.ParserImpl;
 import org.snakeyaml.engine.v2.scanner.StreamReader;
 
 /**
- * Reads a file of options: one mapping of names to values, or lists of them. Values are taken as they are written, so
- * {@code 08:00} and {@code 0755} stay what they are.
+ * Reads a file of options: one mapping of names to values, or lists of them. Values are taken literally, so {@code
+ * 08:00} and {@code 0755} remain as written.
  *
- * <p>It reads the parser's events: whatever else YAML can say, such as aliases or nesting, is refused where it stands
- * and never carried out.
+ * <p>It reads the parser's events: other features of YAML, such as aliases or nesting, are refused at their line and
+ * never evaluated.
  */
 final class ConfigFile {
     private static final int DEEPEST = 100;
@@ -48,7 +48,7 @@ final class ConfigFile {
         this.events = new ParserImpl(settings, new StreamReader(settings, text));
     }
 
-    /** What the file says; what is wrong with its form goes to {@code mistakes}. */
+    /** The entries of the file; errors in its form go to {@code mistakes}. */
     static List<Entry> read(Path file, Mistakes mistakes) {
         Optional<String> text = FileText.read(file, mistakes);
         if (text.isEmpty()) {
@@ -117,7 +117,7 @@ final class ConfigFile {
         }
     }
 
-    /** Adds a value; false if it is none. */
+    /** Adds a value; false if it is not one. */
     private boolean value(Event event, List<Value> values) {
         if (event instanceof ScalarEvent scalar) {
             if (scalar.isPlain() && scalar.getValue().matches("|~|null|Null|NULL")) {
@@ -139,7 +139,7 @@ final class ConfigFile {
         return false;
     }
 
-    /** Refuses what YAML can say, but not here; false if it does. */
+    /** Refuses unsupported features of YAML; false if it did. */
     private boolean checkNode(NodeEvent node) {
         if (node instanceof AliasEvent || node.getAnchor().isPresent()) {
             mistake(
@@ -166,7 +166,7 @@ final class ConfigFile {
             Event next = events.next();
             depth += next instanceof CollectionStartEvent ? 1 : next instanceof CollectionEndEvent ? -1 : 0;
             if (depth > DEEPEST) {
-                // The parser takes the square of the depth.
+                // The parser's time is quadratic in the depth.
                 throw new YamlEngineException("it is nested more than " + DEEPEST + " levels deep");
             }
         }

@@ -31,7 +31,7 @@ final class FileText {
             return refused(mistakes, file + ": is a directory; name a file in it");
         }
         byte[] bytes;
-        // Read, not asked for its size: it may be a pipe.
+        // Read without asking for its size: it may be a pipe.
         try (InputStream in = Files.newInputStream(file)) {
             bytes = in.readNBytes(LARGEST + 1);
         } catch (NoSuchFileException missing) {

@@ -8,7 +8,7 @@ import java.util.Optional;
 import org.evoloop.config.Entry.Value;
 import org.evoloop.statemachine.Names;
 
-/** Makes settings of what command line and file say: the command line wins. */
+/** Merges command line and file into settings: the command line wins. */
 final class Merge {
     private final Options options;
     private final Mistakes mistakes;
@@ -32,7 +32,7 @@ final class Merge {
         return settings;
     }
 
-    /** Those of options that there are, with what a command line says in several places put together. */
+    /** The entries of known options, with repeated ones on a command line combined. */
     private Map<Option<?>, Entry> known(List<Entry> entries) {
         Map<Option<?>, Entry> known = new LinkedHashMap<>();
         for (Entry entry : entries) {

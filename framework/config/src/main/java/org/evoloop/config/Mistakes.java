@@ -14,9 +14,9 @@ import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Gathers what is wrong with a program's options, so that all of it can be told at once. A mistake names its options as
- * on the command line, {@code --port}; if the first of them that was given comes from a file, it is told with the line
- * there.
+ * Collects the mistakes in a program's options, so that they can all be reported at once. A mistake names its options
+ * as on the command line, {@code --port}; if the first of them that was given comes from a file, it is reported with
+ * the line there.
  *
  * <p>Threading: for one thread.
  *
@@ -38,25 +38,25 @@ public final class Mistakes {
         given.put(option, origin);
     }
 
-    /** Part of what was given could not be read: nothing is told of what goes together. */
+    /** Notes that part of the input could not be read: checks across options are not reported. */
     void missSomething() {
         somethingIsMissing = true;
     }
 
-    /** What was given for this option cannot be used, which has been told. */
+    /** Notes that the value of this option is unusable, which has been reported. */
     void spoils(String option) {
         faulty.add(option);
     }
 
-    /** A mistake at a place. */
+    /** Adds a mistake at a place. */
     void at(Origin place, String mistake) {
         told.add(new Told(place, place.tell(mistake)));
     }
 
-    /** What is wrong with one option's value: nothing else about this option is told. */
+    /** Adds a mistake in one option's value: nothing else about this option is reported. */
     void in(String option, Origin place, String mistake) {
         faulty.add(option);
-        // A value may hold anything.
+        // A value may contain any characters.
         String line = mistake.replaceAll("\\p{Cntrl}", "?");
         at(place, line.startsWith("--") ? line : "--" + option + ": " + line);
     }
@@ -80,7 +80,7 @@ public final class Mistakes {
      *
      * @param option its name, without dashes
      * @param mistake whether a failure is the user's
-     * @return what was read; null if it was refused
+     * @return the value; null if it was refused
      */
     public <T> @Nullable T tried(String option, Predicate<RuntimeException> mistake, Supplier<T> read) {
         if (faulty.contains(option)) {
@@ -109,7 +109,7 @@ public final class Mistakes {
     }
 
     /**
-     * Tells all of them.
+     * Reports all mistakes.
      *
      * @throws ConfigException if there are any
      */

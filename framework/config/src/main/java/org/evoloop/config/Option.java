@@ -13,7 +13,7 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>Threading: immutable, if its reader is.
  *
- * @param <T> what its values are
+ * @param <T> the type of its values
  * @since 0.1
  */
 public final class Option<T> {
@@ -52,7 +52,7 @@ public final class Option<T> {
      * An option with a value.
      *
      * @param name without dashes
-     * @param label what stands for the value in a usage line, such as {@code FILE}
+     * @param label the placeholder of the value in a usage line, such as {@code FILE}
      * @param description one sentence
      * @param reader reads a value; throws an {@link IllegalArgumentException} that says what is wrong with it and what
      *     is allowed
@@ -66,7 +66,7 @@ public final class Option<T> {
         return value(name, label, description, text -> Path.of(text)).placedBy(Option::resolved);
     }
 
-    /** The same for a file that must be there. */
+    /** An option whose value is the path of an existing file. */
     public static Option<Path> file(String name, String label, String description) {
         return value(name, label, description, text -> {
                     Path file = Path.of(text);
@@ -106,31 +106,32 @@ public final class Option<T> {
         };
     }
 
-    /** The same under other names, too. */
+    /** A copy with additional names. */
     public Option<T> alsoCalled(List<String> names) {
         return new Option<>(name, List.copyOf(names), label, description, reader, repeats, usual, placed, insteadOf);
     }
 
-    /** The same with any number of values: given again on a command line, as a list in a file. */
+    /** A copy that takes any number of values: repeated on a command line, as a list in a file. */
     public Option<T> repeated() {
         return new Option<>(name, otherNames, label, description, reader, true, usual, placed, insteadOf);
     }
 
-    /** The same with a value for when none is given. */
+    /** A copy with a default value. */
     public Option<T> withDefault(String value) {
         return new Option<>(name, otherNames, label, description, reader, repeats, value, placed, insteadOf);
     }
 
     /**
-     * The same with values that contain relative paths.
+     * A copy with values that contain relative paths.
      *
-     * @param resolve gets a directory and a value, and gives the value as it is written elsewhere
+     * @param resolve takes a directory and a value relative to it, and returns the value relative to the working
+     *     directory
      */
     public Option<T> placedBy(BinaryOperator<String> resolve) {
         return new Option<>(name, otherNames, label, description, reader, repeats, usual, resolve, insteadOf);
     }
 
-    /** The same; given on the command line, it takes the place of these others of the file. */
+    /** A copy that, when given on the command line, overrides these other options of the file. */
     public Option<T> insteadOf(Set<String> others) {
         return new Option<>(name, otherNames, label, description, reader, repeats, usual, placed, Set.copyOf(others));
     }
@@ -140,7 +141,7 @@ public final class Option<T> {
         return name;
     }
 
-    /** What stands for its value; empty for a flag. */
+    /** The placeholder of its value; empty for a flag. */
     String label() {
         return label;
     }
@@ -170,7 +171,7 @@ public final class Option<T> {
         return otherNames;
     }
 
-    /** The value as one writes it in the working directory, if it is written like this in {@code folder}. */
+    /** The value relative to the working directory, from {@code text} relative to {@code folder}. */
     String placed(Path folder, String text) {
         return placed.apply(folder.toString(), text);
     }

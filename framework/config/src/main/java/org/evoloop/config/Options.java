@@ -9,7 +9,7 @@ import java.util.Optional;
 import java.util.stream.Stream;
 
 /**
- * The options that a program has, or a part of one, and what must hold of them together.
+ * The options of a program, or of a part of one, and the checks across them.
  *
  * <p>Besides them every program has {@code --config FILE}, which names a file with some of them, {@code --print-config}
  * and {@code --help}; {@link Settings#answers} answers the latter two.
@@ -25,10 +25,10 @@ public final class Options {
             Option.flag("print-config", "Only prints what is in force and where it came from, as such a file.");
     static final Option<Boolean> HELP = Option.flag("help", "Only prints this text.");
 
-    /** Those that every program has, and no file. */
+    /** The options that every program has, and that cannot be in a file. */
     static final List<Option<?>> OWN = List.of(CONFIG, PRINT_CONFIG, HELP);
 
-    /** The first line of a file for whoever starts the right program for it. */
+    /** The first line of a file, which names the program to start with it. */
     private static final String PROGRAM = "program";
 
     private final String program;
@@ -37,18 +37,18 @@ public final class Options {
     private final List<Secret> secrets;
     private final List<Check> checks;
 
-    /** What must hold of several options together. */
+    /** A check across several options. */
     @FunctionalInterface
     public interface Check {
         /**
-         * Adds what does not hold.
+         * Adds a mistake for each violation.
          *
-         * @param settings those without a mistake of their own
+         * @param settings the settings without a mistake of their own
          */
         void check(Settings settings, Mistakes mistakes);
     }
 
-    /** What is shown of an option. */
+    /** Receives the description of options. */
     @FunctionalInterface
     public interface Shown {
         /** An option; its label is empty if it is a flag. */
@@ -72,14 +72,14 @@ public final class Options {
     /**
      * A program, without options so far.
      *
-     * @param program what one calls it, and what a file for it says after {@code program:}
+     * @param program its name, which a file for it gives after {@code program:}
      * @param purpose what it does, for its help
      */
     public static Options named(String program, String purpose) {
         return new Options(program, purpose, List.of(), List.of(), List.of());
     }
 
-    /** These and others. */
+    /** These options and others. */
     public Options and(Options... others) {
         Options all = this;
         for (Options more : others) {
@@ -93,13 +93,13 @@ public final class Options {
         return all;
     }
 
-    /** The same with a secret, and the option that names its file. */
+    /** A copy with a secret, and the option that names its file. */
     public Options with(Secret secret) {
         return new Options(
                 program, purpose, joined(declared, List.of(secret.file())), joined(secrets, List.of(secret)), checks);
     }
 
-    /** The same with something that must hold. */
+    /** A copy with another check. */
     public Options checking(Check check) {
         return new Options(program, purpose, declared, secrets, joined(checks, List.of(check)));
     }
@@ -111,10 +111,10 @@ public final class Options {
     }
 
     /**
-     * Reads and checks everything that the program is told.
+     * Reads and checks all options of the program.
      *
      * @param environment where secrets may be
-     * @throws ConfigException if there are mistakes; it tells all of them
+     * @throws ConfigException if there are mistakes; it lists all of them
      */
     public Settings read(List<String> arguments, Map<String, String> environment) {
         Mistakes mistakes = new Mistakes();

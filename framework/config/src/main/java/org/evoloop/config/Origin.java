@@ -20,7 +20,7 @@ record Origin(@Nullable Path file, int line) {
         return file != null;
     }
 
-    /** A mistake as whoever wrote it there knows the options: {@code --port} is {@code port} in a file. */
+    /** The mistake with options named as in this place: {@code --port} is {@code port} in a file. */
     String tell(String mistake) {
         return isFile() ? this + ": " + mistake.replaceAll("(?<![\\w-])--(?=[a-z])(?!help\\b)", "") : mistake;
     }

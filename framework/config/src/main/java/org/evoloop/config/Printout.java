@@ -8,11 +8,11 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
-/** What is in force, as a file that says the same: a line for each option, and behind it where the value came from. */
+/** The effective values, as an equivalent file: a line for each option, followed by the origin of its value. */
 final class Printout {
     private static final Pattern DEFAULT = Pattern.compile("\\(default: (.+?)\\)");
 
-    /** What every reader of YAML, of whatever version, takes for this very text or number. */
+    /** Texts and numbers that every YAML version reads literally. */
     private static final Pattern PLAIN = Pattern.compile("0|[1-9][0-9]*(?:\\.[0-9]+)?|[a-zA-Z/][a-zA-Z0-9/_.+=-]*");
 
     private static final Pattern WORD = Pattern.compile("(?i)y|n|yes|no|on|off|null|true|false");

@@ -30,7 +30,7 @@ public record Secret(Option<Path> file, String variable) {
         return new Secret(Option.path(name + "-file", "FILE", description), variable);
     }
 
-    /** What one may take to be the option's name. */
+    /** The name that may be mistaken for the option's. */
     String name() {
         return file.name().replaceFirst("-file$", "");
     }
@@ -38,7 +38,7 @@ public record Secret(Option<Path> file, String variable) {
     /**
      * The secret; empty if there is none.
      *
-     * @throws IllegalArgumentException if its file cannot be read, or holds none
+     * @throws IllegalArgumentException if its file cannot be read, or is empty
      */
     public Optional<String> in(Settings settings) {
         Optional<Path> named = settings.get(file);
@@ -62,7 +62,7 @@ public record Secret(Option<Path> file, String variable) {
         return text;
     }
 
-    /** Where it comes from: {@code (set, from FILE)}; never what it is. */
+    /** Its origin: {@code (set, from FILE)}; never its value. */
     String shown(Settings settings) {
         Optional<Path> named = settings.get(file);
         if (named.isPresent()) {

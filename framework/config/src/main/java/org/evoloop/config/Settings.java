@@ -7,7 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * What a program was told, from wherever.
+ * The options given to a program, from all sources.
  *
  * <p>Threading: immutable.
  *
@@ -54,7 +54,7 @@ public final class Settings {
     /**
      * Answers {@code --help} and {@code --print-config}.
      *
-     * @return whether one of them was given; the program has done all it was asked for then
+     * @return whether one of them was given; then the program has nothing else to do
      */
     public boolean answers(PrintStream out) {
         if (isOn(Options.HELP)) {
@@ -68,7 +68,7 @@ public final class Settings {
         return false;
     }
 
-    /** All that was given, as a command line: {@code --NAME=VALUE}, and {@code --NAME} for a flag that is on. */
+    /** All given options, as a command line: {@code --NAME=VALUE}, and {@code --NAME} for a flag that is on. */
     public List<String> asArguments() {
         List<String> arguments = new ArrayList<>();
         given.forEach((option, setting) -> {

@@ -1,6 +1,6 @@
 package org.evoloop.config;
 
-/** What the parser says of a file that is no YAML, and how to mend it. */
+/** The parser's message for a file that is not valid YAML, and how to fix it. */
 final class Syntax {
     private Syntax() {}
 

@@ -36,7 +36,7 @@ final class Words {
                 entries.add(Entry.of(parts[0], "true", Origin.COMMAND_LINE));
             } else {
                 Optional<String> value = valueIn(rest);
-                // Whoever looks for the option later finds that there is none, and its value is no second mistake.
+                // The unknown option is reported later; its value must not be a second mistake.
                 if (value.isPresent() || option.isEmpty()) {
                     entries.add(Entry.of(parts[0], value.orElse(""), Origin.COMMAND_LINE));
                 } else {

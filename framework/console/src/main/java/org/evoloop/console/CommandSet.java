@@ -13,14 +13,14 @@ import java.util.stream.Collectors;
 import org.evoloop.statemachine.Names;
 
 /**
- * The commands of a console by name, and how a line calls one of them.
+ * The commands of a console by name; parses lines and performs them.
  *
  * <p>Threading: filled by one thread before the console runs, then used by any.
  */
 final class CommandSet {
     private final Map<String, ConsoleCommand> commands = new LinkedHashMap<>();
 
-    /** @throws IllegalArgumentException if there is a command of that name */
+    /** @throws IllegalArgumentException if there is a command of that name already */
     void add(ConsoleCommand command) {
         if (commands.putIfAbsent(command.name(), command) != null) {
             throw new IllegalArgumentException("there is a command named " + command.name() + " already");
@@ -52,7 +52,7 @@ final class CommandSet {
         return near.isEmpty() ? "; help lists the commands" : near;
     }
 
-    /** The words that may stand after {@code before}. */
+    /** The words that may follow {@code before}. */
     Collection<String> completions(List<String> before) {
         if (before.isEmpty()) {
             return names();
@@ -62,7 +62,7 @@ final class CommandSet {
     }
 
     /**
-     * Performs the command that {@code line} calls; an empty line calls none.
+     * Performs the command in {@code line}; an empty line does nothing.
      *
      * @throws IllegalArgumentException if there is no such command, or it takes other arguments
      * @throws Exception whatever the command throws
@@ -71,7 +71,7 @@ final class CommandSet {
         perform(split(line), out);
     }
 
-    /** The same for a line that has been split into its words. */
+    /** As the other method, for a line that has been split into words. */
     void perform(List<String> words, PrintStream out) throws Exception {
         if (!words.isEmpty()) {
             ConsoleCommand command = require(words.get(0));
@@ -83,13 +83,13 @@ final class CommandSet {
             try {
                 command.action().run(arguments, new PrintStream(results, true, StandardCharsets.UTF_8));
             } finally {
-                // In one piece: other threads print meanwhile.
+                // In one piece, since other threads print meanwhile.
                 out.print(results.toString(StandardCharsets.UTF_8));
             }
         }
     }
 
-    /** The words of a line; blanks divide them, except between two quotes of the same kind. */
+    /** The words of a line, separated by blanks except between two quotes of the same kind. */
     static List<String> split(String line) {
         List<String> words = new ArrayList<>();
         StringBuilder word = new StringBuilder();

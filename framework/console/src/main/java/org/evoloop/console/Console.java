@@ -23,18 +23,19 @@ import org.slf4j.LoggerFactory;
  * Controls a converter by lines of text: {@code start}, {@code stop}, {@code status}, {@code watch}, {@code list},
  * {@code exchange}, {@code history}, {@code help}, {@code exit}, and the commands that the application adds.
  *
- * <p>A terminal shows first where the system stands and what can be typed next; its lines are edited, completed and
- * remembered, provided that JLine is on the class path. From a pipe each line is a command, without prompt and echo.
+ * <p>A terminal first shows the system's states and what can be typed next; it has line editing, completion and
+ * history, provided that JLine is on the class path. From a pipe each line is a command, without prompt and echo.
  * Results go to the output; a command that fails prints one line {@code error: ...} to the error output, and the
- * console goes on.
+ * console continues.
  *
  * <p>Lifecycle: {@link #run} reads commands until {@code exit}, the end of the input, Ctrl-C on an empty line, one of
  * the signals TERM and HUP, an interrupt of its thread, or {@link #end}, then closes the converter and leaves terminal
- * and signals as it found them. One that {@link #outliveInput outlives its input} ends neither with that nor by HUP.
+ * and signals as it found them. A console that {@link #outliveInput outlives its input} ends neither at the end of the
+ * input nor by HUP.
  *
  * <p>Threading: put together and run by one thread, which may be interrupted from any; {@link #perform} and {@link
- * #end} may be called from any thread. Of the application's commands one runs at a time; the console's own do not wait
- * for them.
+ * #end} may be called from any thread. The application's commands run one at a time; the console's own do not wait for
+ * them.
  *
  * @since 0.1
  */
@@ -48,7 +49,7 @@ public final class Console {
     private final PrintStream err;
     private final CommandSet commands = new CommandSet();
 
-    /** The terminal of the thread that converses through one; null if none does. */
+    /** The terminal, while a thread uses one; else null. */
     private volatile @Nullable Person person;
 
     private final List<ConsoleCommand> added = new CopyOnWriteArrayList<>();
@@ -83,7 +84,7 @@ public final class Console {
 
     /**
      * @param converter built; the console closes it
-     * @param in where commands come from; a terminal only if this is {@code System.in} and {@code out} is {@code
+     * @param in the source of commands; a terminal only if this is {@code System.in} and {@code out} is {@code
      *     System.out}
      * @param out for results
      * @param err for errors
@@ -101,11 +102,11 @@ public final class Console {
     }
 
     /**
-     * Puts another converter under this console, before {@link #run}: its commands follow its name, as in {@code door
-     * status}. The console closes it, the one that was added last first.
+     * Adds another converter to this console, before {@link #run}: its commands follow its name, as in {@code door
+     * status}. The console closes the converters in reverse order.
      *
      * @param other built
-     * @throws IllegalArgumentException if there is a command of its name
+     * @throws IllegalArgumentException if there is a command with its name
      */
     public void addConverter(SystemEventConverter other) {
         String name = other.status().name();
@@ -123,14 +124,14 @@ public final class Console {
      * Adds the commands {@code evolve} and {@code rollback}, before {@link #run}, for a converter that can make
      * {@linkplain SystemEventConverter#addKnowledgeFactory knowledge} of other models.
      *
-     * @param models reads what they name
+     * @param models reads the models that these commands name
      */
     public void evolvesBy(NewModels models) {
         newModels = models;
         EvolveCommands.of(converter, models).forEach(commands::add);
     }
 
-    /** By what {@code evolve} reads other models; empty if there is no such command. */
+    /** The reader of the models for {@code evolve}; empty if there is no such command. */
     public Optional<NewModels> newModels() {
         return Optional.ofNullable(newModels);
     }
@@ -164,12 +165,12 @@ public final class Console {
         endListeners.add(listener);
     }
 
-    /** Lets {@link #run} go on when there is no more input, until somebody ends it; before it is called. */
+    /** Makes {@link #run} continue after the end of the input, until it is ended otherwise; to be called before it. */
     public void outliveInput() {
         outlivesInput = true;
     }
 
-    /** The converters under this console, the first one first. */
+    /** The converters of this console, in the order in which they were added. */
     public List<SystemEventConverter> converters() {
         List<SystemEventConverter> all = new ArrayList<>(others);
         all.add(converter);
@@ -178,10 +179,10 @@ public final class Console {
     }
 
     /**
-     * Has {@link #run} end, or return at once if it is yet to be called. Only the first reason counts.
+     * Ends {@link #run}, or makes it return at once if it is called later. Only the first reason counts.
      *
-     * @param reason for whoever looks after the program, such as {@code SIGTERM}
-     * @param status what {@link #run} returns
+     * @param reason for the program's operator, such as {@code SIGTERM}
+     * @param status the return value of {@link #run}
      */
     public void end(String reason, int status) {
         ending.ask(reason, status);
@@ -195,11 +196,11 @@ public final class Console {
     /**
      * Reads and performs commands until the end.
      *
-     * @return the exit status for the process: 0, 1 if the input could not be read, or what {@link #end} was told
+     * @return the exit status for the process: 0, 1 if the input could not be read, or the status given to {@link #end}
      */
     public int run() {
         try (ConsoleIo io = open(() -> ending.ask("Ctrl-C", 0))) {
-            // After the terminal, which has signal handlers of its own and must give them back last.
+            // Registered after the terminal, which has signal handlers of its own and must restore them last.
             TerminationSignals signals = new TerminationSignals(this::signalled);
             try {
                 return run(io);
@@ -210,7 +211,7 @@ public final class Console {
     }
 
     private void signalled(String name) {
-        // Whoever closes the terminal that a program was started on does not mean one that needs none.
+        // Closing the terminal must not end a program that does not need it.
         if (!(outlivesInput && name.equals("HUP"))) {
             ending.ask("SIG" + name, 0);
         }
@@ -219,11 +220,11 @@ public final class Console {
     /**
      * Performs one command, on the caller's thread.
      *
-     * @param line as it would be typed
-     * @param results where its results go
-     * @param errors where the line goes that begins with {@code error:}
+     * @param line the command as typed
+     * @param results receives its results
+     * @param errors receives the line that begins with {@code error:}
      * @return 0, 1 if the command failed, 2 if there is no such command or it takes other arguments
-     * @throws InterruptedException if the thread was told to stop
+     * @throws InterruptedException if the thread was interrupted
      */
     public int perform(String line, PrintStream results, PrintStream errors) throws InterruptedException {
         try {

@@ -17,36 +17,36 @@ import java.util.function.Function;
  * <p>Threading: immutable; its action is called on the console's thread or another, one at a time for all
  * that an application adds; its completion on the console's.
  *
- * @param usage the command's name and one word for each argument, those that may be left out in brackets: {@code
- *     exchange COMPONENT SPARE}, {@code status [--json]}; the last may stand for any number, {@code [OPTION...]}. The
- *     console refuses any other number of arguments
- * @param help what the command does, for {@code help}; the first line stands in the list of all commands
+ * @param usage the command's name and one word for each argument, optional ones in brackets: {@code exchange COMPONENT
+ *     SPARE}, {@code status [--json]}; the last may stand for any number, {@code [OPTION...]}. The console refuses any
+ *     other number of arguments
+ * @param help what the command does, for {@code help}; the first line is shown in the list of all commands
  * @param action what it does
- * @param completion the words that may stand after those given, which begin with the first argument
+ * @param completion the words that may follow those given, which begin with the first argument
  * @since 0.1
  */
 public record ConsoleCommand(
         String usage, String help, Action action, Function<List<String>, Collection<String>> completion) {
 
-    /** What a command does. */
+    /** The action of a command. */
     @FunctionalInterface
     public interface Action {
         /**
          * Performs the command.
          *
-         * @param arguments as many as the usage says
+         * @param arguments the arguments, as many as the usage allows
          * @param out for results, which are shown in one piece when this returns
          * @throws Exception any failure: its message, which should say how to fix it, becomes the console's error line
          */
         void run(List<String> arguments, PrintStream out) throws Exception;
     }
 
-    /** A command whose arguments are not completed. */
+    /** A command without completion of its arguments. */
     public static ConsoleCommand of(String usage, String help, Action action) {
         return new ConsoleCommand(usage, help, action, before -> List.of());
     }
 
-    /** The same with another completion. */
+    /** A copy with another completion. */
     public ConsoleCommand completing(Function<List<String>, Collection<String>> words) {
         return new ConsoleCommand(usage, help, action, words);
     }
@@ -56,7 +56,7 @@ public record ConsoleCommand(
         return words().get(0);
     }
 
-    /** Whether the command can be called with so many arguments. */
+    /** Whether the command can be called with this number of arguments. */
     boolean accepts(int arguments) {
         List<String> words = words();
         long required = words.stream().filter(word -> !word.startsWith("[")).count();

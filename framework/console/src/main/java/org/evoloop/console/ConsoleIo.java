@@ -6,13 +6,13 @@ import java.time.Duration;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
-/** Where a console's lines come from and go to. */
+/** The input and output of a console. */
 interface ConsoleIo extends AutoCloseable {
 
     /**
      * Waits for the next line.
      *
-     * @return null at the end of the input, or if the user breaks off
+     * @return null at the end of the input, or if the user ends it
      * @throws InterruptedException if the thread is interrupted while it waits
      */
     @Nullable
@@ -24,18 +24,18 @@ interface ConsoleIo extends AutoCloseable {
     /** For errors. */
     PrintStream err();
 
-    /** Whether a person sits there. */
+    /** Whether this is a terminal. */
     boolean isTerminal();
 
     /**
-     * Shows what {@code text} says, again and again in the same place, until a key is pressed.
+     * Shows {@code text}, updated in place, until a key is pressed.
      *
      * @throws InterruptedException if the thread is interrupted meanwhile
-     * @throws IllegalStateException if this is no terminal
+     * @throws IllegalStateException if this is not a terminal
      */
     void watch(Supplier<String> text, Duration period) throws InterruptedException;
 
-    /** Leaves everything as it was found. */
+    /** Restores the terminal. */
     @Override
     void close();
 }

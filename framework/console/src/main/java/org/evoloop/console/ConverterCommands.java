@@ -167,13 +167,13 @@ final class ConverterCommands {
         });
     }
 
-    /** Prints what {@code text} is given, its lines broken for whoever reads them. */
+    /** Prints the output of {@code text}, wrapped for the reader. */
     private void forPeople(PrintStream out, Consumer<PrintStream> text) {
         String lines = text(text);
         out.print(reader.isAtTerminal() ? lines : Wrapping.wrap(lines, Wrapping.USUAL_WIDTH));
     }
 
-    /** What {@code text} is given. */
+    /** The output of {@code text}. */
     static String text(Consumer<PrintStream> text) {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         try (PrintStream lines = new PrintStream(bytes, false, StandardCharsets.UTF_8)) {

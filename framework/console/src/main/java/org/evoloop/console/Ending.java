@@ -3,10 +3,10 @@ package org.evoloop.console;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Whether, why and with which status a console shall end.
+ * The request for a console to end: its reason and status.
  *
- * <p>Threading: asked for from any thread; {@link #begin}, {@link #await} and {@link #over} belong to the console's,
- * which is interrupted by the first who asks, and by nobody once it closes what it has to close.
+ * <p>Threading: any thread may request it; {@link #begin}, {@link #await} and {@link #over} are for the console's
+ * thread, which is interrupted by the first request, but not after it has begun to close things.
  */
 final class Ending {
     private @Nullable Thread console;
@@ -43,7 +43,7 @@ final class Ending {
         }
     }
 
-    /** What is closed from here on is closed in peace: an interrupt that asked for the end has been answered. */
+    /** From here on, no request interrupts the closing; a pending interrupt is cleared. */
     synchronized void over() {
         console = null;
         Thread.interrupted();

@@ -22,7 +22,7 @@ import org.evoloop.migration.Mapping;
 import org.evoloop.statemachine.Names;
 import org.jspecify.annotations.Nullable;
 
-/** The commands that put other models in while a converter runs, and take them back. */
+/** The commands that change the models of a running converter, and roll back. */
 final class EvolveCommands {
     private static final List<String> OPTIONS = List.of(
             "--original", "--mapping", "--when-idle", "--within", "--probation", "--probation-events", "--no-way-back");
@@ -36,7 +36,7 @@ final class EvolveCommands {
         this.models = models;
     }
 
-    /** @param models reads what the commands name */
+    /** @param models reads the models that the commands name */
     static List<ConsoleCommand> of(SystemEventConverter converter, NewModels models) {
         EvolveCommands own = new EvolveCommands(converter, models);
         return List.of(

@@ -6,19 +6,19 @@ import java.util.Locale;
 import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.loop.LoopState;
 
-/** What somebody who sits down at a terminal sees: where the system stands, and what can be typed next. */
+/** The first screen of a terminal: the system's states, and what can be typed next. */
 final class FirstScreen {
     private FirstScreen() {}
 
     /**
      * Prints it.
      *
-     * @param converters the first one's commands have no name in front of them
+     * @param converters the converters; the commands of the first have no name before them
      * @param offered the application's commands
      */
     static void show(List<SystemEventConverter> converters, List<ConsoleCommand> offered, PrintStream out) {
         converters.forEach(converter -> StatusText.brief(converter.status(), out));
-        // Whichever is stopped is what somebody has to do something about.
+        // A stopped converter is the one that needs attention.
         SystemEventConverter one = converters.stream()
                 .filter(converter -> converter.status().loop() != LoopState.RUNNING)
                 .findFirst()

@@ -8,7 +8,7 @@ import org.evoloop.function.Reading;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A JSON object in the making; its text is one line of ASCII. Members are in the order in which they were put.
+ * Builds a JSON object; its text is one line of ASCII. Members are in the order in which they were put.
  *
  * <p>Threading: not thread-safe.
  *
@@ -92,7 +92,7 @@ public final class JsonObject {
             } else if (next >= ' ' && next <= '~') {
                 quoted.append(next);
             } else {
-                // Whatever the encoding of the output, ASCII survives it.
+                // ASCII is safe in every output encoding.
                 quoted.append(String.format("\\u%04x", (int) next));
             }
         }

@@ -8,12 +8,12 @@ import java.util.function.Consumer;
 
 /**
  * Collects what is printed and hands it on in whole lines, so that it can be shown above a line that is being edited.
- * What is printed at once stays together.
+ * Output printed at once stays together.
  *
  * <p>Threading: used through its {@link #printer}, which is thread-safe.
  */
 final class LineStream extends OutputStream {
-    // What the loggers write is in this encoding.
+    // The encoding of the loggers' output.
     private static final Charset CHARSET = Charset.defaultCharset();
 
     private final ByteArrayOutputStream lines = new ByteArrayOutputStream();
@@ -23,7 +23,7 @@ final class LineStream extends OutputStream {
         this.sink = sink;
     }
 
-    /** A stream whose lines go to {@code sink}, without the last one's end; closing it hands on what is left. */
+    /** A stream whose lines go to {@code sink}, without the final line end; closing it flushes the rest. */
     static PrintStream printer(Consumer<String> sink) {
         return new PrintStream(new LineStream(sink), true, CHARSET);
     }
@@ -37,7 +37,7 @@ final class LineStream extends OutputStream {
         }
     }
 
-    /** Whole lines that come at once are handed on at once. */
+    /** Hands on lines that come together in one call. */
     @Override
     public void write(byte[] bytes, int offset, int length) {
         int end = offset + length - 1;

@@ -5,7 +5,7 @@ import org.jline.terminal.Size;
 import org.jline.terminal.Terminal;
 
 /**
- * Lines at the end of what a terminal shows, which are drawn again and again in the same place.
+ * Lines at the bottom of a terminal's output that are redrawn in place.
  *
  * <p>Threading: used under its user's lock.
  */
@@ -24,23 +24,23 @@ final class LiveText {
         columns = terminal.getSize().getColumns();
     }
 
-    /** Shows {@code newText} in the place of what was shown. */
+    /** Replaces the shown text by {@code newText}. */
     void draw(String newText) {
         text = newText;
         show("");
     }
 
-    /** Shows {@code lines}, which stay, above. */
+    /** Prints {@code lines} above, permanently. */
     void above(String lines) {
         show(lines + "\n");
     }
 
-    /** All at once, so that the terminal never shows half of it. */
+    /** In one write, so that the terminal never shows half of it. */
     private void show(String before) {
         StringBuilder drawn = new StringBuilder();
         Size size = terminal.getSize();
         if (columns != size.getColumns()) {
-            // The terminal has broken the lines anew: nobody knows how many they are.
+            // The terminal has rewrapped the lines: their number is unknown.
             columns = size.getColumns();
             drawn.append(ERASE_ALL);
         } else if (rows > 0) {

@@ -16,21 +16,22 @@ public interface NewModels {
      * Reads a machine.
      *
      * @param reference {@code FILE#NAME}
-     * @throws org.evoloop.statemachine.ModelException if there is none, or it is wrong; the message says what and where
+     * @throws org.evoloop.statemachine.ModelException if there is none, or it is invalid; the message says what and
+     *     where
      */
     StateMachine read(String reference);
 
-    /** The new models that are offered to choose from, as {@code FILE#NAME}; any other may be named, too. */
+    /** The new models offered as a choice, as {@code FILE#NAME}; others may also be named. */
     default List<String> offered() {
         return List.of();
     }
 
     /**
-     * What has to hold while the models are on probation, besides that nothing fails.
+     * What has to hold while the models are on probation, in addition to the absence of failures.
      *
-     * @param reference of the new model
+     * @param reference the reference of the new model
      * @param next both models
-     * @throws org.evoloop.statemachine.ModelException if what is written of that cannot be understood
+     * @throws org.evoloop.statemachine.ModelException if its properties cannot be understood
      */
     default Probation.Watches watches(String reference, ModelPair next) {
         return Probation.NONE.watches();

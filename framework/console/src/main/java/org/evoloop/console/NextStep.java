@@ -13,7 +13,7 @@ import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.Transition;
 
 /**
- * What a person can type next: {@code start}, and then what leads on from the current state.
+ * What a person can type next: {@code start}, then the events that lead on from the current state.
  *
  * <p>Threading: any thread.
  */
@@ -25,7 +25,7 @@ final class NextStep {
     /**
      * A sentence without its full stop.
      *
-     * @param prefix what stands before this converter's commands, such as {@code "door "}; empty for the first one's
+     * @param prefix the prefix of this converter's commands, such as {@code "door "}; empty for the first converter
      * @param offered the application's commands for this converter
      */
     static String after(SystemEventConverter converter, String prefix, List<ConsoleCommand> offered) {

@@ -3,9 +3,9 @@ package org.evoloop.console;
 import java.time.Duration;
 import java.util.function.Supplier;
 
-/** Whoever has typed a command and reads what it prints. */
+/** The reader of a command's output. */
 interface Reader {
-    /** Whether this is the terminal of the program, which breaks lines by itself, as narrow as it is. */
+    /** Whether this is the program's terminal, which wraps lines to its own width. */
     boolean isAtTerminal();
 
     /** As {@link ConsoleIo#watch}. @throws IllegalStateException if the reader has no terminal of this program */

@@ -9,15 +9,15 @@ import org.evoloop.evolution.Configuration;
 import org.evoloop.rehearsal.Difference;
 
 /**
- * What other models would have done beside those that run, for programs:
+ * The report of a shadow, for programs:
  *
  * <ul>
  *   <li>{@code model}; {@code since}, in UTC
- *   <li>{@code originalState}, {@code newState}: where the other models would be
+ *   <li>{@code originalState}, {@code newState}: the other models' states
  *   <li>{@code events}: how many were compared; {@code different}: how many they would have decided differently
- *   <li>{@code differences}, a list, the newest first: {@code at}, {@code event}, {@code source}; {@code then}, what
- *   was made of it, and {@code now}, what the other models would have made of it, with reasons
- *   <li>{@code faults}, a list of the properties that they would have broken, the newest first: {@code at}, {@code why}
+ *   <li>{@code differences}, a list, newest first: {@code at}, {@code event}, {@code source}; {@code then}, the running
+ *   models' result, and {@code now}, the other models' result, with reasons
+ *   <li>{@code faults}, a list of the properties that they would have violated, newest first: {@code at}, {@code why}
  * </ul>
  *
  * <p>Threading: any thread may call it.
@@ -30,7 +30,7 @@ public final class ShadowJson {
     /**
      * The object.
      *
-     * @param most so many of the newest differences and faults
+     * @param most the largest number of differences and of faults, the newest ones
      */
     public static JsonObject of(ShadowReport report, int most) {
         Configuration at = report.at();

@@ -5,21 +5,21 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 
 /**
- * Tells a standard input from a file of the virtual machine's own. If a program is started with file descriptor 0
- * closed, the first file that it opens gets that number, and what stands in it would be taken for commands.
+ * Distinguishes standard input from a file of the JVM's own. If a program is started with file descriptor 0 closed, the
+ * first file that it opens gets that number, and its contents would be taken for commands.
  */
 final class StandardInput {
     private static final Path FILE = Path.of("/proc/self/fd/0");
     private static final Path INFO = Path.of("/proc/self/fdinfo/0");
 
-    /** Linux's; a file that was inherited does not have it. */
+    /** The flag of Linux; inherited files do not have it. */
     private static final long CLOSE_ON_EXEC = 0x80000;
 
     private static final String FLAGS = "flags:";
 
     private StandardInput() {}
 
-    /** Whether somebody gave this process a standard input; true where that cannot be found out. */
+    /** Whether this process was started with a standard input; true if that cannot be determined. */
     static boolean isThere() {
         if (!Files.isDirectory(Path.of("/proc/self/fdinfo"))) {
             return true;

@@ -12,17 +12,17 @@ import org.jspecify.annotations.Nullable;
  * <ul>
  *   <li>{@code name}; {@code loop}: new, stopped, running or exited
  *   <li>{@code originalState}, {@code newState}: the current states of the models
- *   <li>{@code lastKnownSince}: since when these are only the last that are known, in UTC, such as {@code
- *       2026-11-22T15:04:05.123Z}; {@code null} while the loop is open and the device can be reached
+ *   <li>{@code lastKnownSince}: since when these are only the last known ones, in UTC, such as {@code
+ *   2026-11-22T15:04:05.123Z}; {@code null} while the loop is open and the device can be reached
  *   <li>{@code queue}: {@code depth}, {@code capacity}, {@code highest}, {@code taken}, {@code dropped}, {@code
  *   refused}
  *   <li>{@code events}: {@code handled}, {@code ignored}, {@code stale}, {@code failed}
  *   <li>{@code conversionTime}: {@code events}, {@code lastNanos}, {@code medianNanos}, {@code percentile99Nanos}
  *   <li>{@code components}, a list: {@code name}, {@code role} (monitor, analyze, plan, execute), {@code thread},
  *   {@code activity} (waiting, working, stuck, ended), {@code failures}, {@code lastFailure}
- *   <li>{@code evolution}: which models took over from which, as long as a way leads back; else empty
- *   <li>{@code shadow}: what other models would have done beside those that run; empty if there are none
- *   <li>{@code doubt}: why the original state may be wrong, empty if it is sure
+ *   <li>{@code evolution}: which models took over from which, as long as there is a way back; else empty
+ *   <li>{@code shadow}: the report of the shadow, as text; empty if there is none
+ *   <li>{@code doubt}: why the original state may be wrong, empty if it is certain
  *   <li>{@code function}: {@code state}, {@code thread}, {@code progress} in words, {@code readings} as below; all
  *   empty if no new function runs
  *   <li>{@code faults}, a list of what is no component and has failed, such as a guard or a function: {@code part},

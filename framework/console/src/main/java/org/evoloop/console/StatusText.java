@@ -17,7 +17,7 @@ import org.evoloop.function.Reading;
 import org.evoloop.loop.ComponentStatus;
 import org.evoloop.loop.LoopState;
 
-/** What a converter tells of itself, for people. */
+/** The status of a converter, for people. */
 final class StatusText {
     private static final DateTimeFormatter TIME_OF_DAY = DateTimeFormatter.ofPattern("HH:mm:ss.SSS", Locale.ROOT);
 
@@ -25,7 +25,7 @@ final class StatusText {
 
     private StatusText() {}
 
-    /** What a person looks for first: the states, what is going on, the device, and whether something is wrong. */
+    /** The most important parts: the states, current activity, the device, and any problem. */
     static void brief(ConverterStatus status, PrintStream out) {
         line(out, "converter", status.name() + ", " + lowerCase(status.loop()));
         line(out, "states", states(status));
@@ -54,7 +54,7 @@ final class StatusText {
         }
     }
 
-    /** The same, and all that is behind it. */
+    /** The complete status. */
     static void all(ConverterStatus status, PrintStream out) {
         brief(status, out);
         if (!status.function().thread().isEmpty()) {
@@ -109,7 +109,7 @@ final class StatusText {
         return function.state() + (words.isEmpty() ? " is running" : ": " + words);
     }
 
-    /** What is so in full, and what is not in a few words: {@code battery 93 %, docked; not lifted or stuck}. */
+    /** All readings; false ones are combined: {@code battery 93 %, docked; not lifted or stuck}. */
     private static String readings(List<Reading> readings) {
         List<String> so = new ArrayList<>();
         List<String> not = new ArrayList<>();
@@ -170,7 +170,7 @@ final class StatusText {
                         + ", 99th percentile " + duration(time.percentile99Nanos());
     }
 
-    /** Three digits or so, in the unit that fits. */
+    /** About three digits, in a suitable unit. */
     static String duration(long nanos) {
         double micros = nanos / 1e3;
         return micros < 999.5
@@ -180,7 +180,7 @@ final class StatusText {
                         : String.format(Locale.ROOT, "%.1f s", micros / 1e6);
     }
 
-    /** A line a component. */
+    /** One line per component. */
     static void components(List<ComponentStatus> components, PrintStream out) {
         int widest = components.stream()
                 .mapToInt(component -> component.name().length())
@@ -201,7 +201,7 @@ final class StatusText {
         }
     }
 
-    /** A line an event. */
+    /** One line per event. */
     static void history(List<HistoryEntry> entries, PrintStream out) {
         for (HistoryEntry entry : entries) {
             String change = entry.before().equals(entry.after())

@@ -25,11 +25,11 @@ import org.jspecify.annotations.Nullable;
 /**
  * A terminal, with line editing, completion, and a history that lasts as long as the console.
  *
- * <p>{@code System.out}, and {@code System.err} if it shows on the terminal as well, are replaced meanwhile: what other
- * threads print appears above the line that is being edited. Lines are broken between words: results at 80 columns or
+ * <p>{@code System.out}, and {@code System.err} if it shows on the terminal as well, are replaced meanwhile: output of
+ * other threads appears above the line that is being edited. Lines are broken between words: results at 80 columns or
  * the terminal's width, whichever is less, others at its width.
  *
- * <p>Threading: belongs to the thread that makes it, and converses through it; its streams can be used by any.
+ * <p>Threading: belongs to the thread that creates it; its streams can be used by any.
  */
 final class TerminalIo implements ConsoleIo {
     private static final String PROMPT = "evoloop> ";
@@ -46,14 +46,14 @@ final class TerminalIo implements ConsoleIo {
     private final PrintStream formerOut = System.out;
     private final PrintStream formerErr = System.err;
 
-    /** Whoever holds it is the only one to draw while {@link #live} is shown. */
+    /** Held while drawing {@link #live}. */
     private final ReentrantLock drawing = new ReentrantLock();
 
     private @Nullable LiveText live;
 
     /**
      * @param showsErrors whether the error output of this process is the same terminal
-     * @param completion the words that may stand after those given
+     * @param completion the words that may follow those given
      * @param interrupted what Ctrl-C does while no line is being edited
      */
     TerminalIo(
@@ -78,7 +78,7 @@ final class TerminalIo implements ConsoleIo {
         }
     }
 
-    /** The terminal that this process was started on; null if it is none, or one that cannot move its cursor. */
+    /** The terminal on which this process was started; null if there is none, or it cannot move its cursor. */
     static @Nullable TerminalIo open(Function<List<String>, Collection<String>> completion, Runnable interrupted) {
         try {
             Terminal terminal = TerminalBuilder.builder()
@@ -119,7 +119,7 @@ final class TerminalIo implements ConsoleIo {
     private void show(String text, int longest) {
         String fitting = Wrapping.wrap(text, fit(terminal.getSize().getColumns(), longest));
         if (Thread.currentThread() == conversing) {
-            // It is not watching, and must not wait for those who wait for what it edits.
+            // This thread is not watching, and must not wait for threads that wait for the edited line.
             reader.printAbove(fitting);
             return;
         }
@@ -135,7 +135,7 @@ final class TerminalIo implements ConsoleIo {
         }
     }
 
-    /** How long lines may be on a terminal of {@code width} columns, 0 if it does not tell. */
+    /** The longest line on a terminal of {@code width} columns; 0 if the width is unknown. */
     static int fit(int width, int longest) {
         return width <= 0 ? Wrapping.USUAL_WIDTH : Math.max(NARROWEST, Math.min(width, longest));
     }
@@ -144,7 +144,7 @@ final class TerminalIo implements ConsoleIo {
     public void watch(Supplier<String> text, Duration period) throws InterruptedException {
         Attributes former = terminal.enterRawMode();
         Attributes keys = terminal.getAttributes();
-        // Ctrl-C is a key like others.
+        // Ctrl-C is an ordinary key here.
         keys.setLocalFlag(Attributes.LocalFlag.ISIG, false);
         terminal.setAttributes(keys);
         String shown = "";

@@ -8,18 +8,18 @@ import java.util.Map;
 import java.util.function.Consumer;
 
 /**
- * Signals that ask the process to end run an action instead, so that it can end in its own order and with its own exit
- * status. {@link #restore} brings the former handlers back.
+ * Makes termination signals run an action instead, so that the process can end in its own order and with its own exit
+ * status. {@link #restore} restores the former handlers.
  *
- * <p>The JDK's signals are no part of the platform that one may compile against, hence the reflection; on a machine
- * without them signals end the process as usual.
+ * <p>The JDK's signal API is not a supported part of the platform, hence the reflection; on a machine without it,
+ * signals end the process as usual.
  */
 final class TerminationSignals {
     private static final List<String> NAMES = List.of("INT", "TERM", "HUP");
 
     private final Map<Object, Object> former = new LinkedHashMap<>();
 
-    /** @param action called with the signal's name on a thread of its own, once a signal */
+    /** @param action called with the signal's name on a thread of its own, once for each signal */
     TerminationSignals(Consumer<String> action) {
         for (String name : NAMES) {
             try {
@@ -34,7 +34,7 @@ final class TerminationSignals {
                         });
                 former.put(signal, handle(signal, own));
             } catch (ReflectiveOperationException unsupported) {
-                // This machine does not know the signal, or its virtual machine keeps it to itself.
+                // This machine does not have the signal, or its JVM reserves it.
             }
         }
     }

@@ -4,11 +4,11 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * Breaks long lines between words. What follows is indented to where the line's text begins, which is after a label and
- * two blanks or more, as in {@code states      original Off}, but at most to half of the width.
+ * Wraps long lines between words. Continuation lines are indented to where the line's text begins, that is, after a
+ * label and two or more blanks, as in {@code states      original Off}, but at most to half of the width.
  */
 final class Wrapping {
-    /** How wide text for people is, where nobody says how wide the screen is. */
+    /** The default width of text for people. */
     static final int USUAL_WIDTH = 80;
 
     private static final Pattern LABEL = Pattern.compile("^ *\\S+( \\S+)*? {2,}(?=\\S)");
@@ -16,8 +16,8 @@ final class Wrapping {
     private Wrapping() {}
 
     /**
-     * The same text in lines of at most {@code width} characters. A longer word has a line of its own; JSON, which is
-     * for programs, stays as it is.
+     * Wraps text at {@code width} characters. A longer word has a line of its own; JSON, which is for programs, is
+     * unchanged.
      */
     static String wrap(String text, int width) {
         StringBuilder wrapped = new StringBuilder(text.length());
@@ -38,7 +38,7 @@ final class Wrapping {
         }
         int text = indent(line);
         int indent = Math.min(text, width / 2);
-        // Nothing is broken before it begins.
+        // Never wrap within the indent.
         int begun = text == indent ? text : blanks(line);
         String rest = line.stripTrailing();
         while (rest.length() > width) {

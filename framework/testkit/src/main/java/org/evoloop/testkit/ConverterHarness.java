@@ -33,7 +33,7 @@ import org.evoloop.time.ManualClock;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A converter in a test: it has no threads, and its time stands still until the test lets it pass.
+ * A converter in a test: it has no threads, and its time stands still until the test advances it.
  *
  * <pre>{@code
  * ConverterHarness lamp = ConverterHarness.of(new LampKnowledge(models)).with(new LampExecute(device)).start();
@@ -41,24 +41,27 @@ import org.jspecify.annotations.Nullable;
  * lamp.advance(Duration.ofSeconds(2)).expect("off", "off");
  * }</pre>
  *
- * <p>Every method that lets something happen returns when all that follows from it at this moment has been dealt with.
- * New functions run on the caller's thread and must not block, see {@link org.evoloop.function.NewFunction}.
+ * <p>Every method that makes something happen returns when everything that follows from it at this moment has been
+ * handled. New functions run on the caller's thread and must not block, see {@link org.evoloop.function.NewFunction}.
  *
- * <p>Errors: what does not hold is an {@link AssertionError} that says where the converter stands, what waits, what was
- * sent, and how the transcript ends.
+ * <p>Errors: a failed expectation is an {@link AssertionError} with the converter's states, the waiting events, the
+ * events sent, and the end of the transcript.
  *
  * <p>Threading: one thread.
  *
  * @since 0.1
  */
 public final class ConverterHarness implements AutoCloseable {
-    /** How long {@link #until(String)} lets time pass at most. */
+    /** The longest time that {@link #until(String)} lets pass. */
     public static final Duration PATIENCE = Duration.ofHours(1);
 
-    /** More events than this in one moment never come to an end. */
+    /** More events than this at one moment are taken to be endless. */
     private static final int MOST_EVENTS = 2_000;
 
-    /** A monitor that has told nothing new so often in a row has nothing to tell: a finding, say, may be no news. */
+    /**
+     * A monitor has nothing to report after this many rounds without news: some reports, such as a finding, may not be
+     * news.
+     */
     private static final int QUIET_ROUNDS = 8;
 
     private final ManualClock clock;
@@ -69,7 +72,7 @@ public final class ConverterHarness implements AutoCloseable {
     private final List<Failure<Occurrence>> failures = new ArrayList<>();
     private final @Nullable SimulatedDevice device;
 
-    /** How often in a row something fell due without any time having passed. */
+    /** How many times in a row something became due without any time having passed. */
     private int atOnce;
 
     private ConverterHarness(Builder builder) {
@@ -111,7 +114,7 @@ public final class ConverterHarness implements AutoCloseable {
         return new Builder(requireNonNull(knowledge, "the knowledge is null"));
     }
 
-    /** What a converter under test is made of. */
+    /** The parts of a converter under test. */
     public static final class Builder {
         private final StateKnowledge knowledge;
         private final List<EventMonitor> monitors = new ArrayList<>();
@@ -127,19 +130,19 @@ public final class ConverterHarness implements AutoCloseable {
             this.knowledge = knowledge;
         }
 
-        /** Adds a monitor; the harness presses buttons by one of its own. */
+        /** Adds a monitor; the harness has one of its own to press buttons. */
         public Builder with(EventMonitor monitor) {
             monitors.add(requireNonNull(monitor, "the monitor is null"));
             return this;
         }
 
-        /** Sets the analyze component, in place of the usual one. */
+        /** Sets the analyze component, in place of the default. */
         public Builder with(EventAnalyze analyzeComponent) {
             analyze = requireNonNull(analyzeComponent, "the analyze component is null");
             return this;
         }
 
-        /** Sets the plan component, in place of the usual one. */
+        /** Sets the plan component, in place of the default. */
         public Builder with(EventPlan planComponent) {
             plan = requireNonNull(planComponent, "the plan component is null");
             return this;
@@ -157,13 +160,13 @@ public final class ConverterHarness implements AutoCloseable {
             return this;
         }
 
-        /** Has the converter keep a journal, which a {@link Recording} can replay when the harness is closed. */
+        /** Gives the converter a journal, which a {@link Recording} can replay after the harness is closed. */
         public Builder with(ConverterJournal kept) {
             journal = requireNonNull(kept, "the journal is null");
             return this;
         }
 
-        /** Sets the clock, for a test whose own parts need it before; otherwise there is a new one. */
+        /** Sets the clock, for a test whose own parts need it earlier; by default there is a new one. */
         public Builder clock(ManualClock manual) {
             clock = requireNonNull(manual, "the clock is null");
             return this;
@@ -198,7 +201,7 @@ public final class ConverterHarness implements AutoCloseable {
         return settle();
     }
 
-    /** The same, carrying {@code values}. */
+    /** As {@link #press(String)}, for an event with {@code values}. */
     public ConverterHarness press(String event, Values values) {
         requireKnown(event);
         tester.pressed(event, values);
@@ -215,10 +218,10 @@ public final class ConverterHarness implements AutoCloseable {
     }
 
     /**
-     * The device does {@code event} of its own accord, and that is told: by the simulated device, which takes its
-     * transition, or else by the harness alone.
+     * The device does {@code event} by itself, and that is reported: by the simulated device, which takes its
+     * transition, or, without one, by the harness.
      *
-     * @throws IllegalStateException if the simulated device does not know the event where it is
+     * @throws IllegalStateException if the simulated device has no transition for the event in its state
      */
     public ConverterHarness deviceDoes(String event) {
         if (device != null) {
@@ -253,7 +256,8 @@ public final class ConverterHarness implements AutoCloseable {
     }
 
     /**
-     * Lets {@code duration} pass; whatever falls due meanwhile is dealt with at its time, and all that follows from it.
+     * Lets {@code duration} pass; everything that becomes due meanwhile is handled at its time, with all that follows
+     * from it.
      */
     public ConverterHarness advance(Duration duration) {
         long end = clock.nanoTime() + duration.toNanos();
@@ -278,7 +282,7 @@ public final class ConverterHarness implements AutoCloseable {
         }
     }
 
-    /** Asks every monitor, and deals with all that waits at this moment. */
+    /** Calls every monitor, and handles everything that waits at this moment. */
     public ConverterHarness settle() {
         transcript.during(this::dealWithAll);
         return this;
@@ -309,7 +313,7 @@ public final class ConverterHarness implements AutoCloseable {
         }
     }
 
-    /** Grows with everything that was told. */
+    /** A counter that grows with every report. */
     private long told() {
         ConverterStatus now = status();
         ConverterStatus.EventCounts ended = now.events();
@@ -330,10 +334,10 @@ public final class ConverterHarness implements AutoCloseable {
     /**
      * Lets time pass, from one due timer to the next, until the new model is in {@code state}.
      *
-     * @param state with what the model remembers in it, or without
+     * @param state the state's name, with or without its history
      * @param within how much time may pass
      * @throws IllegalArgumentException if the new model has no such state
-     * @throws AssertionError if it does not come to be there
+     * @throws AssertionError if it does not get there
      */
     public ConverterHarness until(String state, Duration within) {
         requireState(state);
@@ -375,8 +379,8 @@ public final class ConverterHarness implements AutoCloseable {
     /**
      * Requires that device and system are in these states, and that nothing is in doubt.
      *
-     * @param original where the device is taken to be, and a simulated one truly is
-     * @param evolved where the new model is
+     * @param original the recorded state of the device, in which a simulated one must really be
+     * @param evolved the new model's state
      */
     public ConverterHarness expect(String original, String evolved) {
         Configuration wanted = new Configuration(new State(original), new State(evolved));
@@ -391,7 +395,7 @@ public final class ConverterHarness implements AutoCloseable {
         return new StuckReport(this, device, transcript).text(what);
     }
 
-    /** Where device and system are taken to be. */
+    /** The recorded states of device and system. */
     public Configuration states() {
         return converter.knowledge().configuration();
     }
@@ -414,17 +418,17 @@ public final class ConverterHarness implements AutoCloseable {
         return transcript.lines();
     }
 
-    /** The last events and what became of them, oldest first. */
+    /** The last events and their outcomes, oldest first. */
     public List<HistoryEntry> history() {
         return converter.history();
     }
 
-    /** A picture of this moment. */
+    /** A snapshot of the converter's status. */
     public ConverterStatus status() {
         return converter.status();
     }
 
-    /** What has failed so far: of components, and of what they did. */
+    /** All failures so far, of components and of the code that they call. */
     public List<Failure<Occurrence>> failures() {
         return List.copyOf(failures);
     }
@@ -434,7 +438,7 @@ public final class ConverterHarness implements AutoCloseable {
         return clock;
     }
 
-    /** The converter itself: for {@code stop}, {@code start}, {@code exchange} and what else a test may need. */
+    /** The converter itself: for {@code stop}, {@code start}, {@code exchange} and whatever else a test needs. */
     public SystemEventConverter converter() {
         return converter;
     }

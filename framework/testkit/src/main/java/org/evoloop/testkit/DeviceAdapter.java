@@ -4,16 +4,16 @@ import org.evoloop.converter.EventExecute;
 import org.evoloop.converter.EventMonitor;
 
 /**
- * What somebody has written to connect a device with a converter, for an {@link OrderCheck}.
+ * The code that connects a device to a converter, for an {@link OrderCheck}.
  *
- * @param monitor tells what the device does by itself
+ * @param monitor reports what the device does by itself
  * @param execute sends it commands
- * @param close ends what the adapter has begun, such as threads of its own
+ * @param close ends what the adapter has started, such as its own threads
  * @since 0.1
  */
 public record DeviceAdapter(EventMonitor monitor, EventExecute execute, Runnable close) {
 
-    /** One that has nothing to end. */
+    /** An adapter with nothing to end. */
     public DeviceAdapter(EventMonitor monitor, EventExecute execute) {
         this(monitor, execute, () -> {});
     }

@@ -9,11 +9,11 @@ import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The cable to a device that an {@link OrderCheck} plays: commands go one way, reports come the other, in order. An
- * adapter that speaks bytes puts its own encoding between.
+ * The cable to a device that an {@link OrderCheck} simulates: commands go one way, reports come the other, in order. An
+ * adapter that uses bytes adds its own encoding.
  *
- * <p>Reports are slow: they come when whoever has sent the command waits for something, or has gone on. Then they come
- * one right after the other.
+ * <p>Reports are slow: they come when the thread that sent the command waits for something, or has continued. Then they
+ * come one right after another.
  *
  * <p>Threading: thread-safe; reports come on a thread of the line, one at a time.
  *
@@ -34,7 +34,7 @@ public final class DeviceLine {
 
     private record Delivery(@Nullable Thread sender, List<DeviceReport> reports) {}
 
-    /** @param changed is run after each delivery */
+    /** @param changed called after each delivery */
     DeviceLine(DeviceModel device, Runnable changed) {
         this.device = device;
         this.changed = changed;
@@ -42,14 +42,13 @@ public final class DeviceLine {
         carrier.start();
     }
 
-    /** From now on {@code newReader} is told what the device says; once, before the converter is started. */
+    /** Sets the receiver of the device's reports; once, before the converter is started. */
     public void listen(Consumer<DeviceReport> newReader) {
         reader = newReader;
     }
 
     /**
-     * Sends the command {@code event} to the device, and returns when it is under way: nothing is known of its effect
-     * yet.
+     * Sends the command {@code event} to the device, and returns once it is sent: its effect is not known yet.
      */
     public synchronized void command(String event) {
         List<DeviceReport> reports = new ArrayList<>();
@@ -80,14 +79,14 @@ public final class DeviceLine {
         deliveries.add(delivery);
     }
 
-    /** The device acts by itself while nothing is on its way. */
+    /** The device acts by itself while no command is being sent. */
     synchronized void act(String event) {
         List<DeviceReport> reports = new ArrayList<>();
         act(event, reports);
         send(new Delivery(null, reports));
     }
 
-    /** The next command of that event meets with this. */
+    /** Sets what happens during the next command of that event. */
     synchronized void meets(Situation situation) {
         next = situation;
     }
@@ -123,7 +122,7 @@ public final class DeviceLine {
         }
     }
 
-    /** Until whoever has sent a command waits; who says before that what became of it cannot know. */
+    /** Waits until the sender of a command waits; a sender that reports the effect before that cannot know it. */
     private static void awaitRest(@Nullable Thread sender) throws InterruptedException {
         int atRest = 0;
         for (int look = 0; sender != null && atRest < 2 && look < MOST_LOOKS; look++) {

@@ -13,7 +13,7 @@ import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Where a device truly is, by its model; its time triggers are its own.
+ * The true state of a device, by its model; its time triggers are its own.
  *
  * <p>Threading: thread-safe.
  */
@@ -32,7 +32,7 @@ final class DeviceModel {
         this.state = model.initial();
     }
 
-    /** From now on time passes for it. */
+    /** Starts its time. */
     synchronized void start(Clock its) {
         clock = its;
         enter(state);
@@ -54,7 +54,7 @@ final class DeviceModel {
         return model;
     }
 
-    /** Whether {@code event} means something to it now. */
+    /** Whether it has a transition for {@code event} now. */
     synchronized boolean knows(String event) {
         return transition(event) != null;
     }
@@ -77,7 +77,7 @@ final class DeviceModel {
         return resolved == null ? null : model.transition(state, resolved).orElse(null);
     }
 
-    /** Puts it elsewhere, whatever its model says. @throws IllegalArgumentException if it has no such state */
+    /** Puts it into another state, whatever its model says. @throws IllegalArgumentException if it has no such state */
     synchronized void put(String name) {
         State next = new State(name);
         if (!model.hasState(next)) {

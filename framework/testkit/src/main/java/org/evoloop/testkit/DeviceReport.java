@@ -1,7 +1,7 @@
 package org.evoloop.testkit;
 
 /**
- * What a device says on its {@link DeviceLine}, in the order in which it happened.
+ * A report of a device on its {@link DeviceLine}, in the order of events at the device.
  *
  * <p>Threading: immutable.
  *
@@ -9,15 +9,15 @@ package org.evoloop.testkit;
  */
 public sealed interface DeviceReport {
 
-    /** What happened, an event of the original model. */
+    /** The event, of the original model. */
     String event();
 
-    /** Where the device is after that. */
+    /** The device's state after it. */
     String state();
 
     /** It has done {@code event} by itself. */
     record Acted(String event, String state) implements DeviceReport {}
 
-    /** It has taken the command {@code event}, which means nothing in some states and then changes nothing. */
+    /** It has taken the command {@code event}, which has no effect in states without a transition for it. */
     record Took(String event, String state) implements DeviceReport {}
 }

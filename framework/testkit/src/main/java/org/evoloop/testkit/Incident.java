@@ -1,7 +1,7 @@
 package org.evoloop.testkit;
 
 /**
- * What befalls a command on its way to a {@link SimulatedDevice}.
+ * Something that goes wrong with a command on its way to a {@link SimulatedDevice}.
  *
  * <p>Threading: immutable.
  *
@@ -10,8 +10,8 @@ package org.evoloop.testkit;
 public sealed interface Incident {
 
     /**
-     * It does not arrive, and has no effect. Whoever sent it learns of that only if the device tells its effects; then
-     * no answer comes, and the sending fails.
+     * It does not arrive, and has no effect. The sender notices that only if the device reports its effects; then no
+     * answer comes, and the sending fails.
      */
     record Lost() implements Incident {}
 
@@ -24,7 +24,7 @@ public sealed interface Incident {
     /** The device does {@code event} by itself just before it takes the command. */
     record Before(String event) implements Incident {}
 
-    /** The device does {@code event} by itself when it has taken the command, before whoever sent that knows. */
+    /** The device does {@code event} by itself after it has taken the command, before the sender knows of that. */
     record After(String event) implements Incident {}
 
     /** See {@link Lost}. */

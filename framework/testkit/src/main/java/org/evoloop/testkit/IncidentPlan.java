@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Random;
 
 /**
- * Which command meets with what.
+ * Assigns incidents to commands.
  *
  * @since 0.1
  */
@@ -14,19 +14,19 @@ import java.util.Random;
 public interface IncidentPlan {
 
     /**
-     * What befalls a command; called once for each, in order.
+     * The incidents of a command; called once for each, in order.
      *
-     * @param number counts the commands of a device, from 1
-     * @param event what is commanded
+     * @param number the number of the command at its device, from 1
+     * @param event the event of the command
      */
     List<Incident> of(int number, String event);
 
-    /** Nothing ever happens. */
+    /** No incidents. */
     static IncidentPlan none() {
         return (number, event) -> List.of();
     }
 
-    /** The command of this number, from 1, meets with these; the others with nothing. */
+    /** These incidents for the command of this number, from 1; none for the others. */
     static IncidentPlan at(int number, Incident... incidents) {
         if (number < 1) {
             throw new IllegalArgumentException("commands are counted from 1, and this is number " + number);
@@ -36,8 +36,8 @@ public interface IncidentPlan {
     }
 
     /**
-     * Each command meets with one of {@code incidents}, all as likely, with this probability; the same seed gives the
-     * same.
+     * For each command, with this probability, one of {@code incidents}, all equally likely; the same seed gives the
+     * same incidents.
      *
      * @param probability 0 to 1
      */
@@ -61,7 +61,7 @@ public interface IncidentPlan {
         };
     }
 
-    /** What this says, and after it what {@code other} says. */
+    /** The incidents of this plan, followed by those of {@code other}. */
     default IncidentPlan and(IncidentPlan other) {
         return (number, event) -> {
             List<Incident> all = new ArrayList<>(of(number, event));

@@ -9,25 +9,25 @@ import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.StateMachine;
 
 /**
- * Sees whether an adapter keeps the order: whether what a device does by itself, and the effects of what it is sent,
- * reach the converter in the order in which they happened at the device. An adapter keeps it by telling both on the
- * thread that reads the device: a {@link org.evoloop.converter.PushMonitor}'s {@code push}, and {@link
+ * Checks that an adapter keeps the order: that a device's own actions and the effects of commands reach the converter
+ * in the order in which they happened at the device. An adapter keeps it by reporting both on the thread that reads
+ * from the device: a {@link org.evoloop.converter.PushMonitor}'s {@code push}, and {@link
  * org.evoloop.converter.EventExecute}'s {@code tookEffect}.
  *
  * <pre>{@code
  * OrderCheck.of(models.original()).buttons("Clean", "Spot").check(line -> new RobotLink(line).adapter());
  * }</pre>
  *
- * <p>The check plays the device. Wherever in the model it makes a difference it acts by itself just before, or just
- * after, it takes a command, and looks whether the converter, which runs with its threads and in real time, knows
- * afterwards where the device is, and has never been in doubt.
+ * <p>The check simulates the device. Wherever the order matters in the model, the device acts by itself just before, or
+ * just after, it takes a command. The check then tests that the converter, which runs with its threads and in real
+ * time, knows the device's state afterwards, and was never in doubt.
  *
  * <p>Threading: one thread.
  *
  * @since 0.1
  */
 public final class OrderCheck {
-    /** Many more would take long, and find the same. */
+    /** Many more would take long without finding more. */
     private static final int MOST_SITUATIONS = 60;
 
     private final StateMachine model;
@@ -46,30 +46,32 @@ public final class OrderCheck {
         }
     }
 
-    /** Begins a check with a device of this model; what that declares to be the device's own is not sent. */
+    /** Begins a check with a device of this model; events that it declares to be the device's own are not sent. */
     public static OrderCheck of(StateMachine original) {
         return new OrderCheck(original);
     }
 
-    /** Events that the device takes by itself although they can be sent too, as the adapter's monitor declares them. */
+    /**
+     * Sets the events that the device takes by itself although they can be sent too, as declared by the adapter's
+     * monitor.
+     */
     public OrderCheck buttons(String... events) {
         own.addAll(List.of(events));
         return this;
     }
 
-    /** How long the adapter may take, in real time, to tell what has happened; 10 s unless this is called. */
+    /** Sets how long the adapter may take, in real time, to report what happened; 10 s by default. */
     public OrderCheck patience(Duration longest) {
         patience = longest;
         return this;
     }
 
     /**
-     * Tries an adapter.
+     * Checks an adapter.
      *
-     * @param adapters makes one for a line, with which it has begun to {@linkplain DeviceLine#listen listen}
-     * @throws AssertionError if it does not keep the order; the message tells in which situation, and what it has told
-     * @throws IllegalStateException if the order makes no difference anywhere in the model, or the adapter does not
-     *     listen
+     * @param adapters makes an adapter that already {@linkplain DeviceLine#listen listens} to the line
+     * @throws AssertionError if it does not keep the order; the message describes the situation and the reports
+     * @throws IllegalStateException if the order matters nowhere in the model, or the adapter does not listen
      * @throws org.evoloop.statemachine.ModelException if the adapter does not fit the model
      */
     public void check(Function<DeviceLine, DeviceAdapter> adapters) {

@@ -13,8 +13,8 @@ import org.evoloop.rehearsal.Difference;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a converter was told some day: its journal, or a copy of the directory that is kept beside the tests. Told to
- * the models of today it is a regression test.
+ * The recorded inputs of a converter: its journal, or a copy of the directory that is kept beside the tests. Replayed
+ * with the present models, it is a regression test.
  *
  * <pre>{@code
  * Recording.in(Path.of("src/test/recordings/sunday"))
@@ -39,21 +39,21 @@ public final class Recording {
         this.properties = properties;
     }
 
-    /** What lies in {@code directory}, as a converter was given it for its journal. */
+    /** The recording in {@code directory}, the journal directory of a converter. */
     public static Recording in(Path directory) {
         return new Recording(directory, null);
     }
 
-    /** The same with properties of the models that are to be kept, in the language of {@code models check}. */
+    /** A copy with properties that the models must satisfy, in the language of {@code models check}. */
     public Recording withProperties(Path file) {
         return new Recording(directory, file);
     }
 
     /**
-     * Tells other models, or the same again, what the converter was told.
+     * Replays the converter's inputs with other models, or with the same.
      *
      * @throws org.evoloop.journal.JournalException if there is no journal, or it is damaged
-     * @throws org.evoloop.statemachine.ModelException if the models are no evolution, or the properties are not
+     * @throws org.evoloop.statemachine.ModelException if the models are not an evolution, or the properties cannot be
      *     understood
      * @throws IllegalArgumentException if the properties cannot be read
      */
@@ -74,9 +74,9 @@ public final class Recording {
     }
 
     /**
-     * What the models made of it.
+     * The results of a replay.
      *
-     * <p>Errors: what does not hold is an {@link AssertionError} that lists the events.
+     * <p>Errors: a failed expectation is an {@link AssertionError} that lists the events.
      *
      * <p>Threading: immutable.
      */
@@ -89,29 +89,29 @@ public final class Recording {
             this.written = written;
         }
 
-        /** How many events there were. */
+        /** The number of events. */
         public long events() {
             return result.events();
         }
 
-        /** The events of which these models make something else, in order. */
+        /** The events that these models decide differently, in order. */
         public List<Difference> differences() {
             return result.differences();
         }
 
-        /** The properties that are broken, each with the event that breaks it, in order. */
+        /** The violated properties, each with the event that violates it, in order. */
         public List<Broken> broken() {
             return result.broken();
         }
 
-        /** Requires that every event is decided as it was. */
+        /** Requires that every event is decided as recorded. */
         public Replay expectSameDecisions() {
             return require(
                     differences(),
                     differences().size() + " of " + events() + " events are decided differently from the recording:");
         }
 
-        /** Requires that no property is broken. */
+        /** Requires that no property is violated. */
         public Replay expectPropertiesKept() {
             return require(
                     broken(),

@@ -23,8 +23,8 @@ import org.evoloop.time.ManualClock;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A device that does what an original model says, with its adapter to the converter: it obeys the events that it is
- * sent, has buttons of its own, takes its time, and meets with what devices meet with.
+ * A device that behaves like an original model, with its adapter to the converter: it obeys events, may have buttons of
+ * its own and delays, and can suffer the incidents of real devices.
  *
  * <pre>{@code
  * SimulatedDevice robot = SimulatedDevice.of(models.original()).buttons("Clean").build();
@@ -32,9 +32,9 @@ import org.jspecify.annotations.Nullable;
  * robot.incidents(IncidentPlan.at(2, Incident.lost()));
  * }</pre>
  *
- * <p>Its adapter keeps the order: facts and effects reach the converter as they happened at the device. An event that
- * means nothing where the device is changes nothing. Its time triggers, and effects as drawn, are its own; the
- * converter knows those times from the model, so that nothing is told of them.
+ * <p>Its adapter keeps the order: facts and effects reach the converter as they happened at the device. An event
+ * without a transition in the device's state has no effect. Its time triggers, and effects as drawn, are its own; the
+ * converter knows those times from the model, so they are not reported.
  *
  * <p>Threading: thread-safe. A device belongs to one converter.
  *
@@ -73,7 +73,7 @@ public final class SimulatedDevice {
         return new Builder(requireNonNull(original, "the device's model is null"));
     }
 
-    /** What a device is like. */
+    /** The properties of a device. */
     public static final class Builder {
         private final StateMachine model;
         private final Set<String> sendable = new LinkedHashSet<>();
@@ -98,8 +98,7 @@ public final class SimulatedDevice {
         }
 
         /**
-         * Which events can be sent; all but those that the model declares to be the device's own, unless this is
-         * called.
+         * Sets the events that can be sent; by default all but those that the model declares to be the device's own.
          */
         public Builder sends(String... events) {
             sendable.addAll(List.of(events));
@@ -107,7 +106,7 @@ public final class SimulatedDevice {
         }
 
         /**
-         * Events that the device takes by itself, by buttons of its own and otherwise, besides those its model
+         * Adds events that the device takes by itself, through its buttons or otherwise, besides those that its model
          * declares.
          */
         public Builder buttons(String... events) {
@@ -115,31 +114,36 @@ public final class SimulatedDevice {
             return this;
         }
 
-        /** Tells which guards of the model hold, by their text; none unless this is called. */
+        /** Sets which guards of the model hold, by their text; by default none. */
         public Builder guards(Predicate<String> holds) {
             guards = requireNonNull(holds, "the guards' condition is null");
             return this;
         }
 
-        /** How long a command is on its way before it has its effect; no time unless this is called. */
+        /** Sets how long a command takes until it has its effect; by default no time. */
         public Builder takesEffectAfter(Duration delay) {
             effectDelay = Clock.requireDelay(delay);
             return this;
         }
 
-        /** How long after an effect the device is ready for the next command; at once unless this is called. */
+        /** Sets how long after an effect the device is ready for the next command; by default at once. */
         public Builder readyAfter(Duration delay) {
             recovery = Clock.requireDelay(delay);
             return this;
         }
 
-        /** Does not tell when a command has its effect: that counts when it was sent, and a lost one goes unnoticed. */
+        /**
+         * Makes it not report the effects of commands: a command counts when it was sent, and a lost one goes
+         * unnoticed.
+         */
         public Builder silent() {
             tellsEffects = false;
             return this;
         }
 
-        /** Tells where it is when the converter asks, see {@link EventExecute#locate}; otherwise it cannot. */
+        /**
+         * Makes it report its state when the converter asks, see {@link EventExecute#locate}; by default it does not.
+         */
         public Builder answersLocate() {
             answersLocate = true;
             return this;
@@ -154,7 +158,7 @@ public final class SimulatedDevice {
     /**
      * Adds its monitor and its execute component; {@link ConverterHarness} does that by itself.
      *
-     * @param its the converter's clock, in whose time it lives
+     * @param its the converter's clock, which the device uses
      * @throws IllegalStateException if it is part of a converter already
      */
     public synchronized void addTo(SystemEventConverter joined, Clock its) {
@@ -168,35 +172,35 @@ public final class SimulatedDevice {
         model.start(its);
     }
 
-    /** From the next command on, these befall them; {@link #commands} tells which number that has. */
+    /** Sets the incidents from the next command on; {@link #commands} is the number of the last one. */
     public synchronized void incidents(IncidentPlan plan) {
         incidents = requireNonNull(plan, "the plan is null");
     }
 
-    /** Where it truly is. */
+    /** Its true state. */
     public String state() {
         return model.state().name();
     }
 
-    /** The commands that have arrived, in order, also those that meant nothing where it was. */
+    /** The commands that have arrived, in order, including those without effect. */
     public synchronized List<String> received() {
         return List.copyOf(received);
     }
 
-    /** How many commands have been on their way, lost ones included. */
+    /** The number of commands sent, including lost ones. */
     public synchronized int commands() {
         return commands;
     }
 
-    /** The effects that it has carried out, as drawn, in order. */
+    /** The effects that it has run, as drawn, in order. */
     public List<String> effects() {
         return model.effects();
     }
 
     /**
-     * It does {@code event} of its own accord, and tells.
+     * It does {@code event} by itself, and reports that.
      *
-     * @throws IllegalStateException if it does not know the event where it is
+     * @throws IllegalStateException if it has no transition for the event in its state
      */
     public synchronized void acts(String event) {
         if (!model.take(event)) {
@@ -205,7 +209,10 @@ public final class SimulatedDevice {
         monitor.acted(event);
     }
 
-    /** A button of its own is pressed: it acts on it and tells, or ignores it where it means nothing; false then. */
+    /**
+     * Presses a button of the device: it acts on it and reports that, or ignores it if it has no transition; then
+     * returns false.
+     */
     public synchronized boolean button(String event) {
         boolean taken = model.take(event);
         if (taken) {
@@ -214,7 +221,7 @@ public final class SimulatedDevice {
         return taken;
     }
 
-    /** It does {@code event} of its own accord after {@code delay}, if it knows it where it is then. */
+    /** It does {@code event} by itself after {@code delay}, if it has a transition for it then. */
     public synchronized void actsAfter(Duration delay, String event) {
         requireJoined(clock).schedule(delay, () -> {
             synchronized (this) {
@@ -225,12 +232,12 @@ public final class SimulatedDevice {
         });
     }
 
-    /** Somebody has put it into {@code state}, and nobody was told. */
+    /** Puts it into {@code state} without a report. */
     public void put(String state) {
         model.put(state);
     }
 
-    /** It is found where it is. */
+    /** Reports its state, as a finding. */
     public synchronized void tellsState() {
         monitor.found(state());
     }
@@ -283,7 +290,7 @@ public final class SimulatedDevice {
         }
     }
 
-    /** Lets time pass for whoever sends: without threads nobody else would. */
+    /** Lets time pass for the sender: without threads nothing else would. */
     private void pass(Duration duration) throws InterruptedException {
         if (duration.isZero()) {
             return;
@@ -296,14 +303,14 @@ public final class SimulatedDevice {
         }
     }
 
-    /** For messages: where it is, and what befalls its commands if that is by chance. */
+    /** For messages: its state, and its incident plan if that is random. */
     @Override
     public synchronized String toString() {
         String plan = incidents.toString();
         return state() + ", received " + received + (plan.contains("seed") ? ", " + plan : "");
     }
 
-    /** Tells what the device does by itself. */
+    /** Reports what the device does by itself. */
     private final class Its extends PushMonitor {
         Its() {
             super("DeviceMonitor");
@@ -330,7 +337,7 @@ public final class SimulatedDevice {
             tell(() -> push(foundIn(state)));
         }
 
-        /** At once, so that nothing overtakes it: without threads a monitor has to be asked. */
+        /** Reports at once, so that nothing overtakes it: without threads a monitor has to be called. */
         private void tell(Runnable push) {
             push.run();
             if (!hasThread()) {
@@ -343,7 +350,7 @@ public final class SimulatedDevice {
         }
     }
 
-    /** Sends what the device can be sent. */
+    /** Sends events to the device. */
     private final class Sender extends EventExecute {
         Sender() {
             super("DeviceExecute");

@@ -14,9 +14,9 @@ import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.Transition;
 
 /**
- * A command during which a device acts by itself, where the order of the two decides where it ends.
+ * A command during which a device acts by itself, where the order of the two determines the final state.
  *
- * @param way what leads there from the start: events that are sent, or that are the device's own
+ * @param way the events that lead there from the start: sent, or the device's own
  * @param before whether the device acts just before it takes the command, or just after
  */
 record Situation(List<String> way, State at, String command, String own, boolean before) {
@@ -28,7 +28,7 @@ record Situation(List<String> way, State at, String command, String own, boolean
                 + (before ? "before" : "after") + " it takes " + command;
     }
 
-    /** All that there are in a model, guarded transitions left out. */
+    /** All situations of a model, without guarded transitions. */
     static List<Situation> all(StateMachine model, Set<String> sendable, Set<String> own) {
         List<Situation> all = new ArrayList<>();
         ways(model, sendable, own).forEach((at, way) -> {

@@ -19,7 +19,7 @@ import org.evoloop.loop.LoopConfig;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.time.SystemClock;
 
-/** Plays one situation to an adapter, with a converter that runs. */
+/** Runs one situation with an adapter and a running converter. */
 final class SituationRun implements AutoCloseable {
     private final Object lock = new Object();
     private final SystemClock clock = new SystemClock();
@@ -134,7 +134,7 @@ final class SituationRun implements AutoCloseable {
         return converter.knowledge().getOriginalState().equals(device.state());
     }
 
-    /** Who tells where the device was found need not tell how it came there. */
+    /** An adapter that reports in which state the device was found need not report how it got there. */
     private boolean hasToldAll() {
         return line.isQuiet()
                 && count(Source.CONTROLLER) == presses
@@ -154,7 +154,7 @@ final class SituationRun implements AutoCloseable {
                 .count();
     }
 
-    /** Whether {@code holds} comes to hold; a doubt, once there, and a wrong record of all that was told, stay. */
+    /** Waits until {@code holds}; gives up after a doubt, or a wrong record of complete reports, since those stay. */
     private boolean await(BooleanSupplier holds) {
         long deadline = clock.nanoTime() + patience.toNanos();
         synchronized (lock) {

@@ -9,7 +9,7 @@ import org.evoloop.evolution.Configuration;
 import org.evoloop.loop.QueueStatus;
 import org.jspecify.annotations.Nullable;
 
-/** Where a converter has got stuck, for the message of an error. */
+/** Describes where a converter is stuck, for an error message. */
 final class StuckReport {
     private static final int LAST_ENTRIES = 6;
     private static final int LAST_LINES = 14;

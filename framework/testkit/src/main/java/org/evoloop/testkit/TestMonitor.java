@@ -3,7 +3,7 @@ package org.evoloop.testkit;
 import org.evoloop.converter.PushMonitor;
 import org.evoloop.evolution.Values;
 
-/** Tells what a test says. */
+/** Reports what a test tells it. */
 final class TestMonitor extends PushMonitor {
     TestMonitor() {
         super("Test");

@@ -12,18 +12,17 @@ import org.slf4j.ILoggerFactory;
 import org.slf4j.LoggerFactory;
 
 /**
- * Hears what one converter without threads writes into the transcript: its lines come on the thread that takes its
- * steps.
+ * Records the transcript of one converter without threads: its lines come on the thread that steps it.
  *
- * <p>Threading: one thread, as its harness; those of several harnesses may work side by side.
+ * <p>Threading: one thread, like its harness; those of several harnesses may run in parallel.
  */
 final class TranscriptRecorder {
     private static final String LOGGER = "org.evoloop.transcript";
 
-    /** How a converter tells that a step has had its effect. */
+    /** The transcript's format for a step that has had its effect. */
     private static final String COMMAND = " {} command";
 
-    /** Whose converter works on this thread. */
+    /** The recorder of the converter that runs on this thread. */
     private static final ThreadLocal<@Nullable TranscriptRecorder> LISTENING = new ThreadLocal<>();
 
     private static final boolean AVAILABLE = listen();
@@ -38,7 +37,7 @@ final class TranscriptRecorder {
         }
         Logger logger = context.getLogger(LOGGER);
         if (!logger.isInfoEnabled()) {
-            // Whoever has silenced the transcript in tests hears no more of it than before.
+            // If the transcript is silenced in tests, it stays so.
             logger.setAdditive(false);
             logger.setLevel(Level.INFO);
         }
@@ -67,7 +66,7 @@ final class TranscriptRecorder {
     }
 
     /**
-     * Hears what comes on this thread while {@code work} is done, and what is done inside it for no other converter.
+     * Records the lines on this thread while {@code work} runs, except those of other converters within it.
      */
     void during(Runnable work) {
         TranscriptRecorder before = LISTENING.get();
