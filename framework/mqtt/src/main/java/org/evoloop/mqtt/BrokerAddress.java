@@ -10,17 +10,16 @@ import javax.net.ssl.TrustManagerFactory;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Where a broker is and how one logs in: {@code mqtt://[USER@]HOST[:PORT]}, or {@code mqtts://} with TLS. After a
+ * The address of a broker and the login: {@code mqtt://[USER@]HOST[:PORT]}, or {@code mqtts://} with TLS. After a
  * question mark follow, separated by {@code &}:
  *
  * <ul>
- *   <li>{@code id=ID}: what the converter is called at the broker (default: its name)
- *   <li>{@code ca=FILE}: with TLS, the certificates, in PEM, that the broker's is signed with (default: those that Java
- *   trusts)
+ *   <li>{@code id=ID}: the converter's name at the broker (default: its name)
+ *   <li>{@code ca=FILE}: with TLS, the certificates, in PEM, that signed the broker's (default: those that Java trusts)
  *   <li>{@code discovery=PREFIX}: where Home Assistant looks for devices (default: {@code homeassistant})
  * </ul>
  *
- * <p>Threading: immutable. Its text holds no password.
+ * <p>Threading: immutable. Its text contains no password.
  *
  * @since 0.1
  */
@@ -53,7 +52,7 @@ public final class BrokerAddress {
     /**
      * Reads an address.
      *
-     * @throws IllegalArgumentException if it is none, or names a file that cannot be read; the message says what is
+     * @throws IllegalArgumentException if it is invalid, or names a file that cannot be read; the message says what is
      *     wrong and shows no password
      */
     public static BrokerAddress parse(String url) {
@@ -83,7 +82,7 @@ public final class BrokerAddress {
     }
 
     /**
-     * The same with the user's password.
+     * A copy with the user's password.
      *
      * @throws IllegalArgumentException if the address has no user
      */
@@ -122,7 +121,7 @@ public final class BrokerAddress {
         }
     }
 
-    /** The same text without what looks like a password. */
+    /** The text without anything that looks like a password. */
     private static String masked(String url) {
         return url.replaceFirst("(//[^/@]*?):.*@", "$1:***@");
     }
@@ -149,13 +148,13 @@ public final class BrokerAddress {
         return password;
     }
 
-    /** The certificates that the broker's is signed with; null for those that Java trusts. */
+    /** The certificates that signed the broker's; null for those that Java trusts. */
     @Nullable
     TrustManagerFactory trust() {
         return trust;
     }
 
-    /** What the converter of this name is called at the broker: as the address says, or by its name. */
+    /** The name at the broker of the converter with this name: from the address, else the same. */
     String id(String converter) {
         String id = parameters.get("id");
         return id == null ? converter.replaceAll("[^A-Za-z0-9_-]", "_") : id;

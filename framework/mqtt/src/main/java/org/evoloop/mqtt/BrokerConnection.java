@@ -22,9 +22,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * A connection to a broker that is made again whenever it is lost, with pauses of 250 ms to 30 s. After each connect
- * every state is published again ({@link Message.Kind#STATE}), so nothing is lost of how things are, whatever the
- * broker forgot. What is wrong is logged once, until it is something else or over.
+ * A connection to a broker that reconnects whenever it is lost, with pauses of 250 ms to 30 s. After each connect every
+ * state is published again ({@link Message.Kind#STATE}), so the current states are complete even if the broker has
+ * forgotten them. A fault is logged once, until it changes or ends.
  *
  * <p>Lifecycle: {@link #will} and {@link #subscribe}, then {@link #open}, which does not wait for the broker; {@link
  * #close}.
@@ -54,29 +54,29 @@ public final class BrokerConnection implements DeviceLink, AutoCloseable {
     private volatile String trouble;
     private final AtomicLong connects = new AtomicLong();
 
-    /** @param client what the broker knows this client by; of two of one name it drops the older */
+    /** @param client the client's identifier at the broker; if two have the same, it disconnects the older */
     public BrokerConnection(BrokerAddress address, String client) {
         this.address = address;
         this.client = client;
         this.trouble = address + " has not been reached yet";
     }
 
-    /** What the broker publishes when this client is gone, however it ended; before {@link #open}. */
+    /** Sets the message that the broker publishes when this client is gone, however it ended; before {@link #open}. */
     public synchronized void will(Message message) {
         will = message;
     }
 
-    /** Has something done each time that a connection has ended, before the next one; before {@link #open}. */
+    /** Sets an action for each time that a connection has ended, run before the next one; before {@link #open}. */
     synchronized void onLost(Runnable action) {
         whenLost.add(action);
     }
 
     /**
-     * Has {@code consumer} called with what is published on this topic; before {@link #open}. A message that the broker
-     * had retained is a {@link Message.Kind#STATE}, any other a {@link Message.Kind#COMMAND}.
+     * Calls {@code consumer} with each message on this topic; before {@link #open}. A message that the broker had
+     * retained is a {@link Message.Kind#STATE}, any other a {@link Message.Kind#COMMAND}.
      *
-     * @param topic without wildcards
-     * @throws IllegalStateException if it is open, or somebody has this topic already
+     * @param topic the topic, without wildcards
+     * @throws IllegalStateException if it is open, or this topic has a consumer already
      */
     public synchronized void subscribe(String topic, Consumer<Message> consumer) {
         if (thread != null || consumers.putIfAbsent(topic, consumer) != null) {
@@ -85,7 +85,7 @@ public final class BrokerConnection implements DeviceLink, AutoCloseable {
         }
     }
 
-    /** Begins to connect; does nothing if it was open before. */
+    /** Starts connecting; does nothing if it was opened before. */
     public synchronized void open() {
         if (thread == null) {
             thread = new Thread(this::run, "mqtt-" + client);
@@ -94,24 +94,24 @@ public final class BrokerConnection implements DeviceLink, AutoCloseable {
         }
     }
 
-    /** Has a message published as soon as its {@linkplain Message.Kind kind} allows. */
+    /** Publishes a message as soon as its {@linkplain Message.Kind kind} allows. */
     public void publish(Message message) {
         if (message.kind() != Message.Kind.COMMAND || isUp()) {
             outbox.put(message);
         }
     }
 
-    /** Has every state published again. */
+    /** Publishes every state again. */
     public void republish() {
         outbox.republish();
     }
 
-    /** How often it has been connected. */
+    /** The number of connects so far. */
     public long connects() {
         return connects.get();
     }
 
-    /** How many messages were lost because too many waited. */
+    /** The number of messages lost because too many waited. */
     public long lost() {
         return outbox.lost();
     }
@@ -170,7 +170,7 @@ public final class BrokerConnection implements DeviceLink, AutoCloseable {
         }
     }
 
-    /** Everything is at the broker. */
+    /** Every message has reached the broker. */
     private void allIsWell() {
         trouble = "";
         if (attempts.succeeded(System.nanoTime())) {
@@ -219,7 +219,7 @@ public final class BrokerConnection implements DeviceLink, AutoCloseable {
         return wrong.isEmpty() ? address.toString() : wrong;
     }
 
-    /** Publishes what waits, if the broker is there, says goodbye, and ends. Idempotent. */
+    /** Publishes the waiting messages, if the broker is connected, then disconnects and ends. Idempotent. */
     @Override
     public void close() {
         closing = true;

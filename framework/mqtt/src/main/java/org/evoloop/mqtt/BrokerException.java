@@ -1,6 +1,6 @@
 package org.evoloop.mqtt;
 
-/** A broker that cannot be reached, or refuses something; the message is for people and says what to do. */
+/** A broker cannot be reached, or refuses something; the message is for people and says what to do. */
 final class BrokerException extends Exception {
     private static final long serialVersionUID = 1;
 

@@ -14,11 +14,11 @@ import java.security.cert.CertificateException;
 import javax.net.ssl.SSLException;
 import org.jspecify.annotations.Nullable;
 
-/** What went wrong with a broker, in words that say what to do. */
+/** Describes a problem with a broker, and what to do. */
 final class BrokerFailure {
     private BrokerFailure() {}
 
-    /** Whether the broker has refused a message that it would refuse again. */
+    /** Whether the broker has refused a message permanently. */
     static boolean isDenial(@Nullable Throwable failure) {
         return failure instanceof Mqtt5PubAckException denied
                 && denied.getMqttMessage().getReasonCode() != Mqtt5PubAckReasonCode.QUOTA_EXCEEDED;

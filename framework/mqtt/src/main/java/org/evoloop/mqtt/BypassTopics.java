@@ -3,9 +3,9 @@ package org.evoloop.mqtt;
 import java.util.List;
 
 /**
- * Where a converter and its bypass tell each other how they are.
+ * The topics by which a converter and its bypass tell each other their status.
  *
- * @param base such as {@code evoloop/lamp/bypass}
+ * @param base the common prefix, such as {@code evoloop/lamp/bypass}
  */
 record BypassTopics(String base) {
     /** Whether the converter is there. */
@@ -19,13 +19,13 @@ record BypassTopics(String base) {
     }
 
     /**
-     * The events that were passed on since the converter was gone, one a line, the oldest first; empty if none were.
+     * The events passed on since the converter was gone, one per line, oldest first; empty if there are none.
      */
     String passed() {
         return base + "/passed";
     }
 
-    /** How many of those events the converter has been told. */
+    /** How many of those events the converter has received. */
     String told() {
         return base + "/told";
     }

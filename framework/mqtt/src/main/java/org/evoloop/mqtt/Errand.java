@@ -16,8 +16,8 @@ import org.evoloop.statemachine.Transition;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Takes the evolved system to a state by what a controller may raise, one event after the other, and waits for timers
- * in between: from a state that waits for a second press, say.
+ * Takes the evolved system to a state by events of a controller, one after another, and waits for timers in between,
+ * for example in a state that waits for a second press.
  *
  * <p>Threading: not thread-safe.
  */
@@ -32,7 +32,7 @@ final class Errand {
     private @Nullable State pressedIn;
 
     /**
-     * To {@code goal}.
+     * An errand to {@code goal}.
      *
      * @param evolved the new model
      * @param raisable the events that may be pressed
@@ -50,7 +50,7 @@ final class Errand {
     /**
      * Takes the next step, if it is time for it.
      *
-     * @param now where the evolved system is
+     * @param now the evolved system's state
      * @return whether there is more to do
      * @throws IllegalStateException if nothing leads to the goal
      */
@@ -84,7 +84,7 @@ final class Errand {
         return event.timeTrigger().isPresent() || event.name().equals("timeout");
     }
 
-    /** The first event of a cheapest way. */
+    /** The first event of a cheapest path. */
     private @Nullable Event firstStep(State from) {
         Map<State, Integer> costs = new HashMap<>(Map.of(from, 0));
         Map<State, Event> first = new HashMap<>();

@@ -1,9 +1,10 @@
 package org.evoloop.mqtt;
 
 /**
- * Divides what a client receives into what came before the others knew of it, and what came after: it says on a topic,
- * retained, that it is here, and waits to be told that itself. The broker tells each client everything in the order in
- * which it came, so all divide at the same message. When the client is gone, its will says so, and divides again.
+ * Divides the messages that a client receives into those before and those after the others knew of it: it publishes on
+ * a topic, retained, that it is here, and waits to receive that message itself. The broker delivers everything in the
+ * same order to each client, so all divide at the same message. When the client is gone, its will says so, and divides
+ * again.
  *
  * <p>Threading: thread-safe.
  */
@@ -16,9 +17,9 @@ final class Fence {
     private volatile boolean passed;
 
     /**
-     * Of a connection that is not open yet, and has no other will.
+     * A fence for a connection that is not open yet, and has no other will.
      *
-     * @param then what is done each time that it is passed
+     * @param then run each time that it is passed
      */
     Fence(BrokerConnection connection, String topic, Runnable then) {
         this.connection = connection;
@@ -29,26 +30,26 @@ final class Fence {
         connection.publish(Message.state(topic, HERE));
     }
 
-    /** What the one at another fence says: whether it is here. */
+    /** The message of another client's fence: whether it is here. */
     static boolean isHere(Message message) {
         return message.payload().equals(HERE);
     }
 
     private void hear(Message message) {
         if (message.kind() == Message.Kind.STATE) {
-            // The broker had kept it from before.
+            // A retained message from before.
             return;
         }
         passed = isHere(message);
         if (passed) {
             then.run();
         } else {
-            // The will of a connection before this one was late.
+            // The will of an earlier connection came late.
             connection.republish();
         }
     }
 
-    /** Whether everybody knows that this client is here. */
+    /** Whether all clients know that this one is here. */
     boolean isPassed() {
         return passed;
     }

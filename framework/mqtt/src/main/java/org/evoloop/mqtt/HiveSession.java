@@ -22,8 +22,8 @@ import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One connection to a broker, from the login to its loss: MQTT 5 with HiveMQ's client, which nothing else here uses. It
- * begins clean: what was sent to this client meanwhile, such as an old command, is not delivered.
+ * One connection to a broker, from the login to its loss: MQTT 5 with HiveMQ's client, which only this class uses. It
+ * starts clean: messages sent to this client in between, such as an old command, are not delivered.
  *
  * <p>Threading: {@link #publish} and {@link #close} for one thread; callbacks come on the client's own and must be
  * quick.
@@ -45,10 +45,10 @@ final class HiveSession implements AutoCloseable {
     }
 
     /**
-     * What a session begins with.
+     * The settings of a session.
      *
-     * @param will what the broker publishes when this client is gone; null for nothing
-     * @param filters what to subscribe to
+     * @param will the message that the broker publishes when this client is gone; null for none
+     * @param filters the topics to subscribe to
      */
     record Setup(
             BrokerAddress address, String client, @Nullable Message will, Set<String> filters) {}
@@ -56,8 +56,8 @@ final class HiveSession implements AutoCloseable {
     /**
      * Logs in and subscribes.
      *
-     * @param incoming takes what comes
-     * @param lost takes the reason when the connection is lost; also if it was never there
+     * @param incoming receives messages
+     * @param lost receives the reason when the connection is lost, or could not be made
      */
     static HiveSession connect(Setup setup, Consumer<Message> incoming, Consumer<String> lost)
             throws BrokerException, InterruptedException {
@@ -145,9 +145,9 @@ final class HiveSession implements AutoCloseable {
     }
 
     /**
-     * Publishes, and waits for the broker to have it.
+     * Publishes, and waits for the broker's acknowledgement.
      *
-     * @return why the broker does not want it and never will; empty if it does
+     * @return why the broker has refused the message permanently; empty if it has not
      */
     String publish(Message message) throws BrokerException, InterruptedException {
         try {
@@ -179,7 +179,7 @@ final class HiveSession implements AutoCloseable {
         }
     }
 
-    /** Says goodbye, if the connection is there; the broker publishes the will. Idempotent. */
+    /** Disconnects, if connected; the broker publishes the will. Idempotent. */
     @Override
     public void close() {
         boolean interrupted = Thread.interrupted();

@@ -27,9 +27,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Shows a converter in Home Assistant, and has it operated there: one device with the states of both models, the events
- * and what became of them, buttons for what a controller may raise, what is known of the device, and how the converter
- * fares.
+ * Shows and operates a converter in Home Assistant: one device with the states of both models, the events and their
+ * outcomes, buttons for the controller's events, the readings of the device, and the converter's diagnostics.
  *
  * <pre>{@code
  * try (HomeAssistant home = new HomeAssistant(converter, BrokerAddress.parse("mqtt://ha@broker"))) {
@@ -58,11 +57,11 @@ public final class HomeAssistant implements AutoCloseable {
     private final PushMonitor controller = new PushMonitor("HomeAssistant");
     private final LinkedBlockingQueue<Runnable> inbox = new LinkedBlockingQueue<>(MOST_COMMANDS);
     private final List<Choice> choices = new ArrayList<>();
-    /** Those that were ever there: an entity does not go when its device cannot be reached. */
+    /** All readings so far: an entity remains while its device cannot be reached. */
     private final Set<HomeReading> readings = new LinkedHashSet<>();
 
     private boolean described;
-    /** Whether there was ever one: its entities do not go with it. */
+    /** Whether there has been a shadow: its entities remain after it. */
     private boolean shadowed;
 
     private @Nullable Errand errand;
@@ -71,7 +70,7 @@ public final class HomeAssistant implements AutoCloseable {
     private volatile String lastFailure = "";
 
     /**
-     * Shows {@code converter} there.
+     * Prepares to show {@code converter}.
      *
      * @param converter built
      */
@@ -87,18 +86,18 @@ public final class HomeAssistant implements AutoCloseable {
         return this;
     }
 
-    /** Lets something be chosen; before {@link #open}. */
+    /** Adds a choice; before {@link #open}. */
     public HomeAssistant choice(Choice offered) {
         choices.add(offered);
         return this;
     }
 
     /**
-     * Has the controller's events raised, one after the other, that take the new model to a state: as a person would
-     * press buttons. Returns after the first; ends what it was told before. It gives up after a minute.
+     * Raises the controller's events, one after another, that take the new model to a state, as a person would press
+     * buttons. Returns after the first, and ends an earlier call's work. It gives up after a minute.
      *
      * @param state of the new model
-     * @throws IllegalStateException if nothing that a controller may raise leads there, or the converter is stopped
+     * @throws IllegalStateException if no events of a controller lead there, or the converter is stopped
      */
     public void goTo(State state) {
         Errand begun = new Errand(
@@ -125,7 +124,7 @@ public final class HomeAssistant implements AutoCloseable {
         }
     }
 
-    /** Begins to connect, and to show the converter. */
+    /** Starts connecting and showing the converter. */
     public HomeAssistant open() {
         converter.addMonitor(controller);
         converter.addListener(new Listener());
@@ -184,7 +183,7 @@ public final class HomeAssistant implements AutoCloseable {
                 .promote();
     }
 
-    /** What is done on a command. */
+    /** The action of a command. */
     private interface Action {
         void obey(String payload) throws Exception;
     }
@@ -318,7 +317,7 @@ public final class HomeAssistant implements AutoCloseable {
         }
     }
 
-    /** Tells that the converter is not there any more, and ends. Idempotent. */
+    /** Announces that the converter is gone, and ends. Idempotent. */
     @Override
     public void close() {
         Thread running = thread;

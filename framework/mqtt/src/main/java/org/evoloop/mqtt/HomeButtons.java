@@ -8,13 +8,13 @@ import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.Transition;
 
-/** The events that a controller may raise, as far as models and components tell. */
+/** The events that a controller may raise, as far as models and components show. */
 final class HomeButtons {
     private HomeButtons() {}
 
     /**
-     * Those that mean something to the new model in a state that the device has, too, other than timers and what the
-     * device does by itself. What means something in new states only is raised by their functions and timers.
+     * The events that the new model accepts in a state that the device also has, except timers and what the device does
+     * by itself. Events accepted only in new states are raised by their functions and timers.
      */
     static Set<String> of(SystemEventConverter converter) {
         ModelPair models = converter.knowledge().models();

@@ -12,13 +12,13 @@ import org.evoloop.statemachine.State;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What Home Assistant is told of a converter: one device with its entities (Home Assistant, "MQTT", device discovery
- * payload; as of 2026.11).
+ * The discovery message of a converter: one device with its entities (Home Assistant, "MQTT", device discovery payload;
+ * as of 2026.11).
  *
  * <p>Threading: not thread-safe.
  */
 final class HomeDiscovery {
-    /** The type of the event that a command was not obeyed. */
+    /** The event type for a refused command. */
     static final String REFUSED = "refused";
 
     private static final String DIAGNOSTIC = "diagnostic";
@@ -33,14 +33,14 @@ final class HomeDiscovery {
         this.name = converter.substring(0, 1).toUpperCase(Locale.ROOT) + converter.substring(1);
     }
 
-    /** A name as it can stand in topics and the names of entities. */
+    /** A name converted for topics and entity names. */
     static String key(String text) {
         return text.replaceAll("(?<=[a-z0-9])(?=[A-Z])", "_")
                 .toLowerCase(Locale.ROOT)
                 .replaceAll("[^a-z0-9]+", "_");
     }
 
-    /** What every converter has. */
+    /** The entities of every converter. */
     HomeDiscovery converter(ModelPair models, Collection<String> buttons) {
         states("device_state", "Device state", models.original().states());
         states("state", "State", models.evolved().states());
@@ -103,7 +103,7 @@ final class HomeDiscovery {
                         .put("entity_category", DIAGNOSTIC));
     }
 
-    /** The vacuum, which is what the device is called after. */
+    /** The vacuum, after which the device is named. */
     HomeDiscovery vacuum() {
         return add(
                 "vacuum",
@@ -116,7 +116,7 @@ final class HomeDiscovery {
                                 List.of("start", "stop", "pause", "return_home", "clean_spot", "locate", "status")));
     }
 
-    /** What other models would have decided beside those that run. */
+    /** The differences of a shadow, and the button that promotes it. */
     HomeDiscovery shadow() {
         add(
                 "sensor",
@@ -136,7 +136,7 @@ final class HomeDiscovery {
                         .put("entity_category", "config"));
     }
 
-    /** What can be chosen. */
+    /** A choice. */
     HomeDiscovery choice(Choice choice) {
         return add(
                 "select",
@@ -149,7 +149,7 @@ final class HomeDiscovery {
                         .put("entity_category", "config"));
     }
 
-    /** What is known of the device. */
+    /** A reading of the device. */
     HomeDiscovery reading(HomeReading reading) {
         return add(reading.platform(), "reading_" + key(reading.name()), reading.title(), sensor -> {
             sensor.put("state_topic", topics.state()).put("value_template", reading.template());
@@ -204,7 +204,7 @@ final class HomeDiscovery {
         return entity == null ? key(topics.id()) : key(topics.id()) + "_" + key;
     }
 
-    /** The payload with what was added. */
+    /** The payload with everything added. */
     String payload() {
         JsonObject device = new JsonObject()
                 .putTexts("identifiers", List.of("evoloop_" + topics.id()))

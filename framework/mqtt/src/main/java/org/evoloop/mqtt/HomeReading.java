@@ -6,11 +6,11 @@ import org.evoloop.console.JsonObject;
 import org.evoloop.function.Reading;
 
 /**
- * A reading as an entity: a binary sensor if something is so or not, else a sensor.
+ * A reading as an entity: a binary sensor for a boolean, else a sensor.
  *
  * @param name the reading's
- * @param kind what its value is
- * @param unit of a number; else empty
+ * @param kind the kind of its value
+ * @param unit the unit of a number; else empty
  */
 record HomeReading(String name, Kind kind, String unit) {
     private static final Map<String, String> CLASSES_BY_UNIT = Map.of(
@@ -35,7 +35,7 @@ record HomeReading(String name, Kind kind, String unit) {
             "min",
             "duration");
 
-    /** What a value is. */
+    /** The kind of a value. */
     enum Kind {
         YES_OR_NO,
         NUMBER,
@@ -59,7 +59,7 @@ record HomeReading(String name, Kind kind, String unit) {
         return words.substring(0, 1).toUpperCase(Locale.ROOT) + words.substring(1);
     }
 
-    /** What takes it out of the state; one that is not there is unknown. */
+    /** The template that extracts it from the state; a missing one is unknown. */
     String template() {
         String value = "value_json.readings.get('" + name.replaceAll("['\\\\{}%]", "") + "')";
         return kind == Kind.YES_OR_NO

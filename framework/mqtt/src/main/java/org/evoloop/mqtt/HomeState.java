@@ -13,21 +13,21 @@ import org.evoloop.loop.LoopState;
 
 /** A converter's status as it is published: JSON, with the keys that {@link HomeDiscovery} names in its templates. */
 final class HomeState {
-    /** Home Assistant takes states of 255 characters. */
+    /** Home Assistant accepts states of up to 255 characters. */
     private static final int LONGEST = 250;
 
-    /** What stands for nothing where Home Assistant wants a text. */
+    /** Stands for an empty value where Home Assistant requires a text. */
     private static final String NONE = "none";
 
-    /** The newest: Home Assistant keeps attributes of 16 KB. */
+    /** Only the newest: Home Assistant keeps attributes of at most 16 KB. */
     private static final int DIFFERENCES = 10;
 
-    /** No shadow: Home Assistant takes it for unknown. */
+    /** No shadow: Home Assistant shows the value as unknown. */
     static final JsonObject NO_SHADOW = new JsonObject().put("different", (String) null);
 
     private HomeState() {}
 
-    /** How converter and device are. */
+    /** The state of converter and device. */
     static JsonObject state(ConverterStatus status, List<Choice> choices, String lastFailure) {
         JsonObject chosen = new JsonObject();
         choices.forEach(choice -> chosen.put(choice.key(), choice.current().get()));
@@ -45,7 +45,7 @@ final class HomeState {
                 .put("choices", chosen);
     }
 
-    /** What is known of the device; nothing while it is out of reach. */
+    /** The readings of the device; none while it cannot be reached. */
     static List<Reading> readings(ConverterStatus status) {
         ConverterStatus.LinkStatus link = status.link();
         return link == null ? List.of() : link.readings();
@@ -71,7 +71,7 @@ final class HomeState {
         return text.isEmpty() ? NONE : text.length() > LONGEST ? text.substring(0, LONGEST) + "..." : text;
     }
 
-    /** How the converter fares. */
+    /** The converter's diagnostics. */
     static JsonObject diagnostics(ConverterStatus status, BrokerConnection connection) {
         return new JsonObject()
                 .put("handled", status.events().handled())
@@ -86,7 +86,7 @@ final class HomeState {
                 .put("lost", connection.lost());
     }
 
-    /** What other models would have decided; nothing once they have ended. */
+    /** The report of the shadow; none after it has ended. */
     static JsonObject shadow(Shadow shadow) {
         try {
             return ShadowJson.of(shadow.report(), DIFFERENCES);
@@ -95,7 +95,7 @@ final class HomeState {
         }
     }
 
-    /** What became of an event, and why. */
+    /** The outcome of an event, and the reason. */
     static JsonObject decision(HistoryEntry entry) {
         return new JsonObject()
                 .put("event_type", entry.outcome().name().toLowerCase(Locale.ROOT))
@@ -110,7 +110,7 @@ final class HomeState {
                 .put("at", entry.at().toString());
     }
 
-    /** That a command was not obeyed. */
+    /** A refused command. */
     static JsonObject refusal(String command, String why) {
         return new JsonObject()
                 .put("event_type", HomeDiscovery.REFUSED)

@@ -3,7 +3,7 @@ package org.evoloop.mqtt;
 /**
  * The topics of one converter.
  *
- * @param id what it is called at the broker
+ * @param id its name at the broker
  * @param discovery where Home Assistant looks for devices
  */
 record HomeTopics(String id, String discovery) {
@@ -16,32 +16,32 @@ record HomeTopics(String id, String discovery) {
         return own("availability");
     }
 
-    /** How the converter and its device are, as JSON. */
+    /** The state of the converter and its device, as JSON. */
     String state() {
         return own("state");
     }
 
-    /** What the vacuum does, as JSON. */
+    /** The vacuum's activity, as JSON. */
     String vacuum() {
         return own("vacuum");
     }
 
-    /** How the converter fares, as JSON. */
+    /** The converter's diagnostics, as JSON. */
     String diagnostics() {
         return own("diagnostics");
     }
 
-    /** What a shadow would have done, as JSON. */
+    /** The report of a shadow, as JSON. */
     String shadow() {
         return own("shadow");
     }
 
-    /** Puts the shadow in. */
+    /** Takes the command to promote the shadow. */
     String promote() {
         return own("shadow/promote");
     }
 
-    /** What became of an event, as JSON. */
+    /** The outcome of an event, as JSON. */
     String decision() {
         return own("decision");
     }
@@ -61,17 +61,17 @@ record HomeTopics(String id, String discovery) {
         return own("converting/set");
     }
 
-    /** Takes the name of what is chosen. */
+    /** Takes the name of the chosen option. */
     String choice(String key) {
         return own("choice/" + key + "/set");
     }
 
-    /** Where Home Assistant reads what entities there are. */
+    /** The discovery topic, from which Home Assistant reads the entities. */
     String config() {
         return discovery + "/device/evoloop_" + id + "/config";
     }
 
-    /** Where Home Assistant tells that it has started. */
+    /** The topic on which Home Assistant announces its start. */
     String birth() {
         return discovery + "/status";
     }

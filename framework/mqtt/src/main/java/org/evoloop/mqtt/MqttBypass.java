@@ -16,10 +16,10 @@ import org.slf4j.LoggerFactory;
  *         .open();
  * }</pre>
  *
- * <p>No event is both converted and passed on, as long as the broker tells each of its clients everything in the order
- * in which it came, as Mosquitto does. What is on its way to the converter when that ends may be lost.
+ * <p>No event is both converted and passed on, as long as the broker delivers everything to each of its clients in the
+ * order of arrival, as Mosquitto does. Events on their way to the converter when it ends may be lost.
  *
- * <p>Lifecycle: say everything, then {@link #open}; {@link #close}, after which nothing is passed on.
+ * <p>Lifecycle: configure it, then {@link #open}; {@link #close}, after which nothing is passed on.
  *
  * <p>Threading: as {@link BrokerConnection}.
  *
@@ -27,7 +27,7 @@ import org.slf4j.LoggerFactory;
  * @since 0.1
  */
 public final class MqttBypass implements AutoCloseable {
-    /** So many events of one outage are told to the converter. */
+    /** How many events of one outage are reported to the converter. */
     static final int MOST_TOLD = 1_000;
 
     private static final Logger LOG = LoggerFactory.getLogger(MqttBypass.class);
@@ -42,9 +42,9 @@ public final class MqttBypass implements AutoCloseable {
     /**
      * A bypass of one converter.
      *
-     * @param connection of its own, yet to be opened
-     * @param topic as of {@link MqttMonitor#bypassed}
-     * @param messages what to publish, by event
+     * @param connection a connection of its own, not open yet
+     * @param topic as for {@link MqttMonitor#bypassed}
+     * @param messages the messages to publish, by event
      */
     public MqttBypass(BrokerConnection connection, String topic, Map<String, Message> messages) {
         this.connection = connection;
@@ -58,9 +58,9 @@ public final class MqttBypass implements AutoCloseable {
     }
 
     /**
-     * On this topic a controller tells of what was operated.
+     * Sets the topic on which a controller reports operated controls.
      *
-     * @param events by payload
+     * @param events the events by payload
      */
     public MqttBypass controller(String topic, Map<String, String> events) {
         Map<String, String> known = Map.copyOf(events);
@@ -73,7 +73,7 @@ public final class MqttBypass implements AutoCloseable {
         return this;
     }
 
-    /** Begins to connect; it does not wait for the broker. */
+    /** Starts connecting; does not wait for the broker. */
     public MqttBypass open() {
         connection.open();
         return this;
@@ -119,7 +119,7 @@ public final class MqttBypass implements AutoCloseable {
         }
     }
 
-    /** Goes on after a bypass that ended while the converter was gone. */
+    /** Continues after a bypass that ended while the converter was gone. */
     private synchronized void resume(Message message) {
         if (message.kind() == Message.Kind.STATE && passed.isEmpty()) {
             passed.addAll(BypassTopics.events(message));

@@ -25,8 +25,8 @@ public class MqttExecute extends EventExecute {
     /**
      * A component that sends these events.
      *
-     * @param name what the console calls it, unique within a converter
-     * @param messages what to publish, by event
+     * @param name its name in the console, unique within a converter
+     * @param messages the messages to publish, by event
      */
     public MqttExecute(String name, BrokerConnection connection, Map<String, Message> messages) {
         super(name);

@@ -11,7 +11,7 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * A monitor of a controller or a device that tells by MQTT what happens:
+ * A monitor of a controller or a device that reports events by MQTT:
  *
  * <pre>{@code
  * new MqttMonitor("WallSwitch", broker).controller("zigbee2mqtt/switch/action", Map.of("single", "switch"));
@@ -19,9 +19,9 @@ import org.slf4j.LoggerFactory;
  *
  * <p>With {@link #bypassed} the controller's events may reach the device while this converter is gone.
  *
- * <p>What the broker had retained is from another time, and ignored. So are other payloads than those named.
+ * <p>Retained messages are old and therefore ignored. So are payloads that are not listed.
  *
- * <p>Lifecycle: say everything before the connection is opened.
+ * <p>Lifecycle: configure it before the connection is opened.
  *
  * <p>Threading: as {@link PushMonitor}.
  *
@@ -34,19 +34,19 @@ public class MqttMonitor extends PushMonitor {
     private final Set<String> devicesOwn = new LinkedHashSet<>();
     private @Nullable Fence fence;
 
-    /** How much of what a bypass has passed on the converter has been told. */
+    /** How many of the events that a bypass has passed on have been reported to the converter. */
     private int told;
 
-    /** @param name what the console calls it, unique within a converter */
+    /** @param name its name in the console, unique within a converter */
     public MqttMonitor(String name, BrokerConnection connection) {
         super(name);
         this.connection = connection;
     }
 
     /**
-     * On this topic a controller tells of what was operated.
+     * Sets the topic on which a controller reports operated controls.
      *
-     * @param events by payload
+     * @param events the events by payload
      */
     public final MqttMonitor controller(String topic, Map<String, String> events) {
         return on(topic, events, event -> {
@@ -57,9 +57,9 @@ public class MqttMonitor extends PushMonitor {
     }
 
     /**
-     * On this topic the device tells of what it has done by itself.
+     * Sets the topic on which the device reports what it has done by itself.
      *
-     * @param events by payload
+     * @param events the events by payload
      */
     public final MqttMonitor device(String topic, Map<String, String> events) {
         devicesOwn.addAll(events.values());
@@ -67,11 +67,11 @@ public class MqttMonitor extends PushMonitor {
     }
 
     /**
-     * While this converter is gone, an {@link MqttBypass} passes the controller's events on. The controller's events
-     * count from when the bypass knows that the converter is here; what was passed on until then comes first, as what
-     * the device has already acted on.
+     * Declares that an {@link MqttBypass} passes the controller's events on while this converter is gone. The
+     * controller's events count once the bypass knows that the converter is here; the events passed on before come
+     * first, as events on which the device has already acted.
      *
-     * @param topic below which both tell each other how they are, such as {@code evoloop/lamp/bypass}
+     * @param topic the prefix of the topics by which both exchange their status, such as {@code evoloop/lamp/bypass}
      */
     public final MqttMonitor bypassed(String topic) {
         BypassTopics topics = new BypassTopics(topic);

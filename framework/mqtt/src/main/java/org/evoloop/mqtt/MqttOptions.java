@@ -9,7 +9,7 @@ import org.evoloop.config.Secret;
 import org.evoloop.config.Settings;
 
 /**
- * The options with which a program says through which broker its converter is shown and operated.
+ * The options of a program for the broker through which its converter is shown and operated.
  *
  * @since 0.1
  */
@@ -33,7 +33,7 @@ public final class MqttOptions {
 
     private MqttOptions() {}
 
-    /** The broker; empty if none is to be connected to. */
+    /** The broker; empty if there is none. */
     public static Optional<BrokerAddress> broker(Settings settings) {
         return settings.get(MQTT)
                 .map(address -> address.user() == null
@@ -49,7 +49,7 @@ public final class MqttOptions {
         }
     }
 
-    /** A URL with certificates from a file beside that in which it is written. */
+    /** A URL with its certificate file relative to the file that contains the URL. */
     private static String placed(String folder, String url) {
         String before = Path.of(folder).toUri().getRawPath().replaceFirst("/?$", "/");
         return url.replaceAll("(?<=[?&]ca=)(?=[^/&])", before.replace("$", "\\$"));

@@ -13,8 +13,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * What is to be published. Of states it keeps the newest of each topic, for as long as it lives, {@value #MOST_TOPICS}
- * topics at most; of other messages the last {@value #MOST_WAITING}.
+ * The messages to publish. It keeps the newest state of each topic, for at most {@value #MOST_TOPICS} topics,
+ * permanently; of other messages it keeps the last {@value #MOST_WAITING}.
  *
  * <p>Threading: thread-safe; {@link #put} never waits.
  */
@@ -32,7 +32,7 @@ final class Outbox {
     private long lost;
     private boolean losing;
 
-    /** Puts a message in; a state that is known already changes nothing. */
+    /** Adds a message; an unchanged state has no effect. */
     synchronized void put(Message message) {
         if (message.kind() == Message.Kind.STATE) {
             if (!states.containsKey(message.topic()) && states.size() >= MOST_TOPICS) {
@@ -63,8 +63,8 @@ final class Outbox {
     /**
      * Waits for the next message.
      *
-     * @param live whether it is worth waiting; {@link #wake} has it asked again
-     * @return null if it is not
+     * @param live whether to keep waiting; {@link #wake} makes it be evaluated again
+     * @return null if not
      */
     synchronized @Nullable Message take(BooleanSupplier live) throws InterruptedException {
         while (live.getAsBoolean()) {
@@ -88,7 +88,7 @@ final class Outbox {
         return others.pollFirst();
     }
 
-    /** This message, taken last, did not reach the broker. */
+    /** Gives back the last message taken, which did not reach the broker. */
     synchronized void giveBack(Message message) {
         if (message.kind() == Message.Kind.STATE) {
             due.add(message.topic());
@@ -97,18 +97,18 @@ final class Outbox {
         }
     }
 
-    /** Every state is to be published again. */
+    /** Marks every state to be published again. */
     synchronized void republish() {
         due.addAll(states.keySet());
         notifyAll();
     }
 
-    /** Nobody is there to obey a command. */
+    /** Discards commands, since no one is there to obey them. */
     synchronized void discardCommands() {
         others.removeIf(message -> message.kind() == Message.Kind.COMMAND);
     }
 
-    /** Has whoever takes ask whether it is worth waiting. */
+    /** Makes a waiting {@link #take} check whether to keep waiting. */
     synchronized void wake() {
         notifyAll();
     }
@@ -118,7 +118,7 @@ final class Outbox {
         return due.isEmpty() && others.isEmpty();
     }
 
-    /** How many messages were lost. */
+    /** The number of lost messages. */
     synchronized long lost() {
         return lost;
     }

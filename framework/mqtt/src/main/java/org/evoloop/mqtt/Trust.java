@@ -13,11 +13,11 @@ import java.security.cert.CertificateFactory;
 import java.util.Collection;
 import javax.net.ssl.TrustManagerFactory;
 
-/** Which certificates are trusted: those of a file. */
+/** Trusts the certificates of a file. */
 final class Trust {
     private Trust() {}
 
-    /** @throws IllegalArgumentException if the file cannot be read, or holds no certificate */
+    /** @throws IllegalArgumentException if the file cannot be read, or contains no certificate */
     static TrustManagerFactory in(Path file) {
         Collection<? extends Certificate> certificates;
         try (InputStream in = new BufferedInputStream(Files.newInputStream(file))) {

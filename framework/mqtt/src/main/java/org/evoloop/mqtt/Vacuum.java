@@ -3,7 +3,7 @@ package org.evoloop.mqtt;
 import org.evoloop.converter.ConverterStatus;
 
 /**
- * What Home Assistant's vacuum entity shows and operates, of a converter whose device is one.
+ * The vacuum entity of Home Assistant, for a converter whose device is a vacuum.
  *
  * <p>Threading: called on a thread of {@link HomeAssistant}, one call at a time.
  *
@@ -13,9 +13,9 @@ public interface Vacuum {
 
     /** The states that Home Assistant knows. */
     enum Activity {
-        /** It cleans, or is on its way to where it will. */
+        /** It cleans, or is on its way to a place to clean. */
         CLEANING,
-        /** It stands on its dock. */
+        /** It is on its dock. */
         DOCKED,
         /** It has paused. */
         PAUSED,
@@ -29,11 +29,11 @@ public interface Vacuum {
 
     /** The commands that Home Assistant gives, by their usual payloads. */
     enum Command {
-        /** Begin to clean, or go on. */
+        /** Start or resume cleaning. */
         START,
-        /** End what it does. */
+        /** Stop. */
         STOP,
-        /** Interrupt what it does. */
+        /** Pause. */
         PAUSE,
         /** Drive back to the dock. */
         RETURN_TO_BASE,
@@ -43,7 +43,7 @@ public interface Vacuum {
         LOCATE
     }
 
-    /** What it does. */
+    /** The vacuum's activity. */
     Activity activity(ConverterStatus status);
 
     /**

@@ -1,9 +1,9 @@
 /**
- * A converter at an MQTT broker: {@link org.evoloop.mqtt.BrokerConnection} keeps the connection, {@link
- * org.evoloop.mqtt.MqttMonitor} and {@link org.evoloop.mqtt.MqttExecute} have a controller or a device behind it, and
- * {@link org.evoloop.mqtt.HomeAssistant} shows a converter in Home Assistant and has it operated there.
+ * A converter at an MQTT broker: {@link org.evoloop.mqtt.BrokerConnection} maintains the connection, {@link
+ * org.evoloop.mqtt.MqttMonitor} and {@link org.evoloop.mqtt.MqttExecute} connect a controller or a device through it,
+ * and {@link org.evoloop.mqtt.HomeAssistant} shows and operates a converter in Home Assistant.
  *
- * <p>It uses the console and what that uses. HiveMQ's client is loaded when a connection is opened, and not before.
+ * <p>It uses the console and what that uses. HiveMQ's client is loaded only when a connection is opened.
  */
 @NullMarked
 package org.evoloop.mqtt;

@@ -5,7 +5,7 @@ import com.sun.net.httpserver.HttpExchange;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 
-/** How a request is answered: with headers that keep other sites, and anything from elsewhere, out of the page. */
+/** Answers a request, with headers that keep other sites and external content out of the page. */
 final class Answer {
     static final int OK = 200;
     static final int BAD_REQUEST = 400;
@@ -21,7 +21,7 @@ final class Answer {
 
     private Answer() {}
 
-    /** What every answer says. */
+    /** The headers of every answer. */
     static Headers headers(HttpExchange exchange, String mediaType) {
         Headers headers = exchange.getResponseHeaders();
         headers.set("Content-Type", mediaType);

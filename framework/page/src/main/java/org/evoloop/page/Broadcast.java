@@ -19,32 +19,32 @@ import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What the converter does, for all who look. It listens to the converter only while somebody does. A viewer who is slow
- * misses what lies between, never what is newest; nothing waits for it and nothing is kept for it.
+ * The converter's activity, for all viewers. It listens to the converter only while there is a viewer. A slow viewer
+ * misses intermediate updates, never the newest; nothing waits for it and nothing is stored for it.
  *
  * <p>Threading: thread-safe.
  */
 final class Broadcast {
-    /** The most events that one update tells of; who has missed more asks for the history. */
+    /** The most events in one update; a viewer that has missed more requests the history. */
     static final int RECENT = 64;
 
-    /** What is read from a device, and how far a function is, changes without an event. */
+    /** The refresh period: readings of the device and a function's progress change without events. */
     private static final long LOOK_NANOS = 1_000_000_000;
 
-    /** At most so often, whatever the events' rate. */
+    /** The least time between updates, whatever the rate of events. */
     private static final long PAUSE_NANOS = 25_000_000;
 
     /**
-     * News.
+     * An update for a viewer.
      *
-     * @param number of the update, for the next question
+     * @param number the number of the update, for the next call
      * @param status see {@link StatusJson}
-     * @param readings what is read from the device and told by the function, with units
-     * @param last the number of the last event that came to its end
-     * @param events those of them that the viewer has not been told, oldest first, at most {@value #RECENT}
+     * @param readings the readings of device and function, with units
+     * @param last the number of the last event that ended
+     * @param events the events that are new to the viewer, oldest first, at most {@value #RECENT}
      */
     record Update(long number, String status, String readings, long last, List<HistoryEntry> events) {
-        /** For the page. */
+        /** The update as JSON for the page. */
         String json() {
             List<String> told = new ArrayList<>();
             for (HistoryEntry event : events) {
@@ -93,7 +93,7 @@ final class Broadcast {
         }
     };
 
-    /** @param clock in real time, whatever the converter's is */
+    /** @param clock a clock in real time, whatever the converter's is */
     Broadcast(SystemEventConverter converter, Clock clock) {
         this.converter = converter;
         this.clock = clock;
@@ -111,7 +111,7 @@ final class Broadcast {
         notifyAll();
     }
 
-    /** Somebody looks. */
+    /** Adds a viewer. */
     synchronized void join() {
         if (viewers++ == 0) {
             recent.clear();
@@ -121,23 +121,23 @@ final class Broadcast {
         }
     }
 
-    /** Somebody looks no longer. */
+    /** Removes a viewer. */
     synchronized void leave() {
         if (--viewers == 0) {
             converter.removeListener(listener);
         }
     }
 
-    /** How many look. */
+    /** The number of viewers. */
     synchronized int viewers() {
         return viewers;
     }
 
     /**
-     * Waits for news, a second at most.
+     * Waits for news, at most a second.
      *
-     * @param seen the number of the update before; -1 for none
-     * @param seenEvent the number of the last event that the viewer knows of
+     * @param seen the number of the previous update; -1 for none
+     * @param seenEvent the number of the last event that the viewer has
      */
     Update after(long seen, long seenEvent) throws InterruptedException {
         synchronized (this) {

@@ -16,9 +16,9 @@ import org.evoloop.console.NewModels;
 import org.evoloop.converter.SystemEventConverter;
 
 /**
- * What can be done on the page: start, stop, exchange, and those of the application's commands that can be buttons
- * because they take no argument or one of some known words. If the program offers it, other models can be put in, or
- * beside, of those that it names: whoever controls on the page names no files.
+ * The controls of the page: start, stop, exchange, and those of the application's commands that can be buttons because
+ * they take no argument or one of some known words. If the program supports it, other models that it offers can take
+ * over or run as a shadow: users of the page cannot name files.
  *
  * <p>Threading: thread-safe.
  */
@@ -37,8 +37,8 @@ final class Controls {
     }
 
     /**
-     * {@code commands}: {@code name}, {@code help}, {@code choices}; {@code spares}; {@code evolves}, and if so, {@code
-     * models}, those that are offered.
+     * {@code commands}: {@code name}, {@code help}, {@code choices}; {@code spares}; {@code evolves}, and if so, the
+     * offered {@code models}.
      */
     JsonObject offered() {
         List<JsonObject> commands = new ArrayList<>();
@@ -77,7 +77,7 @@ final class Controls {
     /**
      * Performs a command, on the caller's thread.
      *
-     * @param line as on the console
+     * @param line the command as on the console
      * @return {@code status}, {@code output}, {@code error}
      */
     JsonObject perform(String line) throws InterruptedException {

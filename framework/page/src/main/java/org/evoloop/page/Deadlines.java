@@ -7,10 +7,10 @@ import org.evoloop.time.Clock;
 import org.evoloop.time.Threads;
 
 /**
- * Nobody waits for a client for ever: who has not taken its answer in time is hung up on. The thread that waits for it
- * is interrupted, which closes its connection.
+ * Limits the wait for clients: the thread that serves a client that does not take its answer in time is interrupted,
+ * which closes the connection.
  *
- * <p>Threading: thread-safe. A thread looks after the deadlines while there are any, and some seconds longer.
+ * <p>Threading: thread-safe. A thread watches the deadlines while there are any, and some seconds longer.
  */
 final class Deadlines {
     private static final int LOOK_MILLIS = 500;
@@ -25,7 +25,7 @@ final class Deadlines {
         this.clock = clock;
     }
 
-    /** The caller has as long as this, from now on. */
+    /** Starts a deadline for the caller's thread. */
     synchronized void begin(Duration limit) {
         due.put(Thread.currentThread(), clock.nanoTime() + limit.toNanos());
         if (!watched && !closed) {
@@ -34,11 +34,11 @@ final class Deadlines {
         }
     }
 
-    /** The caller was in time, or was interrupted. */
+    /** Ends the caller's deadline, met or not. */
     synchronized void end() {
         due.remove(Thread.currentThread());
         if (!closed) {
-            // Between the last byte and here it may just have been told to stop, and there is nothing to stop any more.
+            // It may have been interrupted after the last byte, when there was nothing left to stop.
             Thread.interrupted();
         }
     }
@@ -63,7 +63,7 @@ final class Deadlines {
         }
     }
 
-    /** Looks after nothing any more. */
+    /** Ends the watching. */
     synchronized void close() {
         closed = true;
         notifyAll();

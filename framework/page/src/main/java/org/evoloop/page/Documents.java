@@ -9,7 +9,7 @@ import org.evoloop.converter.SystemEventConverter;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A document of a page, which costs nothing before somebody asks for it.
+ * A document of a page, which costs nothing before the first request.
  *
  * <p>Threading: thread-safe.
  */
@@ -23,7 +23,7 @@ final class Documents {
         this.converters = converters;
     }
 
-    /** Has {@code server} answer with each there is. */
+    /** Registers every available document at {@code server}. */
     static void serve(PageServer server, List<SystemEventConverter> converters) {
         for (Document each : ServiceLoader.load(Document.class, Document.class.getClassLoader())) {
             server.on("GET", each.path(), new Documents(each, converters)::answer);

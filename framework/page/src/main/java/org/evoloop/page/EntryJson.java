@@ -11,7 +11,7 @@ import org.evoloop.statemachine.Transition;
 import org.jspecify.annotations.Nullable;
 
 /**
- * An event and why it had the outcome that it had, for the page:
+ * An event and the reason for its outcome, for the page:
  *
  * <ul>
  *   <li>{@code number}, {@code at}, {@code event} (with guards), {@code source}, {@code deviceActed}, {@code values},

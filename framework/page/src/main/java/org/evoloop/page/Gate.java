@@ -15,9 +15,9 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Who may look, and who may do something. A browser that was sent here by another site's page is turned away, also if a
- * name of that site leads here (DNS rebinding); whoever wants to do something needs the token, for which a cookie is
- * given that browsers send with this page's own requests alone.
+ * Access control: who may look, and who may use the controls. Requests from other sites' pages are refused, even if a
+ * name of that site leads here (DNS rebinding). The controls need the token, which is exchanged for a cookie that
+ * browsers send only with this page's own requests.
  *
  * <p>Threading: thread-safe.
  */
@@ -31,8 +31,8 @@ final class Gate {
     private final Set<String> ownNames;
 
     /**
-     * @param host under which it was told to listen
-     * @param port on which it listens: a browser sends cookies to every port of a host
+     * @param host the host name or address on which it listens
+     * @param port the port on which it listens: a browser sends cookies to every port of a host
      */
     Gate(String host, int port) {
         this.host = host.toLowerCase(Locale.ROOT);
@@ -56,12 +56,12 @@ final class Gate {
         }
     }
 
-    /** What must be known to do something. */
+    /** The token for the controls. */
     String token() {
         return token;
     }
 
-    /** Why this request is turned away; null if it is not. */
+    /** Why this request is refused; null if it is not. */
     @Nullable
     String objection(HttpExchange exchange) {
         Headers headers = exchange.getRequestHeaders();
@@ -93,7 +93,7 @@ final class Gate {
         }
     }
 
-    /** A number is nobody's to have lead elsewhere; a name is, unless it is this machine's. */
+    /** A numeric address cannot be redirected by anyone; a name can, unless it is this machine's. */
     private boolean isOwn(String name) {
         return name.matches("[0-9]+(\\.[0-9]+){3}|\\[[0-9a-f:.]+]")
                 || name.equals("localhost")
@@ -101,13 +101,13 @@ final class Gate {
                 || ownNames.contains(name);
     }
 
-    /** The cookie for whoever knows the token; null for anybody else. */
+    /** The cookie for the right token; null for any other. */
     @Nullable
     String admit(String claimed) {
         return same(claimed, token) ? cookie + "=" + session + "; Path=/; HttpOnly; SameSite=Strict" : null;
     }
 
-    /** Whether whoever asks has shown the token. */
+    /** Whether the request has the cookie. */
     boolean isAdmitted(HttpExchange exchange) {
         String own = cookie + "=";
         for (String header : exchange.getRequestHeaders().getOrDefault("Cookie", List.of())) {

@@ -20,18 +20,18 @@ import org.evoloop.time.SystemClock;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A page in the browser that shows what a converter does, as it happens.
+ * A page in the browser that shows a converter's activity live.
  *
  * <pre>{@code
  * Page.open(options, console, System.err);
  * return service.run(console);
  * }</pre>
  *
- * <p>Whoever reaches the address may look. To start, stop, exchange or press something, one needs the token, which is
- * printed once. With {@link PageOptions#none} nothing listens, and nothing of this costs anything.
+ * <p>Anyone who can reach the address may look. To start, stop, exchange or press something, the token is needed, which
+ * is printed once. With {@link PageOptions#none} nothing listens, and the page costs nothing.
  *
- * <p>Threading: opened by the thread that puts the console together; closed on any, once or more. The converter never
- * waits for a viewer.
+ * <p>Threading: opened by the thread that sets up the console; closed on any, once or more. The converter never waits
+ * for a viewer.
  *
  * @since 0.1
  */
@@ -39,7 +39,7 @@ public final class Page implements AutoCloseable {
     private static final int LONGEST_REQUEST = 4096;
     private static final int HISTORY_PAGE = 500;
 
-    /** What a shadow would have done otherwise: so many of the newest. */
+    /** The number of newest differences of a shadow that are shown. */
     private static final int DIFFERENCES = 20;
 
     private final Console console;
@@ -51,7 +51,7 @@ public final class Page implements AutoCloseable {
     private final @Nullable PageServer server;
     private @Nullable String about;
 
-    /** The models that it tells of. */
+    /** The models that it shows. */
     private @Nullable ModelPair drawn;
 
     private Page(PageOptions options, Console console, List<Picture> pictures) throws IOException {
@@ -65,15 +65,15 @@ public final class Page implements AutoCloseable {
     /**
      * Serves a page of the console's first converter until the console ends, if the options say so.
      *
-     * @param console with all its commands, yet to be run; the converter is built
-     * @param announcements is told the address and the token
-     * @throws IOException if the address cannot be had; the message says what to do
+     * @param console the console with all its commands, not running yet; its converter is built
+     * @param announcements receives the address and the token
+     * @throws IOException if the address cannot be used; the message says what to do
      */
     public static Page open(PageOptions options, Console console, PrintStream announcements) throws IOException {
         return open(options, console, announcements, List.of());
     }
 
-    /** The same with pictures beside the models. */
+    /** As the other method, with pictures beside the models. */
     public static Page open(PageOptions options, Console console, PrintStream announcements, List<Picture> pictures)
             throws IOException {
         Page page = new Page(options, console, pictures);
@@ -140,7 +140,7 @@ public final class Page implements AutoCloseable {
                                 .toList());
     }
 
-    /** The events before one, and that many; a journal reaches far back, and reading it takes a while. */
+    /** The events before a given one; a journal reaches far back, and reading it takes a while. */
     private void history(HttpExchange exchange) throws IOException {
         long before = number(exchange, "before", Long.MAX_VALUE);
         if (!readingHistory.tryAcquire()) {

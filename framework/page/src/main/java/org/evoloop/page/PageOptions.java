@@ -7,12 +7,12 @@ import org.evoloop.config.Options;
 import org.evoloop.config.Settings;
 
 /**
- * Where a page is served.
+ * The address of a page.
  *
  * <p>Threading: immutable.
  *
- * @param host the address to listen on, as a name or a number; empty for no page at all
- * @param port 0 for any that is free
+ * @param host the address to listen on, as a name or a number; empty for no page
+ * @param port the port, 0 for any free one
  * @since 0.1
  */
 public record PageOptions(String host, int port) {
@@ -35,7 +35,7 @@ public record PageOptions(String host, int port) {
         return new PageOptions("", 0);
     }
 
-    /** The page that a program was told to show. */
+    /** The page given by a program's options. */
     public static PageOptions of(Settings settings) {
         return settings.get(PAGE).orElse(none());
     }
@@ -43,7 +43,7 @@ public record PageOptions(String host, int port) {
     /**
      * A page at this address.
      *
-     * @param address {@code PORT}, for this machine alone, or {@code HOST:PORT}; an IPv6 address stands in brackets
+     * @param address {@code PORT}, for this machine only, or {@code HOST:PORT}, with an IPv6 address in brackets
      * @throws IllegalArgumentException if it is neither
      */
     public static PageOptions at(String address) {

@@ -17,12 +17,12 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Serves a page. At most {@value #MOST_VIEWERS} look at once, and {@value #MOST_REQUESTS} further requests are dealt
- * with; who comes when there is no room is hung up on, and so is a request that is not whole after {@value
- * #REQUEST_SECONDS} s, or an answer that is not taken.
+ * Serves a page, to at most {@value #MOST_VIEWERS} viewers and {@value #MOST_REQUESTS} other requests at once. It
+ * closes the connection of any further client, of a request that is incomplete after {@value #REQUEST_SECONDS} s, and
+ * of a client that does not take its answer.
  *
- * <p>Threading: thread-safe. Each request has a thread while it is dealt with; while there is none, only the threads of
- * the JDK's server are there, which wait.
+ * <p>Threading: thread-safe. Each request has a thread while it is handled; without requests, there are only the
+ * waiting threads of the JDK's server.
  */
 final class PageServer implements AutoCloseable {
     static final int MOST_VIEWERS = 16;
@@ -44,14 +44,14 @@ final class PageServer implements AutoCloseable {
                 return thread;
             });
 
-    /** What is done for a request that the gate lets through. */
+    /** Handles a request that the gate has admitted. */
     interface Handler {
         void handle(HttpExchange exchange) throws IOException, InterruptedException;
     }
 
-    /** @throws IOException if the address cannot be had; the message says what to do */
+    /** @throws IOException if the address cannot be used; the message says what to do */
     PageServer(PageOptions options, Clock clock) throws IOException {
-        // Read once by the JDK's server, before it serves the first time.
+        // The JDK's server reads this once, before it first serves.
         unlessSet("sun.net.httpserver.nodelay", "true");
         unlessSet("sun.net.httpserver.maxReqTime", Integer.toString(REQUEST_SECONDS));
         unlessSet("sun.net.httpserver.clockTick", "1000");
@@ -92,12 +92,12 @@ final class PageServer implements AutoCloseable {
         return deadlines;
     }
 
-    /** How many threads deal with requests. */
+    /** The number of threads that handle requests. */
     int threads() {
         return threads.getActiveCount();
     }
 
-    /** What answers a {@code method} request for exactly {@code path}. */
+    /** Sets the handler of {@code method} requests for exactly {@code path}. */
     void on(String method, String path, Handler handler) {
         serve(path, exchange -> {
             if (!exchange.getRequestURI().getPath().equals(path)) {
@@ -114,7 +114,7 @@ final class PageServer implements AutoCloseable {
         });
     }
 
-    /** The same for a stream to a viewer, as long as there is a seat. */
+    /** Sets the handler of a stream to a viewer, if there is room for one. */
     void onStream(String path, Handler handler) {
         serve(path, exchange -> {
             if (!seats.tryAcquire()) {
@@ -161,7 +161,7 @@ final class PageServer implements AutoCloseable {
         server.start();
     }
 
-    /** Hangs up on all and frees the port. Idempotent. */
+    /** Closes all connections and frees the port. Idempotent. */
     @Override
     public void close() {
         deadlines.close();

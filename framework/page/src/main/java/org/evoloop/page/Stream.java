@@ -8,9 +8,8 @@ import java.time.Duration;
 import org.evoloop.time.Clock;
 
 /**
- * One viewer: server-sent events, each with the newest status and what has come to its end since the one before. A
- * stream ends after some minutes, and a browser that is still there begins another: so one that has vanished is
- * forgotten.
+ * One viewer: server-sent events, each with the newest status and the events that have ended since the last one. A
+ * stream ends after some minutes, and a browser that is still there starts another, so vanished ones are forgotten.
  *
  * <p>Threading: belongs to the thread that serves the viewer.
  */
@@ -29,7 +28,7 @@ final class Stream {
         this.clock = clock;
     }
 
-    /** Serves until the viewer goes, or takes too long to take an update. */
+    /** Serves until the viewer leaves, or takes too long to take an update. */
     void serve(HttpExchange exchange) throws IOException, InterruptedException {
         Answer.headers(exchange, "text/event-stream");
         exchange.sendResponseHeaders(Answer.OK, 0);

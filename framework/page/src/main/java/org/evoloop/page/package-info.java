@@ -1,10 +1,10 @@
 /**
- * The live page of a converter: a server on the HTTP server of the JDK, and a page without anything from elsewhere.
+ * The live page of a converter: a server on the JDK's HTTP server, and a page without external content.
  *
- * <p>What the converter does comes in one direction: {@code Broadcast} listens to the converter while somebody looks,
- * one {@code Stream} a viewer tells it to the browser, {@code page.js} lights the states in the drawings of {@code
- * org.evoloop.page.drawing}. What a person does comes in the other: {@code Gate} asks who it is, {@code Controls}
- * performs it on the console.
+ * <p>In one direction flows the converter's activity: {@code Broadcast} listens to the converter while there are
+ * viewers, a {@code Stream} per viewer sends it to the browser, and {@code page.js} highlights the states in the
+ * drawings of {@code org.evoloop.page.drawing}. In the other direction flow commands: {@code Gate} checks access, and
+ * {@code Controls} runs them on the console.
  *
  * <p>It uses the console and what that uses.
  */

@@ -36,7 +36,7 @@ final class Course {
         return path.toString();
     }
 
-    /** Where it leaves its source, where it passes, where it meets its target. */
+    /** The points where it leaves its source, passes its boxes, and meets its target. */
     private static List<Point> points(Arrow arrow) {
         List<Box> way = arrow.way();
         List<Point> points = new ArrayList<>();

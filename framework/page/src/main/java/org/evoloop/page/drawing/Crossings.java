@@ -7,16 +7,16 @@ import java.util.List;
 import java.util.Map;
 import org.evoloop.page.drawing.Graph.Box;
 
-/** How often arrows cross in an order of boxes, and a better order. */
+/** Counts the crossings of arrows for an order of boxes, and improves the order. */
 final class Crossings {
-    /** Looking at every pair of neighbours would take long in larger graphs. */
+    /** Trying every pair of neighbours would take long in larger graphs. */
     private static final int MOST_BOXES = 150;
 
     private static final int MOST_PASSES = 10;
 
     private Crossings() {}
 
-    /** Exchanges neighbours in a row as long as that is better. */
+    /** Swaps neighbours in a row as long as that reduces crossings. */
     static void lessen(List<List<Box>> rows) {
         if (rows.stream().mapToInt(List::size).sum() > MOST_BOXES) {
             return;
@@ -26,7 +26,7 @@ final class Crossings {
             better = false;
             for (int index = 0; index < rows.size(); index++) {
                 List<Box> row = rows.get(index);
-                // Whatever else crosses stays as it is.
+                // Other crossings do not change.
                 List<List<Box>> around = rows.subList(Math.max(0, index - 1), Math.min(rows.size(), index + 2));
                 for (int i = 1; i < row.size(); i++) {
                     int before = count(around);

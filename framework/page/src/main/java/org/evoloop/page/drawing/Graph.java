@@ -12,16 +12,16 @@ import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.Transition;
 
 /**
- * A machine as rows of boxes: states stand in even rows, by their distance from the initial one, and what is written on
- * the arrows in odd ones, as boxes of their own, so that no text lies on anything. A long arrow has a thin box in each
- * row that it passes.
+ * A machine as rows of boxes: states are in even rows, by their distance from the initial one, and the arrows' labels
+ * in odd ones, as boxes of their own, so that no text overlaps anything. A long arrow has a thin box in each row that
+ * it crosses.
  */
 final class Graph {
     static final double CHAR = 7.6;
     static final double STATE_HEIGHT = 40;
     static final double LINE = 17;
 
-    /** Something that takes room in a row. */
+    /** An item that takes room in a row. */
     static final class Box {
         final int row;
         final double width;
@@ -41,7 +41,7 @@ final class Graph {
      * All transitions from one state to another.
      *
      * @param way the boxes from its source to its target, both included
-     * @param label the one of them in which its texts stand
+     * @param label the box with its texts
      */
     record Arrow(State source, State target, List<Transition> transitions, List<Box> way, Box label) {}
 
@@ -78,7 +78,7 @@ final class Graph {
         return distances;
     }
 
-    /** Where it stands. */
+    /** The box of a state. */
     Box box(State state) {
         return Objects.requireNonNull(states.get(state));
     }

@@ -11,12 +11,11 @@ import org.evoloop.statemachine.Transition;
 
 /**
  * The drawing of a machine, as SVG without colours: a style sheet gives them, by the classes {@code state}, {@code
- * new}, {@code arrow} and {@code label}. What is drawn says what it is, so that a program can light it: {@code
- * data-state} on states; {@code data-source}, {@code data-target} on arrows, and {@code data-event} too on what is
- * written there.
+ * new}, {@code arrow} and {@code label}. Elements are identified, so that a program can highlight them: {@code
+ * data-state} on states; {@code data-source} and {@code data-target} on arrows, and also {@code data-event} on labels.
  */
 public final class MachineDrawing {
-    /** Whoever looks sees nothing in a larger one, and its layout would take long. */
+    /** A larger drawing would be unreadable, and its layout would take long. */
     static final int MOST_TRANSITIONS = 400;
 
     private static final double MARGIN = 16;
@@ -32,7 +31,7 @@ public final class MachineDrawing {
     /**
      * Draws {@code machine}.
      *
-     * @param added which states to mark
+     * @param added the states to mark
      * @return empty if it is too large to be drawn
      */
     public static String of(StateMachine machine, Predicate<State> added) {

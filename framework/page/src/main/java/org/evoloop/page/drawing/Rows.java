@@ -7,14 +7,13 @@ import java.util.List;
 import org.evoloop.page.drawing.Graph.Box;
 
 /**
- * Puts the boxes of a graph in an order with few crossings, and then in places: each near its neighbours, none on
- * another.
+ * Orders the boxes of a graph with few crossings, then places them: each near its neighbours, none overlapping.
  */
 final class Rows {
     private static final double GAP = 16;
     private static final double ROW_GAP = 18;
 
-    /** Room for where the machine starts. */
+    /** Room for the initial arrow. */
     private static final double ABOVE = 28;
 
     private static final int SWEEPS = 12;
@@ -77,7 +76,7 @@ final class Rows {
         return box.neighbours.stream().mapToDouble(other -> other.x).average().orElse(box.x);
     }
 
-    /** Each box towards the middle of its neighbours, as far as those beside it let it. */
+    /** Moves each box towards the middle of its neighbours, as far as the boxes beside it allow. */
     private void pull() {
         for (List<Box> row : rows) {
             double[] wanted = row.stream().mapToDouble(Rows::middleOfNeighbours).toArray();
