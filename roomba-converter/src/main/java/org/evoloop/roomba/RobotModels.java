@@ -14,7 +14,7 @@ import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.Transition;
 
 /**
- * The robot's models, and which of this program's functions runs in which of their new states.
+ * The robot's models, and the assignment of this program's functions to their new states.
  *
  * <p>Threading: immutable.
  */
@@ -43,7 +43,7 @@ public final class RobotModels {
     }
 
     /**
-     * The same, but for states of which it is said otherwise.
+     * As {@link #of(ModelPair)}, except for explicitly assigned states.
      *
      * @param wanted each {@code STATE=FUNCTION}
      * @throws ModelException as above
@@ -53,7 +53,7 @@ public final class RobotModels {
         return new RobotModels(drawn, FunctionBinding.bind(drawn, wanted));
     }
 
-    /** The models with the ways out of Move that nobody has drawn. */
+    /** The models with added transitions for undrawn ways out of Move. */
     ModelPair pair() {
         return pair;
     }
@@ -76,7 +76,7 @@ public final class RobotModels {
                         && RobotFunction.SPOT_WAIT.finishesIn(pair.evolved(), entry.getKey()));
     }
 
-    /** What an external controller may raise, in the order of the robot's own buttons and then of the new model. */
+    /** The events of an external controller, in the order of the robot's own buttons, then of the new model. */
     List<String> buttons() {
         Set<String> known = new LinkedHashSet<>();
         pair.evolved().triggers().stream()
@@ -96,7 +96,7 @@ public final class RobotModels {
         return waysBack.entries(move);
     }
 
-    /** Where a Move goes back to that this transition led to, unless it arrives. */
+    /** The state to which a Move that began with this transition returns, unless it arrives. */
     State before(Transition entry) {
         return waysBack.before(entry);
     }
@@ -118,7 +118,7 @@ public final class RobotModels {
                 : WaysBack.event(new State(RobotEvents.STATE_ON));
     }
 
-    /** Whether an event leads from a state of Move to one of Move again. */
+    /** Whether an event leads from a state of Move to a state of Move. */
     boolean restartsMove(State now, String event) {
         return moves.contains(now)
                 && pair.evolved().transitionsFrom(now).stream()

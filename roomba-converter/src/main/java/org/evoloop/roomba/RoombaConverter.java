@@ -20,15 +20,15 @@ import org.evoloop.statemachine.StateMachine;
 import org.evoloop.time.Clock;
 
 /**
- * The cleaning robot's event converter, put together.
+ * The cleaning robot's event converter, assembled.
  *
  * <p>Threading: as {@link SystemEventConverter}.
  *
  * @param session the robot
  * @param robot monitors the robot
- * @param controller where an external controller's buttons are pressed
+ * @param controller the monitor of an external controller's buttons
  * @param converter built, not started
- * @param properties of its models, and of others that may take over
+ * @param properties the properties of its models, and of others that may take over
  */
 public record RoombaConverter(
         RoombaSession session,
@@ -41,8 +41,8 @@ public record RoombaConverter(
     /**
      * Builds a converter; the session may be opened before or after.
      *
-     * @throws org.evoloop.statemachine.ModelException if the models are no evolution that this robot can take part in
-     * @throws org.evoloop.journal.JournalException if the journal cannot be gone on with
+     * @throws org.evoloop.statemachine.ModelException if the models are not an evolution that this robot can carry out
+     * @throws org.evoloop.journal.JournalException if the journal cannot be continued
      */
     public static RoombaConverter build(LoopConfig config, RoombaSession session, RoombaOptions options) {
         Clock clock = config.clock();
@@ -79,7 +79,7 @@ public record RoombaConverter(
         Journal journal = options.journal();
         if (journal != null) {
             converter.journal(journal);
-            // Whatever moved before another process ended: the robot does not drive on by itself.
+            // Even if Move was running when another process ended, the robot does not resume driving by itself.
             resumption.released();
         }
         converter.build();

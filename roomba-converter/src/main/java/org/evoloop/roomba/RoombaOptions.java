@@ -12,7 +12,7 @@ import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What can be chosen of a {@link RoombaConverter}.
+ * The options of a {@link RoombaConverter}.
  *
  * <p>Threading: immutable.
  */
@@ -33,8 +33,8 @@ public final class RoombaOptions {
     /**
      * A patient Move, five seconds for SpotWait, no quiet hours, no timetable and no journal.
      *
-     * @param models the robot's, with the functions of their new states
-     * @param startPoint opens what senses where Move has to go
+     * @param models the robot's models, with the functions of their new states
+     * @param startPoint opens the sensor of Move's target
      */
     public static RoombaOptions of(RobotModels models, Function<Clock, StartPointSensor> startPoint) {
         return new RoombaOptions(requireNonNull(models), requireNonNull(startPoint));
@@ -50,35 +50,35 @@ public final class RoombaOptions {
         return copy;
     }
 
-    /** The same with another patience of Move. */
+    /** A copy with other options of Move. */
     public RoombaOptions withMove(MoveOptions other) {
         RoombaOptions copy = copy();
         copy.move = requireNonNull(other);
         return copy;
     }
 
-    /** The same where SpotWait waits so long for a second press. */
+    /** A copy with another time for which SpotWait waits for a second press. */
     public RoombaOptions withSpotWait(Duration other) {
         RoombaOptions copy = copy();
         copy.spotWait = requireNonNull(other);
         return copy;
     }
 
-    /** The same where the converter keeps what it is told; null if it keeps nothing. */
+    /** A copy with a journal; null for none. */
     public RoombaOptions withJournal(@Nullable Journal other) {
         RoombaOptions copy = copy();
         copy.journal = other;
         return copy;
     }
 
-    /** The same with hours in which what the timetable begins has to wait. */
+    /** A copy with quiet hours, in which the timetable's events have to wait. */
     RoombaOptions withQuietHours(QuietHours other) {
         RoombaOptions copy = copy();
         copy.quietHours = other;
         return copy;
     }
 
-    /** The same with times at which the robot shall clean. */
+    /** A copy with times at which the robot is to clean. */
     RoombaOptions withTimetable(List<Timetable> other) {
         RoombaOptions copy = copy();
         copy.timetable = List.copyOf(other);

@@ -31,7 +31,7 @@ public record Arc(
         spontaneous = List.copyOf(spontaneous);
     }
 
-    /** @param drawn the triggers, those that are the device's own with the keyword {@link Spontaneous} before them */
+    /** @param drawn the triggers, with the keyword {@link Spontaneous} before those that are the device's own */
     public Arc(
             Place place,
             String source,

@@ -3,9 +3,9 @@ package org.evoloop.statechart;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What makes a machine that rests move.
+ * The cause of a step of a resting machine.
  *
- * @param name of the event as drawn; empty for a completion
+ * @param name the event's name as drawn; empty for a completion
  * @param owner the state whose timer elapses or whose do activity ends; null for other events
  */
 record Cause(Kind kind, String name, @Nullable Node owner) {

@@ -17,11 +17,11 @@ import org.jspecify.annotations.Nullable;
  * states in which the machine rests, with what it remembers for histories. Where UML leaves a choice:
  *
  * <ul>
- *   <li>Guards are asked for when the event comes, those behind a choice too, each once. A path of which no branch
- *   holds is not taken. Of the transitions of a state on one event the guarded ones come first, in the order in which
- *   they are drawn, then the one without guard, then {@code [else]}.
- *   <li>An event goes to the innermost state that has a transition for it; states around that do not see it. Regions
- *       side by side all see it, in the order in which they are drawn, and are left and entered in that order.
+ *   <li>Guards are evaluated when the event comes, each once, including those after a choice. A path without an enabled
+ *   branch is not taken. Of the transitions of a state on one event, the guarded ones come first, in drawing order,
+ *   then the one without guard, then {@code [else]}.
+ *   <li>An event goes to the innermost state that has a transition for it; enclosing states do not see it. Orthogonal
+ *   regions all see it, in drawing order, and are left and entered in that order.
  *   <li>Each part of a transition through pseudostates leaves and enters what lies between its two ends. A history
  *   remembers its region when the state around that is left; a region that has reached its final state is forgotten.
  *   <li>A guard on the only transition of an initial pseudostate, or on the default one of a history, is not asked for,
@@ -61,7 +61,7 @@ public final class Flattening {
         this.unused = unused;
     }
 
-    /** Flattens a chart, or finds why that cannot be. */
+    /** Flattens a chart, or finds out why that is impossible. */
     public static Flattening of(Statechart chart) {
         List<Problem> problems = new ArrayList<>();
         Net net = NetBuilder.build(chart, problems);
@@ -140,7 +140,7 @@ public final class Flattening {
         return flat == null ? Map.of() : flat.leaves();
     }
 
-    /** Transitions as drawn that are never taken, whatever happens: dead ones. */
+    /** Drawn transitions that can never be taken. */
     public List<Arc> unused() {
         return unused;
     }

@@ -6,7 +6,7 @@ import java.util.Set;
 /**
  * What an event does when its guards hold and those of earlier moves do not.
  *
- * @param target where the machine rests then
+ * @param target the state in which the machine then rests
  * @param effects the behaviors that run, in order
  * @param still whether nothing is left or entered
  * @param left the states that are left, even if they are entered again

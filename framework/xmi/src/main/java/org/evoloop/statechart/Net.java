@@ -8,10 +8,10 @@ import java.util.Set;
  *
  * @param tops its top regions
  * @param nodes in document order
- * @param triggers the events that stand on transitions
- * @param timeTriggers the events that are raised by themselves
+ * @param triggers the events on transitions
+ * @param timeTriggers the timer events
  * @param spontaneous the events that are drawn as the device's own
- * @param isCalm whether nothing goes on while the machine rests: no timers and no do activities
+ * @param isCalm whether nothing is active while the machine rests: no timers and no do activities
  */
 record Net(
         Statechart chart,

@@ -4,9 +4,9 @@ import java.util.List;
 import java.util.Set;
 
 /**
- * What one run to completion did.
+ * The result of one run-to-completion step.
  *
- * @param target where the machine rests now
+ * @param target the state in which the machine now rests
  * @param effects the behaviors that ran, in order
  * @param left the states that were left, even if they were entered again
  * @param entered the vertices that were entered, even if they were left again

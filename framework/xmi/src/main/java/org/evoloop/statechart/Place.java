@@ -1,14 +1,14 @@
 package org.evoloop.statechart;
 
 /**
- * Where something stands in a file, for messages.
+ * A place in a file, for messages.
  *
  * @param id of the element in the file; empty if it has none
- * @param line counted from 1; 0 if it stands in no file
+ * @param line counted from 1; 0 if it is not in a file
  * @since 0.1
  */
 public record Place(String id, int line) {
-    /** Of what stands in no file. */
+    /** The place of something that is not in a file. */
     public static final Place NONE = new Place("", 0);
 
     /** For messages: {@code line 12, id ek-39}; empty for {@link #NONE}. */

@@ -1,13 +1,13 @@
 package org.evoloop.statechart;
 
 /**
- * Why a statechart has no flat machine.
+ * A reason why a statechart has no flat machine.
  *
  * <p>Threading: immutable.
  *
  * @param place of the element in its file
  * @param message what is wrong, with kind and name of the element
- * @param mend what its author can do
+ * @param mend how to fix it
  * @since 0.1
  */
 public record Problem(Place place, String message, String mend) {

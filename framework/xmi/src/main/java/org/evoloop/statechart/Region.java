@@ -3,8 +3,8 @@ package org.evoloop.statechart;
 import java.util.List;
 
 /**
- * A region: vertices of which one is active at a time, and the transitions that the file keeps with them. A transition
- * may lead from and to vertices of any region of its machine.
+ * A region: vertices of which one is active at a time, and the transitions listed with them in the file. A transition
+ * may connect vertices of any regions of its machine.
  *
  * <p>Threading: immutable.
  *

@@ -5,8 +5,8 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * The keyword in guillemets (UML 2.5.1, annex C) that stands before the name of an event which the device takes of its
- * own accord: {@code «spontaneous» endSpot}. Two angle brackets on each side do as well.
+ * The keyword in guillemets (UML 2.5.1, annex C) before the name of an event that the device takes by itself: {@code
+ * «spontaneous» endSpot}. Two angle brackets on each side are also accepted.
  *
  * @since 0.1
  */

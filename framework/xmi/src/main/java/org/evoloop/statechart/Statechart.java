@@ -3,13 +3,13 @@ package org.evoloop.statechart;
 import java.util.List;
 
 /**
- * A UML state machine as it was drawn, not checked.
+ * A UML state machine as drawn, unchecked.
  *
  * <p>Threading: immutable.
  *
- * @param name what its author calls it
+ * @param name its name
  * @param place in its file
- * @param regions its top regions, seldom more than one
+ * @param regions its top regions, rarely more than one
  * @param events that the model declares; those on transitions need not be among them
  * @since 0.1
  */

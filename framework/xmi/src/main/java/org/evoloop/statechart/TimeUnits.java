@@ -6,7 +6,7 @@ import org.evoloop.statechart.Vertex.ChartState;
 import org.evoloop.statemachine.Event;
 
 /**
- * Gives the time triggers of a chart a unit where they have none.
+ * Adds a unit to the time triggers of a chart that have none.
  *
  * @since 0.1
  */

@@ -21,11 +21,11 @@ public sealed interface Vertex {
 
     /**
      * A state: simple without regions, composite with one, orthogonal with several. The machine of a submachine state
-     * stands in its place, with keys of its own.
+     * is expanded in its place, with keys of its own.
      *
      * @param entry behaviors on entering, in order
      * @param exit behaviors on leaving, in order
-     * @param doActivities behaviors while it lasts
+     * @param doActivities behaviors that run while it lasts
      * @param internal transitions that neither leave nor enter it
      * @param deferred triggers that wait while it lasts
      * @param connections its entry and exit points
@@ -52,7 +52,7 @@ public sealed interface Vertex {
             connections = List.copyOf(connections);
         }
 
-        /** A state without anything in it. */
+        /** A state without contents. */
         public static ChartState simple(String key, String name, Place place) {
             return new ChartState(
                     key, name, place, List.of(), List.of(), List.of(), List.of(), List.of(), List.of(), List.of());

@@ -9,7 +9,7 @@ import java.util.Set;
 import org.evoloop.statemachine.ModelException;
 
 /**
- * Finds the models that come with an application, wherever it is started.
+ * Finds an application's model files, in whatever directory it is started.
  *
  * @since 0.1
  */
@@ -22,7 +22,7 @@ public final class ModelFiles {
      * Looks for {@code file} in the working directory, then beside the application's jar, then in the directory that
      * the system property {@code evoloop.home} names.
      *
-     * @param file relative, such as {@code models/light-bulb.xml}
+     * @param file a relative path, such as {@code models/light-bulb.xml}
      * @param application a class of the application
      * @throws ModelException if there is no such file; the message names the directories
      */

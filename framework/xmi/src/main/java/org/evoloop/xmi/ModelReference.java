@@ -9,24 +9,24 @@ import org.evoloop.statemachine.ModelException;
 import org.evoloop.statemachine.StateMachine;
 
 /**
- * Names one state machine of one file, as on a command line: {@code FILE#NAME}.
+ * A reference to a state machine in a file, as on a command line: {@code FILE#NAME}.
  *
  * <p>Threading: immutable.
  *
  * @param file the XMI file
  * @param machine diagram name, machine name or id; empty for the file's only machine
- * @param timeUnit of time triggers that have a number without one, milliseconds or seconds; empty to refuse those
+ * @param timeUnit the unit of time triggers whose number has none, milliseconds or seconds; empty to refuse those
  * @since 0.1
  */
 public record ModelReference(Path file, Optional<String> machine, Optional<ChronoUnit> timeUnit) {
 
-    /** Time triggers have units. */
+    /** A reference that requires units in time triggers. */
     public ModelReference(Path file, Optional<String> machine) {
         this(file, machine, Optional.empty());
     }
 
     /**
-     * The unit of time triggers as an option names it.
+     * Parses the unit of time triggers of an option.
      *
      * @param abbreviation {@code ms} or {@code s}
      * @throws ModelException if it is another one
@@ -41,7 +41,7 @@ public record ModelReference(Path file, Optional<String> machine, Optional<Chron
         };
     }
 
-    /** The same with a unit for time triggers. */
+    /** A copy with a unit for time triggers. */
     public ModelReference withTimeUnit(Optional<ChronoUnit> unit) {
         return new ModelReference(file, machine, unit);
     }
@@ -49,7 +49,7 @@ public record ModelReference(Path file, Optional<String> machine, Optional<Chron
     /**
      * Splits at the last {@code #}, unless the whole text is the path of something that exists.
      *
-     * @throws ModelException if the text names no file, or nothing follows the {@code #}
+     * @throws ModelException if the file name is empty, or nothing follows the {@code #}
      */
     public static ModelReference parse(String text) {
         int hash = text.lastIndexOf('#');
@@ -79,7 +79,7 @@ public record ModelReference(Path file, Optional<String> machine, Optional<Chron
     /**
      * Reads the file and picks the machine.
      *
-     * @throws ModelException as {@link XmiFile#read}, {@link XmiFile#pick} and {@link XmiFile#only} do
+     * @throws ModelException as in {@link XmiFile#read}, {@link XmiFile#pick} and {@link XmiFile#only}
      */
     public StateMachine load() {
         return find().toStateMachine();
@@ -88,7 +88,7 @@ public record ModelReference(Path file, Optional<String> machine, Optional<Chron
     /**
      * Reads the file and finds the machine, unchecked.
      *
-     * @throws ModelException as {@link XmiFile#read}, {@link XmiFile#find} and {@link XmiFile#findOnly} do
+     * @throws ModelException as in {@link XmiFile#read}, {@link XmiFile#find} and {@link XmiFile#findOnly}
      */
     public XmiMachine find() {
         XmiFile whole = XmiFile.read(file);
@@ -97,8 +97,8 @@ public record ModelReference(Path file, Optional<String> machine, Optional<Chron
     }
 
     /**
-     * The file beside this one that is called like it and the machine, if there is one, else like it alone: {@code a.b}
-     * or {@code a} with the ending, for the machine b of {@code a.xml}. It need not be there.
+     * The file beside this one that is named after it and the machine, if that exists, else after it only: for the
+     * machine b of {@code a.xml}, {@code a.b} or {@code a} with the ending. It need not exist.
      *
      * @param ending such as {@code .properties.txt}
      */
@@ -114,7 +114,7 @@ public record ModelReference(Path file, Optional<String> machine, Optional<Chron
         return file.resolveSibling((dot > 0 ? name.substring(0, dot) : name) + ending);
     }
 
-    /** The text that {@link #parse} takes. */
+    /** The text that {@link #parse} accepts. */
     @Override
     public String toString() {
         return machine.map(name -> file + "#" + name).orElse(file.toString());

@@ -51,7 +51,7 @@ public final class XmiFile {
     /**
      * Reads the file once, in bounded memory.
      *
-     * @throws ModelException if it cannot be read, is not well-formed XML, is of no supported dialect, or is too large;
+     * @throws ModelException if it cannot be read, is not well-formed XML, has an unsupported dialect, or is too large;
      *     its machines are checked only when they are picked
      */
     public static XmiFile read(Path file) {
@@ -59,11 +59,11 @@ public final class XmiFile {
     }
 
     /**
-     * Reads what stands in no file of its own, such as a resource of a jar.
+     * Reads a model that is not a file of its own, such as a resource of a jar.
      *
-     * @param name what messages call it
+     * @param name its name in messages
      * @param bytes closed in any case
-     * @throws ModelException as {@link #read(Path)} does
+     * @throws ModelException as in {@link #read(Path)}
      */
     public static XmiFile read(String name, InputStream bytes) {
         return read(XmiStream.of(name, bytes));
@@ -99,7 +99,7 @@ public final class XmiFile {
     }
 
     /**
-     * The same file, in which time triggers are of this unit where they have a number without one.
+     * A copy that uses this unit for time triggers whose number has none.
      *
      * @param unit milliseconds or seconds
      */
@@ -110,7 +110,7 @@ public final class XmiFile {
                 machines.stream().map(machine -> machine.withTimeUnit(unit)).toList());
     }
 
-    /** Every machine of the file, in the file's order; empty if it holds none. */
+    /** Every machine of the file, in the file's order; empty if there is none. */
     public List<XmiMachine> machines() {
         return machines;
     }
@@ -148,7 +148,7 @@ public final class XmiFile {
     /**
      * The file's only machine.
      *
-     * @throws ModelException if the file holds none or several, or the machine cannot be used as it is
+     * @throws ModelException if the file contains none or several, or the machine cannot be used
      */
     public StateMachine only() {
         return findOnly().toStateMachine();

@@ -38,7 +38,7 @@ public final class XmiMachine {
         return new XmiMachine(file, drawn, unit);
     }
 
-    /** The {@code xmi.id}, unique in a file that its tool wrote; empty if the file gives none. */
+    /** The {@code xmi.id}, unique in a file written by its tool; empty if the file has none. */
     public String id() {
         return drawn.id();
     }
@@ -48,17 +48,19 @@ public final class XmiMachine {
         return drawn.name();
     }
 
-    /** The name of the diagram that shows the machine: the one its author sees; empty if there is none. */
+    /**
+     * The name of the diagram that shows the machine, which is the one that its author sees; empty if there is none.
+     */
     public Optional<String> diagramName() {
         return drawn.diagramName().filter(name -> !name.isEmpty());
     }
 
-    /** Where the machine starts in the file, counted from 1. */
+    /** The machine's first line in the file, counted from 1. */
     public int line() {
         return drawn.line();
     }
 
-    /** What messages call it: the diagram name, else the machine's own name, else its id. */
+    /** Its name in messages: the diagram name, else the machine's own name, else its id. */
     public String name() {
         return diagramName().orElse(machineName().isEmpty() ? id() : machineName());
     }
@@ -73,7 +75,7 @@ public final class XmiMachine {
     /**
      * The machine as drawn, with its hierarchy.
      *
-     * @throws ModelException if it contains anything that would be ignored; the message lists all of it, one line each
+     * @throws ModelException if it contains anything that would be ignored; the message lists everything, one line each
      */
     public Statechart statechart() {
         Problems problems = new Problems();
@@ -83,8 +85,8 @@ public final class XmiMachine {
     }
 
     /**
-     * What its author should know though the machine can be read, one line each: how something was taken, or that it
-     * says nothing.
+     * Notes for its author on a readable machine, one line each: how something was interpreted, or that it has no
+     * meaning.
      */
     public List<String> notes() {
         Problems problems = new Problems();
@@ -93,19 +95,19 @@ public final class XmiMachine {
     }
 
     /**
-     * The machine as (E, S, T): what {@link #statechart} gives, flattened.
+     * The machine as (E, S, T): the flattened {@link #statechart}.
      *
-     * @throws ModelException as {@link #statechart} does, and if the machine has no flat equivalent; the message lists
-     *     all that is wrong, one line each
+     * @throws ModelException as in {@link #statechart}, and if the machine has no flat equivalent; the message lists
+     *     all problems, one line each
      */
     public StateMachine toStateMachine() {
         return flattening().machine();
     }
 
     /**
-     * The machine as (E, S, T), and how its states stand for those drawn.
+     * The machine as (E, S, T), and how its states correspond to the drawn ones.
      *
-     * @throws ModelException as {@link #toStateMachine} does
+     * @throws ModelException as in {@link #toStateMachine}
      */
     public Flattening flattening() {
         Flattening flattening = Flattening.of(statechart());

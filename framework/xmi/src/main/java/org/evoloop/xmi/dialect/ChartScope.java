@@ -9,8 +9,8 @@ import org.evoloop.statechart.Arc;
 import org.evoloop.statemachine.ModelException;
 
 /**
- * One machine as it stands in a chart, with the keys of its vertices. The machine of a submachine state is a scope of
- * its own within that of the state, so that the states of a machine that is used twice have two keys.
+ * One machine within a chart, with the keys of its vertices. The machine of a submachine state is a scope of its own
+ * within that of the state, so that the states of a machine that is used twice have two keys.
  *
  * <p>Threading: for one thread.
  *
@@ -43,7 +43,7 @@ public final class ChartScope<M extends UmlElement> {
         return new ChartScope<>(machine, "", List.of(), new int[1]);
     }
 
-    /** The machine whose scope this is. */
+    /** The machine of this scope. */
     public M machine() {
         return machine;
     }
@@ -54,9 +54,9 @@ public final class ChartScope<M extends UmlElement> {
     }
 
     /**
-     * Makes a vertex known.
+     * Registers a vertex.
      *
-     * @param outerStateKey of the state in which it stands; empty if it stands directly in the machine
+     * @param outerStateKey the key of the enclosing state; empty if it is directly in the machine
      * @throws ModelException if the chart has too many
      */
     public void define(M vertex, String outerStateKey, Problems problems) {
@@ -80,7 +80,7 @@ public final class ChartScope<M extends UmlElement> {
         problems.add(vertex.line(), vertex.type() + " " + vertex.label() + what);
     }
 
-    /** Lets an id stand for a vertex that has another one. */
+    /** Adds another id for a vertex. */
     public void alias(String id, String key) {
         keys.put(id, key);
     }
@@ -90,7 +90,7 @@ public final class ChartScope<M extends UmlElement> {
         return Optional.ofNullable(keys.get(id));
     }
 
-    /** The scope of the machine that a submachine state holds; none, and a problem, if the chart would have no end. */
+    /** The scope of a submachine state's machine; empty, with a problem, if the chart would be infinite. */
     public Optional<ChartScope<M>> open(M state, M submachine, Problems problems) {
         List<M> outer = new ArrayList<>(enclosing);
         outer.add(machine);
@@ -106,7 +106,7 @@ public final class ChartScope<M extends UmlElement> {
         return Optional.of(scope);
     }
 
-    /** The machine that a submachine state holds; none for any other state. */
+    /** The machine of a submachine state; empty for any other state. */
     public Optional<ChartScope<M>> submachine(String stateId) {
         return Optional.ofNullable(submachines.get(stateId));
     }
@@ -116,7 +116,7 @@ public final class ChartScope<M extends UmlElement> {
         return List.copyOf(submachines.values());
     }
 
-    /** Whether the vertex stands in the state, at any depth, or is it. */
+    /** Whether the vertex is the state, or inside it at any depth. */
     public boolean isWithin(String key, String stateKey) {
         String outer = key;
         while (outer != null && !outer.equals(stateKey)) {
@@ -125,7 +125,7 @@ public final class ChartScope<M extends UmlElement> {
         return outer != null;
     }
 
-    /** Takes an internal transition. */
+    /** Adds an internal transition. */
     public void addInternal(Arc arc) {
         internal.computeIfAbsent(arc.source(), key -> new ArrayList<>()).add(arc);
     }

@@ -4,7 +4,7 @@ import java.util.Optional;
 import org.evoloop.statechart.Statechart;
 
 /**
- * One state machine as a dialect found it in a file.
+ * One state machine in a file of some dialect.
  *
  * <p>Threading: immutable once the file has been read.
  */

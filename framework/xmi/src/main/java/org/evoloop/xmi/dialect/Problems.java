@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
 
-/** What is wrong with one machine, one line each; a machine with thousands of problems gets the first of them. */
+/** The problems of one machine, one line each; of thousands, only the first are listed. */
 public final class Problems {
     private static final int LISTED = 100;
     private static final int QUOTED_CHARACTERS = 120;
@@ -36,10 +36,10 @@ public final class Problems {
     }
 
     /**
-     * Adds one, once.
+     * Adds a problem, unless it is there already.
      *
-     * @param line counted from 1; 0 for what stands in no line
-     * @param text with kind, name and id of the element, and how to fix it
+     * @param line counted from 1; 0 if it has no line
+     * @param text the problem, with kind, name and id of the element, and how to fix it
      */
     public void add(int line, String text) {
         Problem problem = new Problem(line, text);
@@ -54,10 +54,10 @@ public final class Problems {
     }
 
     /**
-     * Adds what its author should know though it can be read: how something was taken, or that it says nothing.
+     * Adds a note for the author on something readable: how it was interpreted, or that it has no meaning.
      *
-     * @param line as of {@link #add}
-     * @param text as of {@link #add}
+     * @param line as in {@link #add}
+     * @param text as in {@link #add}
      */
     public void note(int line, String text) {
         if (notes.size() < LISTED) {
@@ -74,7 +74,7 @@ public final class Problems {
         return id;
     }
 
-    /** What was noted, in the file's order. */
+    /** The notes, in the file's order. */
     public List<String> notes() {
         return notes.stream()
                 .sorted(Comparator.comparingInt(Problem::order))
@@ -82,12 +82,12 @@ public final class Problems {
                 .toList();
     }
 
-    /** Whether nothing is wrong. */
+    /** Whether there are no problems. */
     public boolean isEmpty() {
         return listed.isEmpty();
     }
 
-    /** How many there are, those that are not listed included. */
+    /** The number of problems, including those not listed. */
     public int count() {
         return listed.size() + unlisted;
     }
@@ -102,7 +102,7 @@ public final class Problems {
         return unlisted == 0 ? lines : lines + "\n  and " + unlisted + " more";
     }
 
-    /** The text in quotes, cut where it would make a message unreadable. */
+    /** The text in quotes, truncated if it would make a message unreadable. */
     public static String quote(String text) {
         return text.length() <= QUOTED_CHARACTERS
                 ? "'" + text + "'"

@@ -4,7 +4,7 @@ import java.util.function.BiFunction;
 import org.evoloop.statechart.Statechart;
 
 /**
- * A state machine of a UML file, as it stands there.
+ * A state machine of a UML file, uninterpreted.
  *
  * @param reading gives the chart of a title, see {@link #statechart}
  */

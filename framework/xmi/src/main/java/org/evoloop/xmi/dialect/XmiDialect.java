@@ -3,7 +3,7 @@ package org.evoloop.xmi.dialect;
 import java.util.List;
 import org.evoloop.statemachine.ModelException;
 
-/** How one tool writes state machines. {@code toString} says which files it reads and how to make one. */
+/** One tool's way to write state machines. {@code toString} describes the files that it reads and how to make one. */
 public interface XmiDialect {
 
     /** Whether a document that begins like this is of this dialect. */

@@ -9,14 +9,14 @@ import java.util.Set;
 import javax.xml.namespace.QName;
 
 /**
- * What the beginning of a document says about who wrote it.
+ * The beginning of a document, which identifies the tool that wrote it.
  *
  * @param root the root element
- * @param attributes of the root, by name with prefix as written
- * @param namespaces that the root declares
- * @param version the root's version of XMI, empty if it names none
- * @param exporter the writing tool as it calls itself, empty if it does not
- * @param line of the root
+ * @param attributes the root's attributes, by name with prefix as written
+ * @param namespaces the namespaces that the root declares
+ * @param version the root's version of XMI, empty if it has none
+ * @param exporter the name that the writing tool gives for itself, empty if none
+ * @param line the root's line
  */
 public record XmiHead(
         QName root, Map<String, String> attributes, Set<String> namespaces, String version, String exporter, int line) {
@@ -61,7 +61,7 @@ public record XmiHead(
         return new XmiHead(root, attributes, namespaces, version, exporter, line);
     }
 
-    /** The root without what is in it. */
+    /** The root without its contents. */
     public XmlNode node() {
         List<String> pairs = new ArrayList<>();
         attributes.forEach((name, value) -> pairs.addAll(List.of(name, value)));

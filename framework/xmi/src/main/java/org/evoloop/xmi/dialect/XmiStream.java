@@ -23,8 +23,8 @@ import org.evoloop.statemachine.ModelException;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The parser of one file: namespace-aware, without DTDs and entities, and bounded in every way in which a file can make
- * a parser or its caller use memory. Each refusal is a {@link ModelException} that names the file and the line.
+ * The parser of one file: namespace-aware, without DTDs and entities, and with bounds on everything by which a file can
+ * make a parser or its caller use memory. Each refusal is a {@link ModelException} that names the file and the line.
  */
 public final class XmiStream extends StreamReaderDelegate implements AutoCloseable {
     /** Astah nests two levels a package and two a composite state. */
@@ -126,7 +126,7 @@ public final class XmiStream extends StreamReaderDelegate implements AutoCloseab
         }
     }
 
-    /** The file, as messages call it. */
+    /** The file's name in messages. */
     public String file() {
         return file;
     }
@@ -141,7 +141,7 @@ public final class XmiStream extends StreamReaderDelegate implements AutoCloseab
         return getLocation().getLineNumber();
     }
 
-    /** Goes to the next start tag; false at the end of the element that is open at {@code outerDepth}. */
+    /** Advances to the next start tag; false at the end of the element that is open at {@code outerDepth}. */
     public boolean nextElementWithin(int outerDepth) {
         while (true) {
             int event = next();
@@ -155,7 +155,7 @@ public final class XmiStream extends StreamReaderDelegate implements AutoCloseab
         }
     }
 
-    /** Goes to the end tag of the element whose start tag is the current event. */
+    /** Advances to the end tag of the element whose start tag is the current event. */
     public void skipElement() {
         int outerDepth = depth;
         while (nextElementWithin(outerDepth)) {
@@ -176,7 +176,7 @@ public final class XmiStream extends StreamReaderDelegate implements AutoCloseab
     }
 
     /**
-     * Notes that an element with texts of this length stays in memory.
+     * Counts an element with texts of this length, which stays in memory.
      *
      * @throws ModelException if the file asks for too many
      */

@@ -10,13 +10,13 @@ import javax.xml.stream.XMLStreamConstants;
 import org.jspecify.annotations.Nullable;
 
 /**
- * An element of a file with all that is in it, for dialects whose elements refer forth and back. It is made of the part
- * of a file that a dialect asks for, within the bounds of {@link XmiStream#keep}.
+ * An element of a file with its contents, for dialects whose elements refer to each other. It is made from the part of
+ * a file that a dialect requests, within the bounds of {@link XmiStream#keep}.
  *
- * <p>Attributes of the XMI namespace, of whatever version, are called {@code xmi:id}, {@code xmi:type} and so on; those
+ * <p>Attributes of the XMI namespace, of whatever version, are named {@code xmi:id}, {@code xmi:type} and so on; those
  * of other namespaces by the prefix that the file gives them; {@code xsi:type} is {@code xmi:type}.
  *
- * <p>An element equals itself alone.
+ * <p>An element equals only itself.
  *
  * <p>Threading: immutable once read.
  */
@@ -64,22 +64,22 @@ public final class XmlNode {
         this.text = from.text;
     }
 
-    /** The same element by another name, with other elements in it. */
+    /** A copy with another name and other children. */
     public XmlNode as(String otherName, List<XmlNode> otherChildren) {
         return new XmlNode(this, otherName, List.of(attributes), otherChildren);
     }
 
     /**
-     * An element that stands in no file.
+     * An element that is not from a file.
      *
-     * @param attributes name, value, name, value and so on
-     * @param from gives the line and the namespace
+     * @param attributes names and values alternately
+     * @param from the element from which it takes the line and the namespace
      */
     public static XmlNode made(XmlNode from, String name, List<String> attributes, List<XmlNode> children) {
         return new XmlNode(from, name, attributes, children);
     }
 
-    /** What {@link #attribute(String)} would say of the element whose start tag is the current event. */
+    /** As {@link #attribute(String)}, for the element whose start tag is the current event. */
     public static String attribute(XmiStream stream, String wanted) {
         for (int i = 0; i < stream.getAttributeCount(); i++) {
             if (attributeName(stream, i).equals(wanted)) {
@@ -108,7 +108,7 @@ public final class XmlNode {
         return uri.contains("XMI");
     }
 
-    /** The element whose start tag is the current event, with nothing in it; leaves the stream there. */
+    /** The element whose start tag is the current event, without contents; does not move the stream. */
     public static XmlNode alone(XmiStream stream) {
         return new XmlNode(stream);
     }
@@ -116,7 +116,7 @@ public final class XmlNode {
     /**
      * The element whose start tag is the current event; leaves the stream at its end tag.
      *
-     * @param unwanted says at a start tag whether that element is to be left out
+     * @param unwanted decides at a start tag whether to leave that element out
      */
     public static XmlNode read(XmiStream stream, Predicate<XmiStream> unwanted) {
         XmlNode node = new XmlNode(stream);
@@ -163,7 +163,7 @@ public final class XmlNode {
         return name;
     }
 
-    /** Where its start tag ends, counted from 1. */
+    /** The line where its start tag ends, counted from 1. */
     public int line() {
         return line;
     }

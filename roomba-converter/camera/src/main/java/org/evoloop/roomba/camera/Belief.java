@@ -3,8 +3,8 @@ package org.evoloop.roomba.camera;
 import java.util.Optional;
 
 /**
- * Believes in a marker once some frames in a row have shown it in about the same place; a frame without it, or with it
- * elsewhere, starts the count again.
+ * Accepts a marker once several frames in a row have shown it in about the same place; a frame without it, or with it
+ * elsewhere, restarts the count.
  *
  * <p>Threading: for one thread.
  *
@@ -20,12 +20,12 @@ public final class Belief {
     private int agreeing;
     private Optional<Sighting> previous = Optional.empty();
 
-    /** @param framesInARow how many frames it takes, from 1 */
+    /** @param framesInARow the number of frames required, from 1 */
     public Belief(int framesInARow) {
         this.framesInARow = framesInARow;
     }
 
-    /** What to believe after a frame that shows {@code seen}. */
+    /** The accepted sighting after a frame that shows {@code seen}. */
     public Optional<Sighting> after(Optional<Sighting> seen) {
         if (seen.isEmpty()) {
             agreeing = 0;

@@ -15,8 +15,8 @@ import org.evoloop.roomba.camera.CameraModel.Calibrated;
 import org.evoloop.roomba.camera.CameraModel.Intrinsics;
 
 /**
- * A calibration as text: a name and its numbers on each line; {@code #} begins a comment. All but {@code distortion}
- * must be there, once.
+ * A calibration as text: a name and its numbers on each line; {@code #} begins a comment. All except {@code distortion}
+ * are required, once.
  *
  * <pre>
  * width 640
@@ -42,7 +42,7 @@ public final class CalibrationFile {
     /**
      * Reads a calibration.
      *
-     * @throws CameraException if the file is none; the message names the line
+     * @throws CameraException if the file is not a calibration; the message names the line
      */
     public static Calibrated read(Path file) {
         return new CalibrationFile(file).parse();
@@ -125,7 +125,7 @@ public final class CalibrationFile {
     }
 
     /**
-     * Writes what {@link #read} reads.
+     * Writes a file that {@link #read} can read.
      *
      * @param comment one line for people
      */

@@ -8,13 +8,13 @@ package org.evoloop.roomba.camera;
 public final class CameraException extends RuntimeException {
     private final String problem;
 
-    /** The problem is told to the user as it is, see above. */
+    /** @param problem for the user, see above */
     public CameraException(String problem) {
         super(problem);
         this.problem = problem;
     }
 
-    /** With what was thrown by a library, whose message the problem repeats as far as a user needs it. */
+    /** @param problem for the user; includes what the user needs to know of {@code cause}, thrown by a library */
     public CameraException(String problem, Throwable cause) {
         super(problem, cause);
         this.problem = problem;

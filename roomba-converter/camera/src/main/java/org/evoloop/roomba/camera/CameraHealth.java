@@ -1,9 +1,9 @@
 package org.evoloop.roomba.camera;
 
 /**
- * How a camera is.
+ * The health of a camera.
  *
- * @param reason for people, with how to fix it; empty while it sees
+ * @param reason the problem and its remedy, for people; empty while it works
  * @since 0.1
  */
 public record CameraHealth(Condition state, String reason) {
@@ -28,6 +28,6 @@ public record CameraHealth(Condition state, String reason) {
         CLOSED
     }
 
-    /** All is well. */
+    /** The camera works. */
     public static final CameraHealth SEEING = new CameraHealth(Condition.SEEING, "");
 }

@@ -7,9 +7,9 @@ import java.util.Optional;
 import java.util.regex.Pattern;
 
 /**
- * Where frames come from.
+ * The source of frames.
  *
- * @param text what the kind calls for: the device's path, the URL, the file, or the pattern of an image sequence
+ * @param text depending on the kind, the device's path, the URL, the file, or the pattern of an image sequence
  * @since 0.1
  */
 public record CameraSource(Kind kind, String text) {
@@ -20,7 +20,7 @@ public record CameraSource(Kind kind, String text) {
     private static final Pattern SCHEME = Pattern.compile("[a-zA-Z][a-zA-Z0-9+.-]*://.*");
     private static final Pattern SEQUENCE = Pattern.compile(".*%0?\\d*d.*");
 
-    /** What a source is. */
+    /** The kind of a source. */
     public enum Kind {
         /** A camera of this machine, by Video4Linux. */
         DEVICE,
@@ -35,7 +35,7 @@ public record CameraSource(Kind kind, String text) {
     }
 
     /**
-     * Reads what a user calls a source: {@code /dev/video0} or {@code 0}, a URL, a file, a pattern, or {@code sim}.
+     * Parses a user's text for a source: {@code /dev/video0} or {@code 0}, a URL, a file, a pattern, or {@code sim}.
      *
      * @throws CameraException if it is none of them
      */
@@ -65,12 +65,12 @@ public record CameraSource(Kind kind, String text) {
         return new CameraSource(SEQUENCE.matcher(text).matches() ? Kind.IMAGE_SEQUENCE : Kind.FILE, text);
     }
 
-    /** Whether frames come by themselves and old ones are worth nothing; a recording waits for who looks at it. */
+    /** Whether frames come by themselves and old ones are useless; a recording waits for its reader. */
     public boolean isLive() {
         return kind == Kind.DEVICE || kind == Kind.URL || kind == Kind.SIMULATED;
     }
 
-    /** Why it cannot be opened, as far as the file system tells, with the remedy. */
+    /** Why it cannot be opened, as far as the file system shows, with the remedy. */
     public Optional<String> obstacle() {
         if (kind != Kind.DEVICE && kind != Kind.FILE) {
             return Optional.empty();

@@ -3,11 +3,11 @@ package org.evoloop.roomba.camera;
 import java.util.Optional;
 
 /**
- * What a camera has seen last.
+ * The last frame of a camera and its marker.
  *
- * @param frame counts the frames that were looked at, from 1; 0 before the first
+ * @param frame the number of processed frames, from 1; 0 before the first
  * @param takenNanos when the frame came, on the monotonic clock; meaningless before the first
- * @param health of the camera now, not when the frame came
+ * @param health the camera's present health, not that of when the frame came
  * @param sighting the marker, if this frame shows it
  * @since 0.1
  */

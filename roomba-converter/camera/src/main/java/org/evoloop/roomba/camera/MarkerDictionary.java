@@ -5,7 +5,7 @@ import java.util.Locale;
 import java.util.stream.Collectors;
 
 /**
- * The sets of square markers that OpenCV knows.
+ * The sets of square markers that OpenCV supports.
  *
  * @since 0.1
  */
@@ -68,12 +68,12 @@ public enum MarkerDictionary {
         return number;
     }
 
-    /** How many cells a marker has along its side, without the black border of one cell. */
+    /** The number of cells along a marker's side, without the black border of one cell. */
     public int cells() {
         return cells;
     }
 
-    /** How many markers there are; ids count from 0. */
+    /** The number of markers; ids count from 0. */
     public int size() {
         return size;
     }
@@ -84,7 +84,7 @@ public enum MarkerDictionary {
     }
 
     /**
-     * The dictionary of that label, in any case, with or without OpenCV's prefix {@code DICT_}.
+     * The dictionary with this label, in upper or lower case, with or without OpenCV's prefix {@code DICT_}.
      *
      * @throws CameraException if there is none
      */

@@ -3,8 +3,8 @@ package org.evoloop.roomba.camera;
 /**
  * The marker that stands at the starting point.
  *
- * @param id which of the dictionary's
- * @param sideMm of the black square, in mm, 10 to 2000
+ * @param id the marker's id in its dictionary
+ * @param sideMm the side of the black square, in mm, 10 to 2000
  * @since 0.1
  */
 public record MarkerSpec(MarkerDictionary dictionary, int id, double sideMm) {

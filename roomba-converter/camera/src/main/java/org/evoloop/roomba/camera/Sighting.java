@@ -1,7 +1,7 @@
 package org.evoloop.roomba.camera;
 
 /**
- * Where the marker is seen from the camera, on the floor's plane.
+ * The marker's position relative to the camera, on the plane of the floor.
  *
  * @param distanceMm from the camera to the marker's middle, in mm, not negative
  * @param bearingRad counterclockwise from straight ahead, -pi to pi

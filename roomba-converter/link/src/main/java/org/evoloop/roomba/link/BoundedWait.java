@@ -3,8 +3,8 @@ package org.evoloop.roomba.link;
 import static java.util.concurrent.TimeUnit.NANOSECONDS;
 
 /**
- * Waits that an interrupt does not cut short, because what waits here leaves the robot safe; each has a limit instead.
- * The interrupt flag is restored for the caller.
+ * Waits that an interrupt does not cut short, because they leave the robot safe; each has a limit instead. The
+ * interrupt flag is restored for the caller.
  *
  * <p>Threading: pure functions, but for the time they take.
  *
@@ -20,7 +20,7 @@ public final class BoundedWait {
         boolean within(long nanos) throws InterruptedException;
     }
 
-    /** Waits for a thread's end; false if it did not come in time. */
+    /** Waits for a thread to end; false if it did not end in time. */
     public static boolean forEnd(Thread thread, long limitNanos) {
         return uninterruptibly(limitNanos, nanos -> {
             NANOSECONDS.timedJoin(thread, nanos);

@@ -10,11 +10,10 @@ import org.jspecify.annotations.Nullable;
  *    \-----loss--&gt; lost
  * </pre>
  *
- * <p>A link lives once, and is open from the start: after a loss the owner makes another one. When {@link #receive}
- * tells of the loss everything the link held has been given back, so that the next link to the same robot can be opened
- * at once.
+ * <p>A link is used once, and is open from the start: after a loss its owner makes another one. When {@link #receive}
+ * reports the loss, the link has released everything, so the next link to the same robot can be opened at once.
  *
- * <p>Threading: one thread receives; all else may be called from any thread, also from that one.
+ * <p>Threading: one thread receives; the other methods may be called from any thread, including that one.
  *
  * @since 0.1
  */

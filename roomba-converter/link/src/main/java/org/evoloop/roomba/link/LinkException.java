@@ -31,7 +31,7 @@ public final class LinkException extends RuntimeException {
         CLOSED
     }
 
-    /** The message is for whoever has plugged the cable, see above. */
+    /** @param message for the person who plugged in the cable, see above */
     public LinkException(Fault fault, String message) {
         super(message);
         this.fault = fault;

@@ -8,9 +8,8 @@ import org.evoloop.roomba.link.LinkException.Fault;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One end of a cable in memory, for tests that run on one thread and always run the same way. What one end sends the
- * other may receive at once; {@link #receive} does not wait. To an end that has ended bytes are lost, as on a real
- * line.
+ * One end of a cable in memory, for deterministic tests on one thread. Bytes sent by one end can be received by the
+ * other at once; {@link #receive} does not wait. Bytes to a closed end are lost, as on a real line.
  *
  * <p>The cable can be faulty: {@link #hangUp()}, {@link #setReading} and {@link #setNoise}.
  *
@@ -36,11 +35,11 @@ public final class MemoryLink implements Link {
     public record Pair(MemoryLink converter, MemoryLink robot) {}
 
     /**
-     * What happens to bytes under way.
+     * The noise on a cable.
      *
-     * @param seed the same seed does the same to the same bytes
-     * @param dropRate which share of the bytes is lost, from 0 to 1
-     * @param corruptRate which share of the others arrives with one bit flipped, from 0 to 1
+     * @param seed the same seed has the same effect on the same bytes
+     * @param dropRate the share of bytes that are lost, from 0 to 1
+     * @param corruptRate the share of the others that arrive with one bit flipped, from 0 to 1
      */
     public record Noise(long seed, double dropRate, double corruptRate) {}
 
@@ -142,14 +141,14 @@ public final class MemoryLink implements Link {
         }
     }
 
-    /** Whether this end takes bytes; if not, the other is lost as soon as it sends some. */
+    /** Sets whether this end takes bytes; if not, the other is lost as soon as it sends some. */
     public void setReading(boolean reads) {
         synchronized (cable) {
             reading = reads;
         }
     }
 
-    /** Disturbs what this end sends from now on. */
+    /** Adds noise to the bytes that this end sends from now on. */
     public void setNoise(Noise newNoise) {
         synchronized (cable) {
             noise = newNoise;

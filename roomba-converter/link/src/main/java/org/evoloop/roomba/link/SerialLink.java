@@ -17,7 +17,7 @@ import org.slf4j.LoggerFactory;
 /**
  * The cable as a serial port: a USB adapter, the Raspberry Pi's own UART, or the simulator's pseudo-terminal.
  *
- * <p>The port is locked against other programs. What was received before it was opened is dropped. {@link #close} waits
+ * <p>The port is locked against other programs. Bytes received before it was opened are dropped. {@link #close} waits
  * until the line has been silent for 100 ms, so that the last command arrives.
  *
  * <p>Threading: {@link #receive} waits inside the operating system. A daemon thread named {@code
@@ -67,8 +67,8 @@ public final class SerialLink implements Link {
     }
 
     /**
-     * Has the serial library loaded, which takes longer than opening a link. A program that has other things to do
-     * before calls this on another thread; whoever needs the library meanwhile waits for it.
+     * Loads the serial library, which takes longer than opening a link. A program with other things to do first calls
+     * this on another thread; code that needs the library meanwhile waits for it.
      *
      * @throws LinkException if it cannot be loaded
      */
@@ -82,8 +82,8 @@ public final class SerialLink implements Link {
     }
 
     /**
-     * Has a thread run when the program ends, while links still work. A plain shutdown hook is too late: jSerialComm
-     * has one that closes all ports, and the hooks of a program run in no order.
+     * Registers a thread that runs when the program ends, while links still work. A plain shutdown hook may be too
+     * late: jSerialComm has one that closes all ports, and a program's hooks run in no particular order.
      */
     public static void addShutdownHook(Thread hook) {
         SerialPorts.addShutdownHook(hook);

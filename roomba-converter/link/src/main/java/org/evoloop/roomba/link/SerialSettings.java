@@ -3,15 +3,15 @@ package org.evoloop.roomba.link;
 import java.nio.file.Path;
 
 /**
- * Which serial port, and how. Always 8 data bits, no parity, one stop bit and no flow control, as the robot has it
- * (Open Interface specification, "Serial Port Settings").
+ * A serial port and its settings. Always 8 data bits, no parity, one stop bit and no flow control, as the robot
+ * requires (Open Interface specification, "Serial Port Settings").
  *
  * <p>Threading: immutable.
  *
  * @since 0.1
  */
 public final class SerialSettings {
-    /** The rate of a robot as it is delivered. */
+    /** The factory rate of a robot. */
     public static final int DEFAULT_BAUD = 115_200;
 
     /** Long enough for a busy computer. */
@@ -26,7 +26,7 @@ public final class SerialSettings {
     private final int sendLimitMillis;
 
     /**
-     * The settings of a robot as it is delivered, on an adapter whose RTS wakes it.
+     * The factory settings of a robot, on an adapter whose RTS wakes it.
      *
      * @param port a path such as {@code /dev/ttyUSB0}, which may be a symbolic link, or a bare name such as {@code
      *     ttyUSB0}
@@ -48,42 +48,42 @@ public final class SerialSettings {
         this.sendLimitMillis = sendLimitMillis;
     }
 
-    /** The same, at another rate. */
+    /** A copy with another rate. */
     public SerialSettings withBaud(int newBaud) {
         return new SerialSettings(port, newBaud, wakeSignal, sendLimitMillis);
     }
 
-    /** The same, with another output that wakes the robot. */
+    /** A copy with another output that wakes the robot. */
     public SerialSettings withWakeSignal(WakeSignal newWakeSignal) {
         return new SerialSettings(port, baud, newWakeSignal, sendLimitMillis);
     }
 
-    /** The same, with another limit. */
+    /** A copy with another limit. */
     public SerialSettings withSendLimitMillis(int newSendLimitMillis) {
         return new SerialSettings(port, baud, wakeSignal, newSendLimitMillis);
     }
 
-    /** The port, as it was given. */
+    /** The port as given. */
     public String port() {
         return port;
     }
 
-    /** The rate; a Roomba of the 500 and 600 series has 115200, or 19200 when told so. */
+    /** The rate; a Roomba of the 500 and 600 series has 115200, or 19200 when set to that. */
     public int baud() {
         return baud;
     }
 
-    /** Which output wakes the robot. */
+    /** The output that wakes the robot. */
     public WakeSignal wakeSignal() {
         return wakeSignal;
     }
 
-    /** How much longer than the bytes need on the line a send may take before the link counts as lost. */
+    /** How much longer than its bytes need on the line a send may take before the link counts as lost. */
     public int sendLimitMillis() {
         return sendLimitMillis;
     }
 
-    /** Where the port is; a bare name is one of {@code /dev}. */
+    /** The path of the port; a bare name is in {@code /dev}. */
     public Path path() {
         return port.indexOf('/') < 0 ? Path.of("/dev", port) : Path.of(port);
     }

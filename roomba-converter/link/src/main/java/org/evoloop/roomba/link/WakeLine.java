@@ -2,8 +2,8 @@ package org.evoloop.roomba.link;
 
 /**
  * The line to the robot's BRC pin ("device detect"). A sleeping robot wakes when it goes low for a while; at rest it is
- * high. How long is the caller's affair, with one warning: three pulses of 50 to 500 ms after power-on switch a Roomba
- * to 19200 baud (Open Interface specification, "Serial Port Settings").
+ * high. The caller decides how long, with one warning: three pulses of 50 to 500 ms after power-on switch a Roomba to
+ * 19200 baud (Open Interface specification, "Serial Port Settings").
  *
  * @since 0.1
  */

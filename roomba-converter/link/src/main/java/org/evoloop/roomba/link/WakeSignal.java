@@ -3,8 +3,8 @@ package org.evoloop.roomba.link;
 import com.fazecast.jSerialComm.SerialPort;
 
 /**
- * Which output of the serial adapter is wired to the robot's BRC pin. Cables differ: iRobot's own uses RTS, others DTR,
- * and some that should use RTS are miswired.
+ * The output of the serial adapter that is wired to the robot's BRC pin. Cables differ: iRobot's own uses RTS, others
+ * DTR, and some that should use RTS are miswired.
  *
  * @since 0.1
  */

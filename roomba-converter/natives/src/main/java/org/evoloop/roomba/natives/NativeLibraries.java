@@ -15,14 +15,14 @@ import java.util.UUID;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Loads the native parts of JNA and jSerialComm. Left to themselves both unpack them under names that anybody can
- * guess, and jSerialComm loads what it finds there: in {@code /tmp} that may be somebody else's. Here they come from
- * the jar through a {@link PrivateFolder}, which is gone when they are loaded.
+ * Loads the native parts of JNA and jSerialComm. By default both unpack them under predictable names, and jSerialComm
+ * loads any file that it finds there: in {@code /tmp} that may be another user's. Here they come from the jar through a
+ * {@link PrivateFolder}, which is deleted after loading.
  *
- * <p>On other systems than Linux the folder for temporary files is the user's own, and the libraries do as they are
- * used to.
+ * <p>On systems other than Linux the folder for temporary files is the user's own, and the libraries use their
+ * defaults.
  *
- * <p>Threading: thread-safe; whoever needs a library that is being loaded waits for it.
+ * <p>Threading: thread-safe; callers wait for a library that is being loaded.
  *
  * @since 0.1
  */
@@ -47,9 +47,9 @@ public final class NativeLibraries {
     private NativeLibraries() {}
 
     /**
-     * Has JNA loaded. To be called before any of its classes is used.
+     * Loads JNA. Call it before any of its classes is used.
      *
-     * @throws IOException if it cannot be; the message tells why
+     * @throws IOException if that fails; the message says why
      */
     public static synchronized void loadJna() throws IOException {
         if (!jnaLoaded) {
@@ -77,9 +77,9 @@ public final class NativeLibraries {
     }
 
     /**
-     * Has jSerialComm loaded. To be called before any of its classes is used.
+     * Loads jSerialComm. Call it before any of its classes is used.
      *
-     * @throws IOException if it cannot be; the message tells why
+     * @throws IOException if that fails; the message says why
      */
     public static synchronized void loadSerial() throws IOException {
         loadJna();

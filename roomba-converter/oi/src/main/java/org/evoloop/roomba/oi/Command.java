@@ -11,7 +11,7 @@ import java.util.Map;
  * change its mode and clean; {@link ActuatorCommand} and {@link InputCommand} hold the others.
  *
  * <p>Every value is checked at construction: an {@link IllegalArgumentException} names the field, the value and what is
- * allowed. What exists can be sent.
+ * allowed. Every instance can be sent.
  *
  * <p>Threading: immutable.
  *

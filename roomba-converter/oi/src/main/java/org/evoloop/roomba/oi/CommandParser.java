@@ -5,8 +5,8 @@ import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The robot's side of the command line: bytes in, commands out, as each command's last byte comes. An unfinished
- * command waits for its bytes for ever, as the specification says of the robot. No byte can make it throw or stall.
+ * The robot's side of the commands: bytes in, commands out, at each command's last byte. An unfinished command waits
+ * for its bytes for ever, as the specification says. No byte can make it throw or stall.
  *
  * <p>Threading: not thread-safe; the consumer is called from {@code feed} and must not call back.
  *
@@ -18,7 +18,7 @@ public final class CommandParser {
 
     private static final int LONGEST_DATA = 2 + 2 * 255;
 
-    /** What the bytes turned out to be. */
+    /** The result of parsing bytes. */
     public sealed interface Parsed {
         /** A command, valid in every field. */
         record Accepted(Command command) implements Parsed {}
@@ -42,7 +42,7 @@ public final class CommandParser {
     private int received;
     private boolean skipNext;
 
-    /** Tells each command that it recognises, and what it does not recognise, on the thread that feeds it. */
+    /** Reports each command, and unrecognised bytes, on the thread that feeds it. */
     public CommandParser(Consumer<Parsed> consumer) {
         this.consumer = consumer;
     }

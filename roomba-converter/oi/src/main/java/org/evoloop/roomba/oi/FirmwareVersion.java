@@ -25,7 +25,7 @@ public record FirmwareVersion(int major, int minor, int patch) implements Compar
     /**
      * The version in a text such as {@code 3.2.6}.
      *
-     * @throws IllegalArgumentException if it is none
+     * @throws IllegalArgumentException if it is not a version
      */
     public static FirmwareVersion parse(String text) {
         Matcher version = VERSION.matcher(text);

@@ -117,19 +117,20 @@ public enum Opcode {
         return mode.compareTo(lowestMode) >= 0;
     }
 
-    /** Whether the command leads the robot to a mode of its own, be it the one it is in. */
+    /** Whether the command puts the robot into a certain mode, possibly the present one. */
     public boolean changesMode() {
         return MODE_CHANGING.contains(this);
     }
 
     /**
-     * Whether the command does what one of the robot's cleaning buttons does: it starts work, or pauses that under way.
+     * Whether the command acts like one of the robot's cleaning buttons: it starts work, or pauses the work in
+     * progress.
      */
     public boolean startsWork() {
         return this == CLEAN || this == SPOT || this == MAX || this == SEEK_DOCK;
     }
 
-    /** Whether the command ends a client's control for what the robot then does by itself, be it nothing. */
+    /** Whether the command ends a client's control, so that the robot then acts by itself, or does nothing. */
     public boolean endsControl() {
         return startsWork() || this == POWER;
     }

@@ -4,7 +4,7 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Packets in a row that one id stands for (specification, "Sensor Packet Membership Table").
+ * A sequence of packets with one id (specification, "Sensor Packet Membership Table").
  *
  * @since 0.1
  */

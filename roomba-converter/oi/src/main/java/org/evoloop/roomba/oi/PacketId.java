@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * What an {@link InputCommand} can ask for by one id: a packet or a group of packets.
+ * What an {@link InputCommand} can request by one id: a packet or a group of packets.
  *
  * <p>Threading: immutable.
  *

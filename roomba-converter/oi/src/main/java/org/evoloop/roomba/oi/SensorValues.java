@@ -11,9 +11,9 @@ import java.util.function.ToIntFunction;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The values of some packets at one moment, raw: as robots have been seen to report codes that the specification lacks,
- * nothing is corrected here. A getter for a packet that is not among them throws {@link NoSuchElementException} with
- * the packet's id.
+ * The raw values of some packets at one moment: since some robots report codes that the specification lacks, nothing is
+ * corrected here. A getter for a packet that is not among them throws {@link NoSuchElementException} with the packet's
+ * id.
  *
  * <p>Threading: immutable.
  *
@@ -28,14 +28,14 @@ public final class SensorValues {
         this.values = values;
     }
 
-    /** The values that {@code source} gives for these packets; it is asked once for each, in their order. */
+    /** The values from {@code source} for these packets; it is called once for each, in order. */
     public static SensorValues of(Collection<? extends PacketId> packets, ToIntFunction<Packet> source) {
         return decode(packets, encode(packets, source));
     }
 
     /**
-     * Reads the raw reply to {@link InputCommand.Sensors} or {@link InputCommand.QueryList}. A packet that comes twice
-     * has its last value.
+     * Reads the raw reply to {@link InputCommand.Sensors} or {@link InputCommand.QueryList}. A repeated packet has its
+     * last value.
      *
      * @throws IllegalArgumentException if the number of bytes is not that of these packets
      */
@@ -111,7 +111,7 @@ public final class SensorValues {
         return packet.id() - Packet.FIRST_ID;
     }
 
-    /** The same values but for this one, which is added or replaced. */
+    /** A copy with this value added or replaced. */
     public SensorValues with(Packet packet, int value) {
         int[] changed = values.clone();
         changed[index(packet)] = value;
@@ -236,8 +236,8 @@ public final class SensorValues {
     }
 
     /**
-     * How full the battery is, 0 to 100 %, from packets 25 and 26; empty if the robot tells no capacity. An old battery
-     * tells more charge than capacity, or underflows below nothing.
+     * How full the battery is, 0 to 100 %, from packets 25 and 26; empty if the robot reports no capacity. An old
+     * battery may report more charge than capacity, or underflow below zero.
      */
     public OptionalInt batteryPercent() {
         int capacity = batteryCapacityMilliAmpHours();

@@ -6,10 +6,10 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Finds the frames of a stream among whatever bytes come: boot text, charging lines, noise, frames cut short. The
- * header is no proof of a frame, since 19 occurs in data too; so a frame must fit from end to end, in header, length,
- * ids and checksum. As soon as a byte does not fit, the search goes on one byte behind the start of the candidate, so
- * no byte is passed over that could begin a frame.
+ * Finds the frames of a stream among arbitrary bytes: boot text, charging lines, noise, frames cut short. The header is
+ * no proof of a frame, since 19 occurs in data too; so a frame must fit from end to end, in header, length, ids and
+ * checksum. As soon as a byte does not fit, the search continues one byte after the start of the candidate, so no byte
+ * that could begin a frame is skipped.
  *
  * <p>Guarantee: an intact frame is delivered if no other bytes that make up a whole valid frame overlap it from before.
  * A framer made for {@link #StreamFramer(Collection) given packets} delivers it with its last byte. One
@@ -54,7 +54,7 @@ public final class StreamFramer {
     }
 
     /**
-     * A framer for the one list of packets that the stream was asked for; frames of any other stream are skipped.
+     * A framer for the requested list of packets; frames of any other stream are skipped.
      *
      * @throws IllegalArgumentException if the packets do not fit into a frame
      */
@@ -62,7 +62,7 @@ public final class StreamFramer {
         this(List.copyOf(packets), StreamFrame.payloadLength(packets));
     }
 
-    /** A framer for a stream that somebody else asked for: frames of any known packets, but at least one. */
+    /** A framer for a stream requested by others: frames of any known packets, but at least one. */
     public static StreamFramer forAnyPackets() {
         return new StreamFramer(null, 0);
     }

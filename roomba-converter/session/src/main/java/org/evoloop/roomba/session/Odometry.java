@@ -24,7 +24,7 @@ public final class Odometry {
     /** At {@link OdometryPose#ORIGIN}, before any reading. */
     public Odometry() {}
 
-    /** Takes the next reading and returns where the robot is. */
+    /** Takes the next reading and returns the robot's pose. */
     public OdometryPose update(SensorValues values) {
         SensorValues earlier = last;
         last = values;

@@ -1,7 +1,7 @@
 package org.evoloop.roomba.session;
 
 /**
- * Where the robot is, seen from where it stood when the session began: x ahead, y to the left.
+ * The robot's pose relative to that at the beginning of the session: x ahead, y to the left.
  *
  * <p>Threading: immutable.
  *
@@ -14,7 +14,9 @@ public record OdometryPose(double xMm, double yMm, double headingRad) {
     /** Where the session began. */
     public static final OdometryPose ORIGIN = new OdometryPose(0, 0, 0);
 
-    /** The pose in which a robot that stands here sees what lies {@code distanceMm} away: looking at it, and there. */
+    /**
+     * The pose at the point that is {@code distanceMm} away from here in the given direction, facing that direction.
+     */
     public OdometryPose beyond(double distanceMm, double bearingRad) {
         double direction = headingRad + bearingRad;
         return new OdometryPose(

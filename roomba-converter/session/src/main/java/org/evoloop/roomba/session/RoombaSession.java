@@ -24,21 +24,21 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * A conversation with a Roomba: one stream of sensor values, which is the session's only source, and commands. It
- * outlives a cable that is pulled and plugged in again, and a robot that sleeps.
+ * A session with a Roomba: one stream of sensor values, which is the session's only source, and commands. It survives a
+ * cable that is unplugged and plugged in again, and a robot that sleeps.
  *
  * <p>Lifecycle: {@link #open}, then {@link #awaitRobot}; {@link #close} stops a robot under control and leaves it in
- * Passive mode; one that works by itself goes on.
+ * Passive mode; one that works by itself continues.
  *
- * <p>Threading: all methods may be called from any thread. Listeners are called on the thread that reads
- * the link, or on that of whoever {@link #poll polls}.
+ * <p>Threading: all methods may be called from any thread. Listeners are called on the thread that reads from the link,
+ * or on the one that {@link #poll polls}.
  *
  * @since 0.1
  */
 public final class RoombaSession implements DeviceLink, AutoCloseable {
     /**
-     * All that is looked at and nothing else, 48 bytes a frame: the shorter, the more frames pass a noisy line. Fits
-     * 57600 baud and above.
+     * Only the packets that are used, 48 bytes per frame: the shorter, the more frames survive a noisy line. Fits 57600
+     * baud and above.
      */
     public static final List<PacketId> STREAM = List.of(
             Packet.BUMPS_AND_WHEEL_DROPS,
@@ -100,7 +100,7 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
         this.control = reader.control();
     }
 
-    /** Adds a listener; it hears all that comes from now on. */
+    /** Adds a listener, which is notified from now on. */
     public void addListener(SessionListener listener) {
         reader.addListener(listener);
     }
@@ -111,8 +111,8 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
     }
 
     /**
-     * What the robot did when another process saw it last, before {@link #open}: its motors tell whether it still does,
-     * and listeners hear if not.
+     * Sets what the robot was doing when the previous process last saw it, before {@link #open}: its motors show
+     * whether it still does, and listeners are notified if not.
      */
     public void assume(ActivityEstimate.EstimatedActivity last) {
         reader.assume(last);
@@ -128,13 +128,13 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
     }
 
     /**
-     * The same for a robot that may come later, as its link may: the session waits for both as it does after they were
-     * lost, and {@link #describe} says so. Returns when the robot has answered, as one that is there and awake soon
-     * does, or else is waited for.
+     * As {@link #open}, for a robot or link that may come later: the session waits for both as after a loss, and {@link
+     * #describe} says so. Returns when the robot has answered, as one that is connected and awake does soon, or when
+     * the session has begun to wait for it.
      *
-     * @param greeting what the robot is sent when it answers for the first time
-     * @throws LinkException if the port is there, but is none, or is not for this user
-     * @throws InterruptedException if the thread is told to stop while it waits
+     * @param greeting the commands sent to the robot when it first answers
+     * @throws LinkException if the path exists but is not a port, or this user has no permission
+     * @throws InterruptedException if the thread is interrupted while it waits
      */
     public void openPatiently(List<Command> greeting) throws InterruptedException {
         connection.openPatiently(() -> greeting.forEach(connection::trySend));
@@ -146,7 +146,7 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
      *
      * @throws RobotException if it stays silent
      * @throws LinkException if the link is lost meanwhile, or the session closed
-     * @throws InterruptedException if the thread is told to stop while it waits
+     * @throws InterruptedException if the thread is interrupted while it waits
      */
     public void awaitRobot() throws InterruptedException {
         try {
@@ -159,14 +159,14 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
         }
     }
 
-    /** Reads what has come, for whoever lets time pass by hand; else a thread does. */
+    /** Reads what has arrived, if the caller controls the time; else a thread does that. */
     public void poll() {
         connection.poll();
     }
 
     /**
-     * Sends a command, once the robot has digested the last one that changed its mode. An interrupt makes it go at once
-     * instead of not at all: what stops the wheels is sent by threads that are being stopped.
+     * Sends a command, once the robot has processed the last one that changed its mode. An interrupt makes it send at
+     * once instead of not at all: threads that are being stopped must be able to stop the wheels.
      *
      * @throws LinkException if it could not be sent
      * @throws RobotException if the robot has just come back into sight and is not under control again yet
@@ -191,21 +191,22 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
     }
 
     /**
-     * Waits until the robot's mode shows that the last command has had its effect; listeners have been told so by then.
-     * Returns at once if its mode does not show that, and after a quarter of a second of frames, or half a second
-     * without any, if it has not shown.
+     * Waits until the robot's mode shows that the last command has had its effect; by then listeners have been
+     * notified. Returns at once if the mode cannot show the effect, and after a quarter of a second of frames, or half
+     * a second without frames, if it has not shown it.
      *
-     * @throws InterruptedException if the thread is told to stop while it waits
+     * @throws InterruptedException if the thread is interrupted while it waits
      */
     public void awaitEffect() throws InterruptedException {
         awaitUntil(() -> !reader.isEffectAwaited(), EFFECT_LIMIT);
     }
 
     /**
-     * Waits until the robot's frames show for sure what it does: whether it is under control, or else its motors.
+     * Waits until the robot's frames show with certainty what it does: whether it is under control, or else its motors.
      *
-     * @return empty if that cannot be told, as while it is out of sight; after four and a half seconds at the latest
-     * @throws InterruptedException if the thread is told to stop while it waits
+     * @return empty if that cannot be determined, for example while it is unreachable; after at most four and a half
+     *     seconds
+     * @throws InterruptedException if the thread is interrupted while it waits
      */
     public Optional<ActivityEstimate.EstimatedActivity> awaitActivity() throws InterruptedException {
         Telemetry last = reader.latest();
@@ -238,8 +239,8 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
     }
 
     /**
-     * Puts the robot under control now, and again whenever it has left Safe mode by itself and is at rest; what it does
-     * by itself without being asked is ended.
+     * Puts the robot under control now, and again whenever it has left Safe mode by itself and is at rest; anything
+     * that it does by itself unasked is ended.
      *
      * @throws LinkException if the command could not be sent
      */
@@ -255,7 +256,7 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
         }
     }
 
-    /** Leaves the robot to itself for now; if it comes back from out of sight, control is taken. */
+    /** Leaves the robot to itself for now; if it becomes reachable again, control is taken. */
     public void leaveAlone() {
         synchronized (reader) {
             control.leaveAlone();
@@ -276,12 +277,12 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
         }
     }
 
-    /** Whether a robot that nobody uses may fall asleep from now on; at first it is kept awake. */
+    /** Sets whether an unused robot may fall asleep from now on; at first it is kept awake. */
     public void letSleep(boolean may) {
         connection.letSleep(may);
     }
 
-    /** Whether the robot has been let to fall asleep, and has. */
+    /** Whether the robot was allowed to fall asleep, and has done so. */
     public boolean isAsleep() {
         return connection.isAsleep();
     }
@@ -290,7 +291,7 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
      * Wakes a robot that sleeps, and puts it under control. Without waiting, that comes later.
      *
      * @throws RobotException if it does not wake within ten seconds
-     * @throws InterruptedException if the thread is told to stop while it waits
+     * @throws InterruptedException if the thread is interrupted while it waits
      */
     public void wake() throws InterruptedException {
         synchronized (reader) {
@@ -316,7 +317,7 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
      *
      * @throws LinkException if the robot cannot be reached
      * @throws RobotException if it stays on its dock, or has just come back into sight
-     * @throws InterruptedException if the thread is told to stop while it waits; the robot is stopped
+     * @throws InterruptedException if the thread is interrupted while it waits; the robot is stopped
      */
     public void leaveDock() throws InterruptedException {
         send(new Command.Full());
@@ -335,12 +336,12 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
         }
     }
 
-    /** Whether somebody waits for the robot to wake: that it does is no news. */
+    /** Whether a caller waits for the robot to wake, so that its waking is not news. */
     public boolean isWaking() {
         return waking;
     }
 
-    /** Whether the robot is on its way off its dock: nobody else is to drive it. */
+    /** Whether the robot is driving off its dock, so that nothing else may drive it. */
     public boolean isUndocking() {
         return reader.isUndocking();
     }
@@ -359,24 +360,23 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
     }
 
     /**
-     * What the robot does is told to listeners within a quarter of a second, unless it is commanded before; for who has
-     * just told an event of it, and wants to know that nothing else is true.
+     * Reports the robot's activity to listeners within a quarter of a second, unless it gets a command first. For
+     * listeners that have just reported an event and need its confirmation.
      */
     public void tellSoon() {
         reader.tellSoon();
     }
 
     /**
-     * The robot's circumstances are told to listeners once more, with the next frame; see {@link
-     * SessionListener#changed}.
+     * Reports the robot's circumstances to listeners again, with the next frame; see {@link SessionListener#changed}.
      */
     public void tellAgain() {
         reader.tellAgain();
     }
 
     /**
-     * What is known of the robot: see {@link RobotReadings}; nothing while it is out of reach. Of a sleeper, what it
-     * told last.
+     * The robot's readings, see {@link RobotReadings}; none while it cannot be reached. For a sleeping robot, the last
+     * ones.
      */
     @Override
     public List<Reading> readings() {
@@ -384,7 +384,7 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
         return now == null || !isUp() ? List.of() : RobotReadings.of(now.values(), isAsleep());
     }
 
-    /** What the last frame told; null before the first. */
+    /** The telemetry of the last frame; null before the first. */
     public @Nullable Telemetry latest() {
         return reader.latest();
     }
@@ -404,7 +404,7 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
     }
 
     /**
-     * Somebody else has stopped the robot and ended its control: listeners are told, see {@link
+     * The robot was stopped and its control ended from outside: notifies listeners, see {@link
      * SessionListener#stopped}.
      *
      * @param why for people
@@ -440,7 +440,7 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
         return connection.description() + ", " + reader.describe(now);
     }
 
-    /** Lets go of the robot as {@link #letGo()} does, and closes the link. Idempotent. */
+    /** Releases the robot as {@link #letGo()} does, and closes the link. Idempotent. */
     @Override
     public void close() {
         try {

@@ -7,7 +7,7 @@ import org.evoloop.roomba.session.inference.Circumstances;
 import org.evoloop.roomba.session.inference.SpotWatch;
 
 /**
- * Hears what goes on with the robot.
+ * Is notified of the robot's activity.
  *
  * <p>Threading: called on the thread that receives, {@link #stopped} on any; one call at a time; must be quick.
  *

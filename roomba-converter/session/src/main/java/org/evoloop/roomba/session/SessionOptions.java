@@ -32,27 +32,27 @@ public final class SessionOptions {
         this.silenceLimit = silenceLimit;
     }
 
-    /** A robot that is out of sight after 1.7 s of silence, which is noticed within 2 s. */
+    /** The defaults: a robot counts as unreachable after 1.7 s of silence, which is noticed within 2 s. */
     public static SessionOptions defaults() {
         return new SessionOptions(true, OptionalInt.empty(), Duration.ofMillis(1_700));
     }
 
-    /** The same for whoever lets time pass by hand. */
+    /** A copy for a caller that controls the time. */
     public SessionOptions withoutWaiting() {
         return new SessionOptions(false, modeOffset, silenceLimit);
     }
 
-    /** The same for a robot of which is known what it adds to its mode. */
+    /** A copy for a robot with a known mode offset. */
     public SessionOptions withModeOffset(int offset) {
         return new SessionOptions(mayWait, OptionalInt.of(offset), silenceLimit);
     }
 
-    /** The same with another limit for silence. */
+    /** A copy with another limit for silence. */
     public SessionOptions withSilenceLimit(Duration limit) {
         return new SessionOptions(mayWait, modeOffset, limit);
     }
 
-    /** False if time only passes when the caller lets it: then nothing waits for its moment, and no thread is made. */
+    /** False if the caller controls the time: then nothing waits, and no thread is created. */
     public boolean mayWait() {
         return mayWait;
     }
@@ -65,7 +65,7 @@ public final class SessionOptions {
         return modeOffset;
     }
 
-    /** After so long without a frame the robot is out of sight, in the clock's time. */
+    /** The time without a frame after which the robot counts as unreachable, in the clock's time. */
     public Duration silenceLimit() {
         return silenceLimit;
     }

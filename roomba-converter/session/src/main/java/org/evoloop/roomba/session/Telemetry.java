@@ -4,13 +4,13 @@ import org.evoloop.roomba.oi.OiMode;
 import org.evoloop.roomba.oi.SensorValues;
 
 /**
- * What one frame of the stream tells.
+ * The contents of one frame of the stream.
  *
  * <p>Threading: immutable.
  *
  * @param frame its number in the session, from 1; frames are 15 ms apart
  * @param values the sensors
- * @param pose where the robot is by its wheels
+ * @param pose the robot's pose by its wheels
  * @since 0.1
  */
 public record Telemetry(long frame, SensorValues values, OdometryPose pose) {

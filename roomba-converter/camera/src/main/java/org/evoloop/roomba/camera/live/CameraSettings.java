@@ -9,7 +9,7 @@ import org.evoloop.roomba.camera.MarkerSpec;
 import org.evoloop.roomba.camera.vision.FrameSize;
 
 /**
- * How to look.
+ * The settings of a camera.
  *
  * @since 0.1
  */
@@ -52,7 +52,8 @@ public final class CameraSettings {
     }
 
     /**
-     * The usual marker, 60 degrees, 640x480, two frames in a row, stalled after 300 ms, no recording, or one of 50 MB.
+     * The default marker, 60 degrees, 640x480, two frames in a row, stalled after 300 ms, no recording, or one of 50
+     * MB.
      */
     public static CameraSettings of(CameraSource source) {
         return new CameraSettings(
@@ -66,58 +67,58 @@ public final class CameraSettings {
                 USUAL_RECORD_BYTES);
     }
 
-    /** The same that looks for another marker. */
+    /** A copy with another marker. */
     public CameraSettings withMarker(MarkerSpec other) {
         return new CameraSettings(source, other, model, size, framesInARow, staleAfter, record, recordLimitBytes);
     }
 
-    /** The same of another camera. */
+    /** A copy with another camera model. */
     public CameraSettings withModel(CameraModel other) {
         return new CameraSettings(source, marker, other, size, framesInARow, staleAfter, record, recordLimitBytes);
     }
 
-    /** The same that asks for frames of another size. */
+    /** A copy with another frame size. */
     public CameraSettings withSize(FrameSize other) {
         return new CameraSettings(source, marker, model, other, framesInARow, staleAfter, record, recordLimitBytes);
     }
 
-    /** The same that believes what so many frames show. */
+    /** A copy that requires this many frames in a row. */
     public CameraSettings withFramesInARow(int other) {
         return new CameraSettings(source, marker, model, size, other, staleAfter, record, recordLimitBytes);
     }
 
-    /** The same that waits so long for a frame. */
+    /** A copy that waits this long for a frame. */
     public CameraSettings withStaleAfter(Duration other) {
         return new CameraSettings(source, marker, model, size, framesInARow, other, record, recordLimitBytes);
     }
 
-    /** The same that writes what the camera sees to a file, as AVI. */
+    /** A copy that records the camera's frames to a file, as AVI. */
     public CameraSettings withRecord(Path other) {
         return new CameraSettings(
                 source, marker, model, size, framesInARow, staleAfter, Optional.of(other), recordLimitBytes);
     }
 
-    /** The same whose recording takes so many bytes at most, from {@value #LEAST_RECORD_BYTES}. */
+    /** A copy with a recording of at most this many bytes, from {@value #LEAST_RECORD_BYTES}. */
     public CameraSettings withRecordLimit(long bytes) {
         return new CameraSettings(source, marker, model, size, framesInARow, staleAfter, record, bytes);
     }
 
-    /** Where the frames come from. */
+    /** The source of the frames. */
     public CameraSource source() {
         return source;
     }
 
-    /** What is looked for. */
+    /** The marker to look for. */
     public MarkerSpec marker() {
         return marker;
     }
 
-    /** How the camera maps the room to its frames. */
+    /** The camera's model. */
     public CameraModel model() {
         return model;
     }
 
-    /** The size that is wanted of a device's frames. */
+    /** The requested size of a device's frames. */
     public FrameSize size() {
         return size;
     }
@@ -127,17 +128,17 @@ public final class CameraSettings {
         return framesInARow;
     }
 
-    /** How long a camera may be silent: without a new frame for so long, a camera has stalled. */
+    /** The time without a new frame after which a camera counts as stalled. */
     public Duration staleAfter() {
         return staleAfter;
     }
 
-    /** How many bytes a recording takes at most. */
+    /** The largest size of a recording, in bytes. */
     public long recordLimitBytes() {
         return recordLimitBytes;
     }
 
-    /** Where to write what the camera sees, as AVI. */
+    /** The file of the recording, as AVI. */
     public Optional<Path> record() {
         return record;
     }

@@ -22,12 +22,10 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * A camera with two daemon threads: {@code evoloop-camera} owns the source and reads all that comes, {@code
- * evoloop-eye} looks for the marker in the newest frame. However slow looking is, no frame ages in a driver's or a
- * server's buffer.
+ * A camera with two daemon threads: {@code evoloop-camera} owns the source and reads all frames, {@code evoloop-eye}
+ * looks for the marker in the newest one. However slow that is, no frame ages in a driver's or a server's buffer.
  *
- * <p>A source that is not there is no error: it is tried again, and {@link Look#health} says so. Threading:
- * thread-safe.
+ * <p>A missing source is not an error: it is tried again, and {@link Look#health} reports it. Threading: thread-safe.
  *
  * @since 0.1
  */
@@ -53,11 +51,11 @@ public final class VideoCamera implements MarkerCamera {
     private final AtomicLong detections = new AtomicLong();
 
     /**
-     * What a camera has done.
+     * The counts of a camera.
      *
-     * @param looked frames that were looked at
-     * @param detections of them, those that showed the marker
-     * @param damaged frames that could not be used
+     * @param looked processed frames
+     * @param detections the processed frames that showed the marker
+     * @param damaged unusable frames
      */
     public record Counts(long looked, long detections, long damaged) {}
 
@@ -156,7 +154,7 @@ public final class VideoCamera implements MarkerCamera {
         return new Look(seen.frame(), seen.takenNanos(), health.at(clock.nanoTime()), seen.sighting());
     }
 
-    /** What it has done so far. */
+    /** Its counts so far. */
     public Counts counts() {
         return new Counts(last.frame(), detections.get(), grabber.damagedFrames());
     }

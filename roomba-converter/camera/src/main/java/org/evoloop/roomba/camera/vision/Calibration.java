@@ -5,15 +5,15 @@ import java.util.List;
 import org.evoloop.roomba.camera.CameraModel;
 
 /**
- * What a calibration came to.
+ * The result of a calibration.
  *
- * @param errorPx root mean square of how far corners lie from where the model puts them, in pixels; good is below 1
- * @param used the pictures that it rests on
- * @param withoutBoard pictures in which no whole board was found
+ * @param errorPx the root mean square distance of corners from their positions by the model, in pixels; below 1 is good
+ * @param used the pictures used
+ * @param withoutBoard pictures in which no complete board was found
  * @since 0.1
  */
 public record Calibration(CameraModel.Calibrated model, double errorPx, List<Path> used, List<Path> withoutBoard) {
-    /** With fewer pictures of the board there is no telling focal length and distortion apart. */
+    /** With fewer pictures of the board, focal length and distortion cannot be separated. */
     public static final int FEWEST_PICTURES = 3;
 
     public Calibration {

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * Writes what a camera saw, with what was found in it drawn in.
+ * Records a camera's frames, with detections drawn in.
  *
  * <p>Threading: for one thread at a time.
  *

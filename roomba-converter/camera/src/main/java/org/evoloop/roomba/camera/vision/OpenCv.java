@@ -12,8 +12,8 @@ import org.evoloop.roomba.camera.CameraException;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The machine's own OpenCV, found and loaded when it is first asked for. Names and classes differ from release to
- * release of Debian, so that none are shipped: {@code opencv-460.jar} belongs to {@code libopencv_java460.so}.
+ * The machine's own OpenCV, found and loaded at the first request. Names and classes differ between Debian releases, so
+ * none are shipped: {@code opencv-460.jar} belongs to {@code libopencv_java460.so}.
  *
  * <p>The system properties {@code evoloop.opencv.classes} and {@code evoloop.opencv.natives} name other folders than
  * Debian's.

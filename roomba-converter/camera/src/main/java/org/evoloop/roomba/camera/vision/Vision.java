@@ -9,9 +9,9 @@ import org.evoloop.roomba.camera.MarkerDictionary;
 import org.evoloop.roomba.camera.MarkerSpec;
 
 /**
- * OpenCV, as far as it is used here. What it hands out holds native memory and must be closed.
+ * The part of OpenCV used here. The objects that it returns hold native memory and must be closed.
  *
- * <p>Threading: thread-safe; what it hands out belongs to one thread at a time.
+ * <p>Threading: thread-safe; the objects that it returns belong to one thread at a time.
  *
  * @since 0.1
  */

@@ -18,12 +18,12 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Gets the robot on the line and keeps it there: opens the link, wakes the robot, asks for its stream, and begins anew
- * when the cable was pulled or the robot falls silent.
+ * Connects to the robot and stays connected: opens the link, wakes the robot, requests its stream, and starts again
+ * when the cable was unplugged or the robot falls silent.
  *
  * <p>Lifecycle: see {@link ConnectionState}.
  *
- * <p>Without an answer at either rate the first time, {@link #firstAnswer()} fails; the connection goes on asking.
+ * <p>Without an answer at either rate the first time, {@link #firstAnswer()} fails; the connection keeps trying.
  *
  * <p>Threading: everything that may take a moment runs on one thread of its own, or, without waiting, on the clock's.
  * Each link is read on a thread named {@code roomba-reader}, or, without waiting, by {@link #poll}. Commands and {@link
@@ -38,10 +38,10 @@ public final class Connection {
     /** Field code leaves this much after a command that changes the mode. */
     public static final Duration MODE_CHANGE = Duration.ofMillis(20);
 
-    /** How often the connection looks after itself. */
+    /** How often the connection checks itself. */
     public static final Duration LOOK = Duration.ofMillis(250);
 
-    /** A robot that is awake answers within a few frames; more time has one whose silence is borne longer, too. */
+    /** A robot that is awake answers within a few frames; with a longer silence limit it also has more time. */
     public static final Duration ANSWER_LIMIT = Duration.ofSeconds(1);
 
     /** Longer than 500 ms: three shorter pulses after power-on would switch the robot to 19200 baud. */
@@ -50,7 +50,7 @@ public final class Connection {
     /** A robot in Passive mode falls asleep after five minutes; a pulse a minute keeps it awake. */
     static final Duration KEEP_AWAKE = Duration.ofMinutes(1);
 
-    /** How often a robot that sleeps is asked for its stream: somebody may have woken it, and its words were lost. */
+    /** How often a sleeping robot is asked for its stream: it may have been woken, and its messages lost. */
     public static final Duration ASK_SLEEPER = Duration.ofSeconds(5);
 
     /** After a change of the baud rate the robot needs 100 ms. */
@@ -82,11 +82,11 @@ public final class Connection {
     private long pulsedNanos;
 
     /**
-     * What can be chosen.
+     * The options of a connection.
      *
      * @param stream the packets that the robot is to send
-     * @param silenceLimit after so long without a frame the robot is out of sight, in the clock's time
-     * @param mayWait false if time only passes when the caller lets it: then no thread is made
+     * @param silenceLimit the time without a frame after which the robot counts as unreachable, in the clock's time
+     * @param mayWait false if the caller controls the time: then no thread is created
      */
     public record Options(List<PacketId> stream, Duration silenceLimit, boolean mayWait) {}
 
@@ -112,10 +112,11 @@ public final class Connection {
     }
 
     /**
-     * The same for a robot that may come later: what is wrong is told once, and tried again until it is closed.
+     * As {@link #open}, for a robot that may come later: a problem is reported once, and the attempt repeated until
+     * this is closed.
      *
      * @param firstGreeting run when the robot answers for the first time, on the thread that reads
-     * @throws LinkException if the port is there, but is none, or is not for this user
+     * @throws LinkException if the path exists but is not a port, or this user has no permission
      */
     public void openPatiently(Runnable firstGreeting) {
         firstAnswer.waitPatiently(firstGreeting);
@@ -182,7 +183,7 @@ public final class Connection {
         seeLoss(link, plugging);
     }
 
-    /** Reads what has come, for whoever lets time pass by hand. */
+    /** Reads what has arrived, if the caller controls the time. */
     public void poll() {
         Link link = plug.link();
         if (link != null) {
@@ -299,12 +300,12 @@ public final class Connection {
         }
     }
 
-    /** Whether a robot that nobody uses may fall asleep; else it is kept awake. */
+    /** Sets whether an unused robot may fall asleep; else it is kept awake. */
     public void letSleep(boolean may) {
         maySleep = may;
     }
 
-    /** Whether the robot has been let to fall asleep, and has. */
+    /** Whether the robot was allowed to fall asleep, and has done so. */
     public boolean isAsleep() {
         return state.phase() == Phase.ASLEEP;
     }
@@ -327,7 +328,7 @@ public final class Connection {
         });
     }
 
-    /** Bytes have come: a robot that was asleep has been woken by somebody. */
+    /** Bytes have arrived: a robot that was asleep has been woken. */
     public void stirred() {
         if (isAsleep()) {
             thread.run(() -> {
@@ -443,13 +444,13 @@ public final class Connection {
         plug.send(bytes);
     }
 
-    /** Sends a command if that can be done; nobody is told if not. */
+    /** Sends a command if possible; else does nothing. */
     public void trySend(Command command) {
         plug.trySend(command);
     }
 
     /**
-     * Completes what the robot may have received a part of; ends its control.
+     * Completes a command of which the robot may have received a part; ends its control.
      *
      * @see Plug#completeWhateverIsPending
      */
@@ -457,7 +458,7 @@ public final class Connection {
         plug.completeWhateverIsPending();
     }
 
-    /** Whether the robot is heard. */
+    /** Whether the robot is sending. */
     public boolean isUp() {
         return state.phase() == Phase.UP;
     }
@@ -467,12 +468,12 @@ public final class Connection {
         return state.phase() == Phase.DOWN;
     }
 
-    /** Since when nothing is heard of the robot, by the time of day; empty while it is, or sleeps. */
+    /** The time of day since which the robot is silent; empty while it is sending, or asleep. */
     public Optional<Instant> downSince() {
         return isUp() || isAsleep() ? Optional.empty() : Optional.of(downSince);
     }
 
-    /** What is wrong; empty if nothing is. */
+    /** The problem; empty if there is none. */
     public String trouble() {
         return state.trouble();
     }
@@ -487,7 +488,7 @@ public final class Connection {
         return plug.description();
     }
 
-    /** Closes the link; nothing is sent any more. Waits for the connection's thread. Idempotent. */
+    /** Closes the link; nothing is sent after that. Waits for the connection's thread. Idempotent. */
     public void close() {
         state.enter(Phase.CLOSED, "closed");
         firstAnswer.ended(new LinkException(Fault.CLOSED, description() + " was closed before the robot answered"));

@@ -3,7 +3,7 @@ package org.evoloop.roomba.session.connection;
 import org.evoloop.roomba.link.Link;
 
 /**
- * Who makes something of what the robot at the other end of a {@link Connection} says.
+ * Interprets the bytes of the robot at the other end of a {@link Connection}.
  *
  * @since 0.1
  */

@@ -3,7 +3,7 @@ package org.evoloop.roomba.session.connection;
 import java.nio.charset.StandardCharsets;
 
 /**
- * The first bytes that came, to tell what stands at the other end if it does not answer as a Roomba does.
+ * The first bytes received, to identify the device at the other end if it does not answer like a Roomba.
  *
  * <p>Threading: thread-safe.
  *

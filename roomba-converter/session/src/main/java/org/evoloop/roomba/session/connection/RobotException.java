@@ -1,8 +1,8 @@
 package org.evoloop.roomba.session.connection;
 
 /**
- * The cable is fine, but the robot at its other end does not do what it must. The message is written for its owner: it
- * names the port, what is wrong and how to fix it, and needs no stack trace.
+ * The cable works, but the robot at its other end does not respond as required. The message is written for its owner:
+ * it names the port, what is wrong and how to fix it, and needs no stack trace.
  *
  * @since 0.1
  */

@@ -5,9 +5,9 @@ import org.evoloop.roomba.oi.Command;
 import org.evoloop.roomba.oi.SensorValues;
 
 /**
- * What the robot does by itself, followed by the rules of its firmware: at work, each of its buttons pauses it; on and
- * idle, they start what they are named after; in standby CLEAN only switches it on. What is seen of its motors while
- * nobody controls its wheels corrects the estimate, whatever the reason: its schedule, an empty battery, being lifted.
+ * Estimates what the robot does by itself, by the rules of its firmware: at work, each of its buttons pauses it; on and
+ * idle, they start the work that they are named after; in standby CLEAN only switches it on. While nothing controls its
+ * wheels, its motors correct the estimate, whatever the reason: its schedule, an empty battery, being lifted.
  *
  * <p>Time is counted in frames, as in {@link SpotWatch}.
  *
@@ -19,13 +19,13 @@ public final class ActivityEstimate {
     /** Motors that run for so long mean that the robot is at work: 0.5 s. */
     static final int WORK_FRAMES = 33;
 
-    /** A robot that was told to work must show it within 3 s. */
+    /** A robot that was commanded to work must show it within 3 s. */
     public static final int START_FRAMES = 200;
 
     /** A robot that cleans and then drives with its brushes at rest for so long is on its way home: 3 s. */
     static final int HOMEWARD_FRAMES = 200;
 
-    /** What the robot is taken to do. */
+    /** The estimated activity. */
     public enum EstimatedActivity {
         /** Nothing; its light is off. */
         STANDBY,
@@ -40,7 +40,7 @@ public final class ActivityEstimate {
         /** Looking for its dock. */
         DOCK;
 
-        /** Whether the robot moves of its own accord. */
+        /** Whether the robot moves by itself. */
         public boolean isWork() {
             return this != STANDBY && this != ON;
         }
@@ -55,19 +55,19 @@ public final class ActivityEstimate {
     /** Before any command and any frame. */
     public ActivityEstimate() {}
 
-    /** What the robot is taken to do, after the frames so far. */
+    /** The estimate after the frames so far. */
     public EstimatedActivity activity() {
         return activity;
     }
 
-    /** What it did when it was seen last, by another process; its motors show within 3 s if it still does. */
+    /** Sets what it did when another process last saw it; its motors show within 3 s whether it still does. */
     public void assume(EstimatedActivity last) {
         forget();
         activity = last;
         startFramesLeft = last.isWork() ? START_FRAMES : 0;
     }
 
-    /** One of its buttons was pressed while nobody controls it. */
+    /** One of its buttons was pressed while it was not under control. */
     public void pressed(Button button) {
         if (activity.isWork()) {
             if (button == Button.CLEAN || button == Button.SPOT || button == Button.DOCK) {
@@ -114,7 +114,7 @@ public final class ActivityEstimate {
         };
     }
 
-    /** It is under control: whatever it did has ended. */
+    /** It is under control: its own activity has ended. */
     public void controlled() {
         activity = EstimatedActivity.ON;
     }
@@ -136,7 +136,7 @@ public final class ActivityEstimate {
     /**
      * Takes the next frame.
      *
-     * @param workIsNews whether a robot at work is worth telling; not if its work is about to be ended
+     * @param workIsNews whether work should be reported; not if it is about to be ended
      * @return whether it has just been seen what the robot does, which may be known already
      */
     public boolean update(SensorValues values, boolean underControl, boolean workIsNews) {
@@ -173,7 +173,7 @@ public final class ActivityEstimate {
         return begun;
     }
 
-    /** Whether its motors bear out what it is taken to do. */
+    /** Whether its motors confirm the estimate. */
     public boolean isSure() {
         return activity.isWork() ? isAtWork() : isAtRest();
     }

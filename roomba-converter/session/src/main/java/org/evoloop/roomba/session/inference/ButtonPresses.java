@@ -5,7 +5,7 @@ import java.util.Set;
 import org.evoloop.roomba.oi.Button;
 
 /**
- * Finds presses in packet 18, which tells only what is held down at the moment.
+ * Detects presses in packet 18, which only reports the buttons held down at the moment.
  *
  * <p>Threading: not thread-safe.
  *
