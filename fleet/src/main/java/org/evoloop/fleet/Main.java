@@ -9,7 +9,7 @@ import org.evoloop.program.UsersMistakes;
 import org.evoloop.statemachine.ModelException;
 import picocli.CommandLine;
 
-/** Runs the command line; what its user can mend is one message and exit status 2. */
+/** Runs the command line; a mistake of the user is one message and exit status 2. */
 public final class Main {
     private Main() {}
 

@@ -10,7 +10,9 @@ import org.apache.kafka.streams.state.KeyValueStore;
 import org.apache.kafka.streams.state.Stores;
 import org.evoloop.fleet.wire.Topic;
 
-/** What Kafka Streams costs by itself: each record reads the device's bytes, puts them back, and goes through. */
+/**
+ * Measures the cost of Kafka Streams alone: each record reads the device's bytes, writes them back, and is passed on.
+ */
 final class PassThrough implements Processor<String, byte[], String, byte[]> {
     private static final String STORE = "devices";
 

@@ -28,7 +28,10 @@ import org.evoloop.fleet.stream.FleetTopology;
 import org.evoloop.fleet.wire.ModelRecord;
 import org.evoloop.fleet.wire.Topic;
 
-/** How fast records are taken that lie at the broker, from when the instance works until the last is committed. */
+/**
+ * Measures how fast records waiting at the broker are processed, from when the instance works until the last is
+ * committed.
+ */
 final class Throughput {
     private static final int PARTITIONS = 4;
     private static final Duration LIMIT = Duration.ofMinutes(10);
@@ -42,7 +45,7 @@ final class Throughput {
     private int runs;
 
     /**
-     * What a run has measured.
+     * The measurements of a run.
      *
      * @param seconds by the clock
      * @param cpuSeconds of this process: broker, Streams and all

@@ -18,8 +18,8 @@ import org.apache.kafka.metadata.storage.Formatter;
 import org.apache.kafka.server.common.Feature;
 
 /**
- * A Kafka broker of its own in this process, for demos and tests: one node that is broker and controller (KRaft),
- * without replicas, on two free ports of the loopback interface.
+ * A Kafka broker in this process, for demos and tests: one node that is broker and controller (KRaft), without
+ * replicas, on two free ports of the loopback interface.
  *
  * <p>Threading: not thread-safe.
  *
@@ -35,7 +35,7 @@ public final class LocalBroker implements AutoCloseable {
     }
 
     /**
-     * Starts it, which takes some seconds; what was kept in {@code directory} before is there again.
+     * Starts it, which takes some seconds; data from an earlier run in {@code directory} is available again.
      *
      * @throws UncheckedIOException if the directory cannot be written
      */
@@ -47,7 +47,7 @@ public final class LocalBroker implements AutoCloseable {
         }
     }
 
-    /** The same on these ports, such as those that it had before. */
+    /** Starts it on these ports, for example those that it had before. */
     public static LocalBroker start(Path directory, int port, int controllerPort) {
         String bootstrap = "localhost:" + port;
         Properties settings = settings(directory, port, controllerPort);
@@ -108,12 +108,12 @@ public final class LocalBroker implements AutoCloseable {
         }
     }
 
-    /** Where clients find it, as HOST:PORT. */
+    /** Its address for clients, as HOST:PORT. */
     public String bootstrap() {
         return bootstrap;
     }
 
-    /** Ends it; what it has is kept. */
+    /** Ends it; its data is kept. */
     @Override
     public void close() {
         server.shutdown();

@@ -21,8 +21,8 @@ import org.evoloop.fleet.wire.Rollout;
 import org.evoloop.fleet.wire.Topic;
 
 /**
- * A thousand lamps at a real broker, and what can happen to them: presses, an instance that leaves, a poison record,
- * models that take over by share, and models that are no good.
+ * A thousand lamps at a real broker, with presses, an instance that leaves, a poison record, models that take over by
+ * share, and models that are bad.
  *
  * <p>Threading: for one thread.
  *
@@ -47,8 +47,8 @@ public final class Demo implements AutoCloseable {
     /**
      * Creates the topics.
      *
-     * @param lamp the models with which the lamps begin
-     * @param directory for what the instances keep
+     * @param lamp the lamps' first models
+     * @param directory the instances' state directory
      */
     public Demo(String bootstrap, String fleet, ModelRecord lamp, int devices, Path directory, PrintWriter out) {
         this.bootstrap = bootstrap;
@@ -67,7 +67,7 @@ public final class Demo implements AutoCloseable {
         this.edge = new Edge(bootstrap, fleet, compiled.rules().table().models().original(), devices, Set.of("lamp-3"));
     }
 
-    /** Shows it all; returns what was not as it should be. */
+    /** Runs the demo; returns the problems found. */
     public List<String> run() throws InterruptedException {
         edge.write(Topic.MODELS, "lamp-1", lamp.bytes());
         edge.write(Topic.MODELS, "lamp-2", lampWaiting(1_000).bytes());

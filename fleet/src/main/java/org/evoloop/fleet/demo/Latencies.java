@@ -2,12 +2,12 @@ package org.evoloop.fleet.demo;
 
 import java.util.Arrays;
 
-/** How long something took, as often as it happened. */
+/** A list of durations. */
 public final class Latencies {
     private long[] millis = new long[1_024];
     private int size;
 
-    /** One more. */
+    /** Adds a duration. */
     public void add(long each) {
         if (size == millis.length) {
             millis = Arrays.copyOf(millis, 2 * size);
@@ -15,7 +15,7 @@ public final class Latencies {
         millis[size++] = each;
     }
 
-    /** What {@code percent} of them did not exceed, in milliseconds; 0 if there are none. */
+    /** The percentile {@code percent}, in milliseconds; 0 if there are no durations. */
     public long percentile(double percent) {
         if (size == 0) {
             return 0;
@@ -25,12 +25,12 @@ public final class Latencies {
         return sorted[(int) Math.min(size - 1L, Math.round(Math.ceil(percent / 100 * size)) - 1)];
     }
 
-    /** How many there are. */
+    /** The number of durations. */
     public int size() {
         return size;
     }
 
-    /** Begins anew. */
+    /** Removes all durations. */
     public void clear() {
         size = 0;
     }

@@ -10,7 +10,7 @@ import org.evoloop.fleet.wire.ModelRecord;
 import org.evoloop.fleet.wire.Topic;
 
 /**
- * Lamps that are pressed once each, at an even pace.
+ * Presses lamps once each, at an even pace.
  *
  * <p>Threading: for one thread.
  *
@@ -22,7 +22,7 @@ public final class Presses implements AutoCloseable {
 
     private final Edge edge;
 
-    /** Creates the topics and lamps, which an instance of the fleet has yet to take. */
+    /** Creates the topics and lamps; an instance of the fleet has to be started separately. */
     public Presses(String bootstrap, String fleet, ModelRecord lamp, int lamps) {
         try (FleetTopics topics = new FleetTopics(bootstrap, fleet)) {
             topics.create(PARTITIONS);
@@ -33,7 +33,7 @@ public final class Presses implements AutoCloseable {
         edge.register("lamp");
     }
 
-    /** How long each took until its command came. */
+    /** The time that each took until its command came. */
     public Latencies pressEachOnce(int perSecond) {
         await(() -> edge.byModel().getOrDefault("lamp", 0) == edge.size());
         long begun = System.nanoTime();

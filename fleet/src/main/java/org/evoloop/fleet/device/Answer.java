@@ -4,14 +4,14 @@ import org.evoloop.statemachine.State;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What has become of an {@link Order}.
+ * The outcome of an {@link Order}.
  *
  * <p>Threading: immutable.
  *
- * @param sequence that of the order
+ * @param sequence the order's sequence number
  * @param reason why it was not done, for people
- * @param state where the device is, if it was asked and can tell
- * @param atNanos when, in nanoseconds since 1970
+ * @param state the device's state, if it was asked and could tell
+ * @param atNanos the time, in nanoseconds since 1970
  * @since 0.1
  */
 public record Answer(
@@ -21,7 +21,7 @@ public record Answer(
         @Nullable State state,
         long atNanos) {
 
-    /** What can become of an order. */
+    /** The possible outcomes of an order. */
     public enum Outcome {
         /** It was carried out. */
         SENT,

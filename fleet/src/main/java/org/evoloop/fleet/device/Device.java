@@ -29,7 +29,7 @@ import org.jspecify.annotations.Nullable;
  * @since 0.1
  */
 public final class Device {
-    /** When nothing is due. */
+    /** The value if nothing is due. */
     public static final long NEVER = Deadlines.NONE;
 
     private static final long NANOS_PER_MILLI = 1_000_000;
@@ -47,7 +47,7 @@ public final class Device {
     private boolean decided;
     private Kept kept;
 
-    /** One that is new in the fleet, at the time {@code atNanos}, in the initial states of its models. */
+    /** A new device of the fleet, at the time {@code atNanos}, in the initial states of its models. */
     public Device(Model model, long patienceNanos, Hearer hearer, long atNanos) {
         this.hearer = hearer;
         this.patienceNanos = patienceNanos;
@@ -59,10 +59,10 @@ public final class Device {
     }
 
     /**
-     * One that goes on.
+     * A device that continues.
      *
-     * @param model that of {@code kept}
-     * @param patienceNanos after how long an order without an answer is given up
+     * @param model the models of {@code kept}
+     * @param patienceNanos the time after which an order without an answer is given up
      */
     public Device(Model model, Kept kept, long patienceNanos, Hearer hearer) {
         this.hearer = hearer;
@@ -79,7 +79,7 @@ public final class Device {
         this.kept = kept;
     }
 
-    /** All that has to be kept of it. */
+    /** Its state, to be kept. */
     public Kept kept() {
         return kept;
     }
@@ -93,14 +93,16 @@ public final class Device {
         return model;
     }
 
-    /** What it is told, and what it is told to be due before that, happens in the order of time. */
+    /** Takes an occurrence; anything due before it happens first. */
     public void observed(Occurrence occurrence) {
         due(occurrence.observedNanos());
         core.observed(occurrence);
         settle();
     }
 
-    /** Whether an occurrence that a gateway has numbered is told for the first time; it counts as told from now on. */
+    /**
+     * Whether an occurrence numbered by a gateway is reported for the first time; from now on it counts as reported.
+     */
     public boolean isNews(long number) {
         boolean news = number == 0 || number > heard;
         heard = Math.max(heard, number);
@@ -108,8 +110,8 @@ public final class Device {
     }
 
     /**
-     * What has become of an order. What is due by then happens before, so that an order may be given up already; an
-     * answer to one that was answered or was never given counts for nothing.
+     * Takes the answer to an order. Anything due by then happens first, so the order may already have been given up; an
+     * answer to an order that was answered or never given is ignored.
      */
     public void answered(Answer answer) {
         due(answer.atNanos());
@@ -145,7 +147,7 @@ public final class Device {
         }
     }
 
-    /** Tells of all that is due by {@code atNanos}, each as of when it was due, the earliest first. */
+    /** Handles everything due by {@code atNanos}, each at its own time, earliest first. */
     public void due(long atNanos) {
         due(atNanos, false);
     }
@@ -153,7 +155,7 @@ public final class Device {
     /**
      * The same.
      *
-     * @param late whether each is told as of {@code atNanos}, since it is that late
+     * @param late whether each is handled at {@code atNanos} instead of its own time
      */
     public void due(long atNanos, boolean late) {
         long last = NEVER;
@@ -191,13 +193,13 @@ public final class Device {
         return order == null ? NEVER : order.deadlineNanos() + patienceNanos;
     }
 
-    /** When something is due, be it a timer or the answer to an order; {@link #NEVER} if nothing is. */
+    /** When a timer or the answer to an order is next due; {@link #NEVER} if nothing is. */
     public static long dueNanos(Kept kept, long patienceNanos) {
         Map.Entry<Event, Long> timer = Deadlines.next(kept.snapshot());
         return Math.min(orderDue(kept.open(), patienceNanos), timer == null ? NEVER : timer.getValue());
     }
 
-    /** Other models take over if nothing keeps them from that; returns what does, empty if they have. */
+    /** Lets other models take over if possible; returns the reason if not, else empty. */
     public String evolve(Model.Takeover takeover, long atNanos) {
         due(atNanos);
         String hindrance = open == null ? core.hindrance(takeover.swap()) : "an order is not answered yet";

@@ -3,7 +3,7 @@ package org.evoloop.fleet.device;
 import org.evoloop.core.Output;
 
 /**
- * Who hears what comes of what a {@link Device} was told, in order.
+ * Receives the results of a {@link Device}, in order.
  *
  * @since 0.1
  */
@@ -11,7 +11,7 @@ public interface Hearer {
     /** Somebody has to do this. */
     void ordered(Order order);
 
-    /** Something has become of an occurrence, of the record or of the models. */
+    /** A notice about an occurrence, the record or the models. */
     void noted(Output.Notice notice);
 
     /**

@@ -8,7 +8,7 @@ import org.evoloop.core.text.SnapshotText;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What is {@link Kept} of a device as UTF-8: a line of its own, then the snapshot's text.
+ * The text of {@link Kept}, in UTF-8: one line, then the snapshot's text.
  *
  * <p>Threading: thread-safe.
  *
@@ -42,9 +42,9 @@ public final class KeptText {
     }
 
     /**
-     * The version of the models of which {@code bytes} tell.
+     * The version of the models in {@code bytes}.
      *
-     * @throws IllegalArgumentException if they are no such text, or one of another version
+     * @throws IllegalArgumentException if they are not such a text, or one of another version
      */
     public static String model(byte[] bytes) {
         int end = 0;
@@ -55,11 +55,11 @@ public final class KeptText {
     }
 
     /**
-     * What {@code bytes} tell of.
+     * Parses {@code bytes}.
      *
-     * @param rules of the version that {@link #model} names
+     * @param rules the rules of the version given by {@link #model}
      * @throws IllegalArgumentException if they are no such text
-     * @throws SnapshotException if the models do not have what they name
+     * @throws SnapshotException if they name something that the models lack
      */
     public static Kept read(Rules rules, byte[] bytes) {
         String text = new String(bytes, StandardCharsets.UTF_8);

@@ -5,20 +5,20 @@ import org.evoloop.core.Swap;
 import org.evoloop.migration.Mapping;
 
 /**
- * A pair of models under a name that means the same for good.
+ * A pair of models under a permanent name.
  *
  * <p>Threading: immutable.
  *
- * @param version what devices call it
+ * @param version its name
  * @since 0.1
  */
 public record Model(String version, Rules rules) {
 
-    /** How another one takes over from this one. */
+    /** The takeover by another pair from this one. */
     public Takeover to(Model next, Mapping mapping) {
         return new Takeover(next, Swap.of(rules, next.rules, mapping));
     }
 
-    /** Another pair, and what becomes in it of what is known. */
+    /** Another pair, and how the state maps to it. */
     public record Takeover(Model next, Swap swap) {}
 }

@@ -3,20 +3,20 @@ package org.evoloop.fleet.device;
 import org.evoloop.evolution.Values;
 
 /**
- * What somebody at the device has to do, once.
+ * A task to be carried out at the device, once.
  *
  * <p>Threading: immutable.
  *
- * @param sequence counts the orders to one device, from 1; whoever carries them out does nothing twice
- * @param occurrence the number of the occurrence for which it is
- * @param what the event to send, or the effect to run; empty if the device is to say where it is
- * @param values what the occurrence carries
- * @param deadlineNanos nobody carries it out later than this, in nanoseconds since 1970
+ * @param sequence its number among the device's orders, from 1; an order must not be carried out twice
+ * @param occurrence the number of its occurrence
+ * @param what the event to send, or the effect to run; empty if the device is to report its state
+ * @param values the values of the occurrence
+ * @param deadlineNanos the time after which it must not be carried out, in nanoseconds since 1970
  * @since 0.1
  */
 public record Order(long sequence, long occurrence, Kind kind, String what, Values values, long deadlineNanos) {
 
-    /** What is asked for. */
+    /** The kind of an order. */
     public enum Kind {
         /** The device is to get an event. */
         SEND,
@@ -26,7 +26,7 @@ public record Order(long sequence, long occurrence, Kind kind, String what, Valu
         LOCATE
     }
 
-    /** Of an order, what has to be known to understand its answer. */
+    /** The part of an order that is needed to interpret its answer. */
     public record Open(long sequence, long occurrence, Kind kind, long deadlineNanos) {
         static Open of(Order order) {
             return new Open(order.sequence, order.occurrence, order.kind, order.deadlineNanos);

@@ -36,8 +36,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * The devices of an MQTT broker in a fleet. Under {@code evoloop/DEVICE/} a device publishes on {@code occurrence} and
- * {@code effect}, and listens to {@code command}; the payloads are the fleet's records.
+ * Connects the devices of an MQTT broker to a fleet. Under {@code evoloop/DEVICE/} a device publishes on {@code
+ * occurrence} and {@code effect}, and listens to {@code command}; the payloads are the fleet's records.
  *
  * <p>Lifecycle: {@link #start}, then {@link #close}.
  *
@@ -65,11 +65,11 @@ public final class Gateway implements AutoCloseable {
     private String told = "";
 
     /**
-     * One that is not started yet.
+     * A gateway that is not started yet.
      *
-     * @param name of this gateway, which no other of the fleet has
-     * @param directory for what the fleet does not have yet
-     * @param teller hears how the links are, when that changes
+     * @param name the name of this gateway, unique in the fleet
+     * @param directory the directory for records that the fleet does not have yet
+     * @param teller receives changes of the links' status
      */
     public Gateway(
             String bootstrap,
@@ -97,7 +97,7 @@ public final class Gateway implements AutoCloseable {
         return "evoloop/" + device + '/' + what;
     }
 
-    /** Begins; waits for neither broker. */
+    /** Starts; waits for neither broker. */
     public void start() {
         mqtt.open();
         threads.add(new Thread(this::sendAll, "gateway-" + name + "-sender"));
@@ -244,12 +244,12 @@ public final class Gateway implements AutoCloseable {
 
     // How it is
 
-    /** How many records wait until the fleet is reached. */
+    /** The number of records that wait for a connection to the fleet. */
     public int waiting() {
         return outbox.size();
     }
 
-    /** Whether the devices' broker is reached. */
+    /** Whether the devices' broker is connected. */
     public boolean reachesDevices() {
         return mqtt.isUp();
     }

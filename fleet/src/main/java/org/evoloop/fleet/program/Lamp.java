@@ -18,9 +18,9 @@ public final class Lamp {
     private Lamp() {}
 
     /**
-     * The lamp that waits so long for the second press.
+     * The lamp that waits this long for the second press.
      *
-     * @throws FleetException if its file is not there
+     * @throws FleetException if its file does not exist
      */
     public static ModelRecord waiting(long millis) {
         Path file = Path.of(System.getProperty("evoloop.home", "."), "models", "light-bulb.xml");

@@ -8,19 +8,19 @@ import java.util.List;
 import java.util.stream.Stream;
 
 /**
- * A directory for as long as a program runs.
+ * A temporary directory, deleted when the program ends.
  *
  * @since 0.1
  */
 public final class Scratch implements AutoCloseable {
     private final Path directory;
 
-    /** A fresh one, on a disk rather than in memory. */
+    /** A new directory, on a disk rather than in memory. */
     public Scratch() throws IOException {
         directory = Files.createTempDirectory(Path.of("/var/tmp"), "evoloop-fleet-");
     }
 
-    /** Where it is. */
+    /** Its path. */
     public Path directory() {
         return directory;
     }

@@ -37,12 +37,12 @@ public final class Fleet implements AutoCloseable {
     private final CountDownLatch ended = new CountDownLatch(1);
     private volatile @Nullable Throwable failure;
 
-    /** One that is not started yet. */
+    /** An instance that is not started yet. */
     public Fleet(String bootstrap, FleetSettings settings) {
         this(bootstrap, settings, FleetTopology.of(settings));
     }
 
-    /** The same with another topology, such as one to compare with. */
+    /** An instance with another topology, for example for comparison. */
     public Fleet(String bootstrap, FleetSettings settings, Topology topology) {
         name = settings.fleet();
         streams = new KafkaStreams(topology, properties(bootstrap, settings));
@@ -85,7 +85,7 @@ public final class Fleet implements AutoCloseable {
                 settings.session().toMillis());
         properties.put(StreamsConfig.consumerPrefix(ConsumerConfig.HEARTBEAT_INTERVAL_MS_CONFIG), (int)
                 Math.min(3_000, settings.session().toMillis() / 3));
-        // Nobody sees a record before it is committed, so that it may wait for others until then.
+        // A record is invisible before it is committed, so it may wait for others until then.
         properties.put(StreamsConfig.producerPrefix(ProducerConfig.LINGER_MS_CONFIG), (int)
                 Math.min(settings.commitInterval().toMillis(), MOST_LINGER_MILLIS));
         properties.put(StreamsConfig.producerPrefix(ProducerConfig.BATCH_SIZE_CONFIG), BATCH_BYTES);
@@ -119,12 +119,12 @@ public final class Fleet implements AutoCloseable {
         }
     }
 
-    /** What its topics begin with. */
+    /** The prefix of its topics. */
     public String name() {
         return name;
     }
 
-    /** For whoever looks closer. */
+    /** The Kafka Streams instance, for inspection. */
     public KafkaStreams streams() {
         return streams;
     }

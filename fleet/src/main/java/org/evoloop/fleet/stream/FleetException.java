@@ -1,12 +1,12 @@
 package org.evoloop.fleet.stream;
 
 /**
- * That something of a fleet is not as it has to be, in words for whoever can mend it.
+ * A problem with a fleet, described for the person who can fix it.
  *
  * @since 0.1
  */
 public final class FleetException extends RuntimeException {
-    /** @param message names what is wrong, and how to mend it */
+    /** @param message the problem, and how to fix it */
     public FleetException(String message) {
         super(message);
     }

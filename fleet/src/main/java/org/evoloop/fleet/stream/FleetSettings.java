@@ -5,7 +5,7 @@ import java.time.Duration;
 import java.util.Objects;
 
 /**
- * How an instance of a fleet runs.
+ * The settings of a fleet's instance.
  *
  * <p>Threading: immutable.
  *
@@ -26,7 +26,7 @@ public final class FleetSettings {
 
     private FleetSettings() {}
 
-    /** Those that an instance has if nobody says otherwise. */
+    /** The defaults. */
     public static FleetSettings defaults() {
         return new FleetSettings();
     }
@@ -45,7 +45,7 @@ public final class FleetSettings {
         inMemory = other.inMemory;
     }
 
-    /** The same for the fleet {@code name}: its topics begin with that, and its instances share the work. */
+    /** A copy for the fleet {@code name}, which is the prefix of its topics, and whose instances share the work. */
     public FleetSettings withFleet(String name) {
         if (!name.matches("[A-Za-z0-9._-]{1,100}")) {
             throw new IllegalArgumentException(
@@ -56,28 +56,31 @@ public final class FleetSettings {
         return next;
     }
 
-    /** The same with another directory for what is kept on this machine: a copy, which may be lost. */
+    /** A copy with another directory for the state on this machine, which is itself only a copy that may be lost. */
     public FleetSettings withStateDirectory(Path directory) {
         FleetSettings next = new FleetSettings(this);
         next.stateDirectory = Objects.requireNonNull(directory);
         return next;
     }
 
-    /** The same where a command is carried out within {@code limit} or not at all, and given up after twice that. */
+    /** A copy in which a command is carried out within {@code limit} or not at all, and given up after twice that. */
     public FleetSettings withPatience(Duration limit) {
         FleetSettings next = new FleetSettings(this);
         next.patience = atLeastMillis(limit, "patience");
         return next;
     }
 
-    /** The same where results become visible that often: a shorter interval is sooner, a longer one does more. */
+    /**
+     * A copy with another interval between commits, which make results visible: a shorter one reduces latency, a longer
+     * one increases throughput.
+     */
     public FleetSettings withCommitInterval(Duration interval) {
         FleetSettings next = new FleetSettings(this);
         next.commitInterval = atLeastMillis(interval, "commit interval");
         return next;
     }
 
-    /** The same where records are refused that are so far ahead of, or behind, this machine's clock. */
+    /** A copy in which records that are this far ahead of, or behind, this machine's clock are refused. */
     public FleetSettings withClockLimits(Duration ahead, Duration behind) {
         FleetSettings next = new FleetSettings(this);
         next.clockAhead = atLeastMillis(ahead, "clock limit");
@@ -85,14 +88,14 @@ public final class FleetSettings {
         return next;
     }
 
-    /** The same where an instance that is not heard of for so long has failed, and others take its devices. */
+    /** A copy in which an instance that is silent for this long counts as failed, and others take its devices. */
     public FleetSettings withSession(Duration timeout) {
         FleetSettings next = new FleetSettings(this);
         next.session = atLeastMillis(timeout, "session timeout");
         return next;
     }
 
-    /** The same with so many threads. */
+    /** A copy with this number of threads. */
     public FleetSettings withThreads(int number) {
         if (number < 1 || number > 1_000) {
             throw new IllegalArgumentException("threads is " + number + ", allowed is 1 to 1000");
@@ -102,7 +105,7 @@ public final class FleetSettings {
         return next;
     }
 
-    /** The same where so many other instances keep a copy of each device, and can take it at once. */
+    /** A copy in which this many other instances keep a copy of each device, and can take it over at once. */
     public FleetSettings withStandbys(int number) {
         if (number < 0 || number > 10) {
             throw new IllegalArgumentException("standbys is " + number + ", allowed is 0 to 10");
@@ -112,14 +115,14 @@ public final class FleetSettings {
         return next;
     }
 
-    /** The same where time passes by the timestamps of records only, for tests and for what is replayed. */
+    /** A copy in which only the timestamps of records advance the time, for tests and replays. */
     public FleetSettings withStreamTime() {
         FleetSettings next = new FleetSettings(this);
         next.wallClock = false;
         return next;
     }
 
-    /** The same where devices are kept in memory, and not on disk as well. */
+    /** A copy in which devices are kept only in memory, not on disk. */
     public FleetSettings withDevicesInMemory() {
         FleetSettings next = new FleetSettings(this);
         next.inMemory = true;
@@ -133,22 +136,22 @@ public final class FleetSettings {
         return duration;
     }
 
-    /** What the topics' names begin with, and what the instances have in common. */
+    /** The prefix of the topics' names, shared by the instances. */
     public String fleet() {
         return fleet;
     }
 
-    /** Where things are kept on this machine. */
+    /** The directory of the state on this machine. */
     public Path stateDirectory() {
         return stateDirectory;
     }
 
-    /** How long there is for a command. */
+    /** The time limit of a command. */
     public Duration patience() {
         return patience;
     }
 
-    /** How often results become visible. */
+    /** The interval at which results become visible. */
     public Duration commitInterval() {
         return commitInterval;
     }
@@ -163,12 +166,12 @@ public final class FleetSettings {
         return clockBehind;
     }
 
-    /** For how long an instance may be silent. */
+    /** How long an instance may be silent. */
     public Duration session() {
         return session;
     }
 
-    /** How many threads work. */
+    /** The number of threads. */
     public int threads() {
         return threads;
     }

@@ -24,7 +24,7 @@ import org.apache.kafka.common.errors.UnknownTopicOrPartitionException;
 import org.evoloop.fleet.wire.Topic;
 
 /**
- * The topics of a fleet at a cluster.
+ * The topics of a fleet in a cluster.
  *
  * <p>Threading: not thread-safe.
  *
@@ -38,7 +38,7 @@ public final class FleetTopics implements AutoCloseable {
     private final String fleet;
     private final Admin admin;
 
-    /** @throws FleetException if {@code bootstrap} is no address */
+    /** @throws FleetException if {@code bootstrap} is not an address */
     public FleetTopics(String bootstrap, String fleet) {
         this.bootstrap = bootstrap;
         this.fleet = fleet;
@@ -53,7 +53,7 @@ public final class FleetTopics implements AutoCloseable {
         }
     }
 
-    /** Makes those that are missing; {@code partitions} are how many parts the devices are divided into. */
+    /** Creates the missing topics; {@code partitions} is the number of partitions of the devices. */
     public void create(int partitions) {
         for (Topic topic : Topic.values()) {
             NewTopic wanted =
@@ -85,9 +85,9 @@ public final class FleetTopics implements AutoCloseable {
     }
 
     /**
-     * Checks that all are there, and fit together; returns into how many parts the devices are divided.
+     * Checks that all topics exist and fit together; returns the number of partitions of the devices.
      *
-     * @throws FleetException naming all that are missing or do not fit
+     * @throws FleetException naming all topics that are missing or do not fit
      */
     public int check() {
         Map<Topic, Integer> found = new TreeMap<>();
@@ -121,7 +121,7 @@ public final class FleetTopics implements AutoCloseable {
         return partitions;
     }
 
-    /** Deletes them and what they hold, with what the instances have kept at the cluster. */
+    /** Deletes the topics with their contents, and the instances' state in the cluster. */
     public void delete() {
         Set<String> all = new TreeSet<>(await(admin.listTopics().names()));
         all.removeIf(name -> !name.startsWith(fleet + '.') && !name.startsWith(fleet + '-'));

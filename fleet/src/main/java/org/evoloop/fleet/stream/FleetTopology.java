@@ -17,7 +17,7 @@ import org.apache.kafka.streams.state.Stores;
 import org.evoloop.fleet.wire.Topic;
 
 /**
- * Which topics lead through which processors.
+ * The topology of topics and processors.
  *
  * @since 0.1
  */
@@ -30,7 +30,7 @@ public final class FleetTopology {
 
     private FleetTopology() {}
 
-    /** The topology of the fleet that {@code settings} name. */
+    /** The topology of the fleet named in {@code settings}. */
     public static Topology of(FleetSettings settings) {
         Topology topology = new Topology();
         Map<String, Topic> topics = new HashMap<>();

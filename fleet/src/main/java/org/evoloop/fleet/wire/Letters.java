@@ -12,7 +12,7 @@ import org.evoloop.fleet.device.Order;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What one record, or one moment, has a device say, as it goes to the topics.
+ * The outgoing records of a device for one incoming record or one moment.
  *
  * <p>Threading: not thread-safe.
  *
@@ -25,12 +25,12 @@ public final class Letters implements Hearer {
     private long good;
     private long bad;
 
-    /** What goes to a topic. */
+    /** A record for a topic. */
     @SuppressWarnings("ArrayRecordComponent") // nobody compares letters
     public record Letter(Topic topic, byte[] text) {}
 
     /**
-     * Begins anew with a device that has the models {@code version}, and was left as {@code kept}, if it is not new.
+     * Starts again with a device that has the models {@code version} and, if it is not new, the state {@code kept}.
      */
     public void begin(String version, @Nullable Kept kept) {
         letters.clear();
@@ -40,7 +40,7 @@ public final class Letters implements Hearer {
         bad = 0;
     }
 
-    /** What is said from now on is of the models {@code version}. */
+    /** Records from now on are of the models {@code version}. */
     public void becomes(String version) {
         model = version;
     }
@@ -98,12 +98,12 @@ public final class Letters implements Hearer {
         letters.add(new Letter(topic, text));
     }
 
-    /** How much of what has ended was as it should be. */
+    /** The number of successes. */
     public long good() {
         return good;
     }
 
-    /** How much has failed, or was not where the models had it. */
+    /** The number of failures, and of findings that differ from the models. */
     public long bad() {
         return bad;
     }

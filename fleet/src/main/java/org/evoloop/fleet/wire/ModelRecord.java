@@ -22,19 +22,19 @@ import org.evoloop.statemachine.StateMachine;
 import org.evoloop.xmi.XmiFile;
 
 /**
- * A pair of models as it stands in {@link Topic#MODELS}.
+ * A pair of models in {@link Topic#MODELS}.
  *
- * @param file what messages call the model file
+ * @param file the model file's name in messages
  * @param text the model file
  * @param original the machine in it that is the device's
  * @param evolved the machine in it that is wanted
- * @param timers after how long a state raises an event, besides what is drawn
+ * @param timers the timers of states, in addition to the drawn ones
  * @param queueCapacity how many events may wait
  * @since 0.1
  */
 public record ModelRecord(
         String file, String text, String original, String evolved, List<Timer> timers, int queueCapacity) {
-    /** How many events may wait if nobody says otherwise. */
+    /** The default queue capacity. */
     public static final int QUEUE = 8;
 
     private static final Pattern VERSION = Pattern.compile("[A-Za-z0-9._-]{1,100}");
@@ -43,7 +43,7 @@ public record ModelRecord(
     /** An event that {@code state} raises. */
     public record Timer(String state, String event, long millis) {}
 
-    /** Reads what {@link #bytes} has written. */
+    /** Parses the result of {@link #bytes}. */
     static ModelRecord of(Reading record) {
         List<Timer> timers = record.each("timers").stream()
                 .map(timer -> new Timer(timer.text("state"), timer.text("event"), timer.number("millis")))
@@ -74,7 +74,7 @@ public record ModelRecord(
     /**
      * The models of a record, compiled.
      *
-     * @throws Refusal naming what is wrong with them
+     * @throws Refusal naming the problem
      */
     public static Model read(String version, byte[] bytes) {
         if (!VERSION.matcher(version).matches()) {

@@ -20,7 +20,7 @@ import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
 /**
- * What is read from a fleet's topics. Members that it does not know count for nothing.
+ * A record read from a fleet's topics. Unknown members are ignored.
  *
  * <p>Threading: thread-safe.
  *
@@ -38,7 +38,7 @@ public final class Reading {
     /**
      * Reads a record.
      *
-     * @throws Refusal if it is no JSON object, or one of a newer schema
+     * @throws Refusal if it is not a JSON object, or one of a newer schema
      */
     public static Reading of(byte @Nullable [] bytes) {
         JsonNode node;
@@ -62,7 +62,7 @@ public final class Reading {
         return reading;
     }
 
-    /** What this record of {@link Topic#OCCURRENCES} tells of. */
+    /** The occurrence in this record of {@link Topic#OCCURRENCES}. */
     public Occurrence occurrence() {
         long at = Wire.nanos(number("atMillis"));
         String kind = record.has("kind") ? text("kind") : "heard";
@@ -80,7 +80,7 @@ public final class Reading {
         }
     }
 
-    /** What this record of {@link Topic#EFFECTS} tells of. */
+    /** The answer in this record of {@link Topic#EFFECTS}. */
     public Answer answer() {
         String state = record.has("state") ? text("state") : null;
         return new Answer(
@@ -91,7 +91,7 @@ public final class Reading {
                 Wire.nanos(number("atMillis")));
     }
 
-    /** What this record of {@link Topic#COMMANDS} asks for. */
+    /** The order in this record of {@link Topic#COMMANDS}. */
     public Order order() {
         Order.Kind kind = constant(Order.Kind.values(), "kind");
         String what = kind == Order.Kind.LOCATE ? "" : text(kind == Order.Kind.SEND ? "event" : "effect");
@@ -160,7 +160,7 @@ public final class Reading {
         return record.has(name) ? number(name) : otherwise;
     }
 
-    /** The number of that name, which need not be whole; {@code otherwise} if there is none. */
+    /** The number of that name, possibly with a fraction; {@code otherwise} if there is none. */
     public double fraction(String name, double otherwise) {
         JsonNode node = record.get(name);
         if (node == null) {

@@ -1,7 +1,7 @@
 package org.evoloop.fleet.wire;
 
 /**
- * Why a record cannot be taken. It goes to the dead letters and is in nobody's way.
+ * A record cannot be processed. It goes to the dead letters and blocks nothing.
  *
  * <p>Threading: immutable.
  *
@@ -10,9 +10,9 @@ package org.evoloop.fleet.wire;
 public final class Refusal extends RuntimeException {
     private final Reason reason;
 
-    /** The kinds of reasons; their names are what a dead letter says. */
+    /** The reasons; dead letters contain their names. */
     public enum Reason {
-        /** The record is not what its topic is for. */
+        /** The record has the wrong form for its topic. */
         MALFORMED,
         /** It is of a schema that this program does not know. */
         NEWER_SCHEMA,
@@ -32,18 +32,18 @@ public final class Refusal extends RuntimeException {
         DEFECT
     }
 
-    /** @param detail for people */
+    /** @param detail the problem, for people */
     public Refusal(Reason reason, String detail) {
         super(detail, null, false, false);
         this.reason = reason;
     }
 
-    /** What kind of reason. */
+    /** The reason. */
     public Reason reason() {
         return reason;
     }
 
-    /** What is wrong, for people. */
+    /** The problem, for people. */
     public String detail() {
         return String.valueOf(getMessage());
     }

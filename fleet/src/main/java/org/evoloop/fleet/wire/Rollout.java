@@ -7,16 +7,16 @@ import org.evoloop.migration.Mapping;
 import org.evoloop.statemachine.ModelException;
 
 /**
- * Models that take over from others in a share of the fleet, as it stands in {@link Topic#ROLLOUTS}.
+ * A rollout in {@link Topic#ROLLOUTS}: models that take over from others in a share of the fleet.
  *
- * @param name of the rollout: a greater share under the same name takes in more devices, and all of those before
- * @param from the version that is left
- * @param to the version that takes over
- * @param percent of the devices that have {@code from}, 0 to 100
- * @param mapping what does not go by its name, as in the files of {@code evoloop models migrate}
- * @param stopPercent it stops if more than so many of what happens to these devices are failures or divergences
- * @param stopAfter once so many were counted
- * @param stopped why it has stopped, and leads back; empty while it goes on
+ * @param name the rollout's name: a greater share under the same name includes all earlier devices and more
+ * @param from the old version
+ * @param to the new version
+ * @param percent the share of the devices that have {@code from}, 0 to 100
+ * @param mapping the exceptions from mapping by name, as in the files of {@code evoloop models migrate}
+ * @param stopPercent it stops if a higher percentage of these devices' results are failures or divergences
+ * @param stopAfter the number of results before it may stop
+ * @param stopped why it has stopped and is rolled back; empty while it continues
  * @since 0.1
  */
 public record Rollout(
@@ -29,7 +29,7 @@ public record Rollout(
         long stopAfter,
         String stopped) {
 
-    /** Reads what {@link #bytes} has written. */
+    /** Parses the result of {@link #bytes}. */
     public static Rollout read(String name, byte[] bytes) {
         Reading record = Reading.of(bytes);
         return new Rollout(
@@ -56,19 +56,19 @@ public record Rollout(
                 .bytes();
     }
 
-    /** The same with another share. */
+    /** A copy with another share. */
     public Rollout withPercent(double other) {
         return new Rollout(name, from, to, other, mapping, stopPercent, stopAfter, stopped);
     }
 
-    /** The same, which leads back. */
+    /** A copy that is rolled back. */
     public Rollout stoppedBecause(String why) {
         return new Rollout(name, from, to, percent, mapping, stopPercent, stopAfter, why);
     }
 
     /**
-     * How it leads from the models {@code one} to {@code other}, which are those that it names; the other way if it
-     * leads back.
+     * The takeover from the models {@code one} to {@code other}, the two of this rollout; in the reverse direction if
+     * it is rolled back.
      *
      * @throws ModelException if the mapping does not fit them
      */
@@ -81,12 +81,12 @@ public record Rollout(
         return isRolling() ? one.to(other, mapping) : other.to(one, mapping.reversed());
     }
 
-    /** Whether it still leads from {@link #from} to {@link #to}. */
+    /** Whether it still goes from {@link #from} to {@link #to}. */
     public boolean isRolling() {
         return stopped.isEmpty();
     }
 
-    /** Whether it is for {@code device}: by the device's id, so that each share contains the smaller ones. */
+    /** Whether it includes {@code device}, decided by the device's id, so that each share contains the smaller ones. */
     public boolean takesIn(String device) {
         CRC32 sum = new CRC32();
         sum.update((name + '/' + device).getBytes(StandardCharsets.UTF_8));

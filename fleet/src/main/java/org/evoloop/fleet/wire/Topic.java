@@ -3,8 +3,8 @@ package org.evoloop.fleet.wire;
 import java.util.Locale;
 
 /**
- * What a fleet's topics are for. Each is keyed by the device's id, but for {@link #MODELS} (version) and {@link
- * #ROLLOUTS} and {@link #VERDICTS} (the rollout's name).
+ * The topics of a fleet. Each is keyed by the device's id, except {@link #MODELS} (version) and {@link #ROLLOUTS} and
+ * {@link #VERDICTS} (the rollout's name).
  *
  * @since 0.1
  */
@@ -39,7 +39,8 @@ public enum Topic {
     }
 
     /**
-     * Whether it has as many partitions as the others of which that is true: what belongs to a device lies together.
+     * Whether it is partitioned by device. All such topics have the same number of partitions, so that the records of a
+     * device are in the same partition.
      */
     public boolean isByDevice() {
         return byDevice;

@@ -37,7 +37,7 @@ final class Transcript {
     private volatile boolean isReady;
     private final List<String> later = new ArrayList<>();
 
-    /** How many lines were dropped because it was full. */
+    /** How many lines were dropped because {@link #later} was full. */
     private int leftOut;
 
     private boolean inEvent;

@@ -129,7 +129,7 @@ final class Sequencer<O> {
         if (TURN.compareAndSet(this, from, next)) {
             return next.goOn(from.cycle(), result);
         }
-        // It may be being marked as stuck under the lock, and must see that before it returns.
+        // It was given up: it is marked as stuck under the lock, and must see that before it returns.
         lock.acquire();
         lock.release();
         return null;

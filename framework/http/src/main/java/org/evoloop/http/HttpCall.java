@@ -15,13 +15,13 @@ import java.util.TreeMap;
  * @param address with {@code http://} or {@code https://}
  * @param headers by name
  * @param body as text in UTF-8; empty for none
- * @param repeatable whether the device may get it twice without harm, as "on" but not "toggle"
+ * @param repeatable whether the device may get it twice without harm, such as "on" but not "toggle"
  * @since 0.1
  */
 public record HttpCall(String method, URI address, Map<String, String> headers, String body, boolean repeatable) {
     private static final String OWN_HEADERS = "(?i)host|connection|content-length|transfer-encoding|expect|upgrade";
 
-    /** @throws IllegalArgumentException if the address is none of HTTP, or a header cannot be sent */
+    /** @throws IllegalArgumentException if the address is not an HTTP address, or a header cannot be sent */
     public HttpCall {
         headers = Map.copyOf(headers);
         String scheme = address.getScheme() == null ? "" : address.getScheme().toLowerCase(Locale.ROOT);
@@ -39,7 +39,7 @@ public record HttpCall(String method, URI address, Map<String, String> headers, 
         });
     }
 
-    /** A GET, which many devices take for a command. */
+    /** A GET, which many devices accept as a command. */
     public static HttpCall get(String address) {
         return new HttpCall("GET", URI.create(address), Map.of(), "", false);
     }
@@ -54,14 +54,14 @@ public record HttpCall(String method, URI address, Map<String, String> headers, 
         return new HttpCall("PUT", URI.create(address), Map.of(), body, false);
     }
 
-    /** The same with a header more, such as {@code Content-Type} or {@code Authorization}. */
+    /** A copy with another header, such as {@code Content-Type} or {@code Authorization}. */
     public HttpCall header(String name, String value) {
         Map<String, String> more = new TreeMap<>(headers);
         more.put(name, value);
         return new HttpCall(method, address, more, body, repeatable);
     }
 
-    /** The same; the device may get it twice without harm, so it is sent again when it is not answered. */
+    /** A copy that the device may get twice without harm, so it is repeated if it is not answered. */
     public HttpCall canBeRepeated() {
         return new HttpCall(method, address, headers, body, true);
     }

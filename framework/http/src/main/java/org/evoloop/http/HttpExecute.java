@@ -40,9 +40,9 @@ public class HttpExecute extends EventExecute implements DeviceLink {
     /**
      * A component that sends these events.
      *
-     * @param name what the console calls it, unique within a converter
-     * @param calls what to send, by event
-     * @param limit within which the device answers
+     * @param name its name in the console, unique within a converter
+     * @param calls the calls to send, by event
+     * @param limit the time limit for the device's answer
      */
     public HttpExecute(String name, Map<String, HttpCall> calls, Duration limit) {
         super(name);
@@ -51,7 +51,8 @@ public class HttpExecute extends EventExecute implements DeviceLink {
     }
 
     /**
-     * The device can be asked where it is, when a request may not have arrived and whenever the converter is in doubt.
+     * Sets a question for the device's state, asked when a request may not have arrived and whenever the converter is
+     * in doubt.
      *
      * @param call the question, which may be asked again
      * @param state the state of the original model that an answer's body means

@@ -39,9 +39,9 @@ public class HttpMonitor extends PushMonitor implements AutoCloseable {
     private @Nullable RequestServer server;
 
     /**
-     * Nothing listens yet.
+     * A monitor that does not listen yet.
      *
-     * @param name what the console calls it, unique within a converter
+     * @param name its name in the console, unique within a converter
      * @param port to listen on; 0 for any that is free
      */
     public HttpMonitor(String name, int port) {
@@ -62,22 +62,22 @@ public class HttpMonitor extends PushMonitor implements AutoCloseable {
     }
 
     /**
-     * This request tells that a control of the controller was operated.
+     * Sets the request that reports that a control of the controller was operated.
      *
      * @param request a method and a path, as in {@code POST /power}
-     * @throws IllegalArgumentException if it is something else, or was said before
+     * @throws IllegalArgumentException if it is something else, or was set before
      */
     public final HttpMonitor controller(String request, String event) {
         return on(request, values -> press(event, values));
     }
 
-    /** This request tells that the device has done something by itself; see {@link #controller}. */
+    /** Sets the request that reports that the device has done something by itself; see {@link #controller}. */
     public final HttpMonitor device(String request, String event) {
         devicesOwn.add(event);
         return on(request, values -> push(fromDevice(event, values)));
     }
 
-    /** This request tells that the device is in this state of its model; see {@link #controller}. */
+    /** Sets the request that reports that the device is in this state of its model; see {@link #controller}. */
     public final HttpMonitor found(String request, String state) {
         return on(request, values -> push(foundIn(state)));
     }
@@ -91,9 +91,9 @@ public class HttpMonitor extends PushMonitor implements AutoCloseable {
     }
 
     /**
-     * Begins to listen.
+     * Starts listening.
      *
-     * @throws IOException if the port cannot be had; the message says what to do
+     * @throws IOException if the port cannot be used; the message says what to do
      */
     public final synchronized HttpMonitor open() throws IOException {
         if (server == null) {

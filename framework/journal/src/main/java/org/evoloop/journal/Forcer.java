@@ -68,7 +68,7 @@ final class Forcer implements AutoCloseable {
 
     private void sleep() {
         asleep = true;
-        // A write before {@code asleep} was set woke no thread, so the flags are checked again.
+        // A write before the flag was set woke no thread, so everything is checked again.
         while (asleep && !closed && chores.isEmpty() && !isDirty()) {
             LockSupport.park(this);
         }

@@ -13,11 +13,11 @@ import org.evoloop.function.Reading;
 import org.evoloop.time.Clock;
 
 /**
- * A connection to what speaks in lines of text (UTF-8), made again whenever it is lost, with pauses of 250 ms to 30 s.
- * What is wrong is logged once, until it is something else or over.
+ * A connection to a device or service that exchanges lines of text (UTF-8). It reconnects whenever it is lost, with
+ * pauses of 250 ms to 30 s. A fault is logged once, until it changes or ends.
  *
- * <p>Lines that come end with CR, LF or both; lines that are sent, with LF. What is not UTF-8, is longer than 4096
- * bytes, or is cut short by a loss is no line.
+ * <p>Received lines end with CR, LF or both; sent lines, with LF. Input that is not UTF-8, is longer than 4096 bytes,
+ * or is cut off by a loss is ignored.
  *
  * <p>Lifecycle: {@link #greet}, {@link #watch}, {@link #reading} and the components that listen, then {@link #open},
  * which does not wait; {@link #close}.
@@ -41,7 +41,7 @@ public final class LineConnection implements DeviceLink, AutoCloseable {
         wire.add(exchanges);
     }
 
-    /** Sends these lines after each connect: they ask where the device is, or log in. */
+    /** Sends these lines after each connect, for example to ask for the device's state or to log in. */
     public LineConnection greet(String... lines) {
         for (String line : lines) {
             requireOneLine(line);
@@ -58,8 +58,8 @@ public final class LineConnection implements DeviceLink, AutoCloseable {
     }
 
     /**
-     * Notices that the other end hangs: when nothing was heard for {@code limit}, {@code question} is sent, and when
-     * nothing was heard for as long again, the connection is made anew.
+     * Detects that the other end hangs: after silence for {@code limit}, {@code question} is sent, and after silence
+     * for as long again, it reconnects.
      */
     public LineConnection watch(Duration limit, String question) {
         wire.add(new Silence(clock, limit, requireOneLine(question), wire));
@@ -84,7 +84,7 @@ public final class LineConnection implements DeviceLink, AutoCloseable {
         exchanges.listen(listener);
     }
 
-    /** Begins to connect; does nothing if it was open before. */
+    /** Starts connecting; does nothing if it was opened before. */
     public void open() {
         wire.open();
     }
@@ -95,11 +95,11 @@ public final class LineConnection implements DeviceLink, AutoCloseable {
     }
 
     /**
-     * Sends a line and waits for its answer. If none comes in time the connection is made anew, since an answer that
-     * came later would be taken for that of the next line.
+     * Sends a line and waits for its answer. If none comes in time, it reconnects, since a late answer would be taken
+     * for that of the next line.
      *
-     * @param answers what an answer looks like; monitors are not told
-     * @param heard is told the answer on the thread that reads, in its order among the lines that monitors are told
+     * @param answers the pattern of an answer; answers are not passed to monitors
+     * @param heard receives the answer on the thread that reads, in its order among the lines passed to monitors
      * @return the answer
      * @throws UnknownEffectException if there is none
      * @throws IOException if the line was not sent
@@ -137,7 +137,7 @@ public final class LineConnection implements DeviceLink, AutoCloseable {
         return wrong.isEmpty() ? wire.place() : wrong;
     }
 
-    /** Hangs up and ends. Idempotent. */
+    /** Disconnects and ends. Idempotent. */
     @Override
     public void close() {
         wire.close();

@@ -23,7 +23,7 @@ import org.jspecify.annotations.Nullable;
  * }</pre>
  *
  * <p>While the device cannot be reached, and if it refuses, a step fails; nothing is sent later or twice. If it does
- * not answer, the step fails, too, and the device is asked where it is.
+ * not answer, the step fails, too, and the device is asked for its state.
  *
  * <p>Threading: as {@link EventExecute}.
  *
@@ -40,10 +40,10 @@ public class LineExecute extends EventExecute {
     private record Question(String line, Pattern answers, Map<String, String> states, Duration limit) {}
 
     /**
-     * A component that sends these events, which count as carried out when they are sent.
+     * A component that sends these events, which count as executed when they are sent.
      *
-     * @param name what the console calls it, unique within a converter
-     * @param lines what to send, by event
+     * @param name its name in the console, unique within a converter
+     * @param lines the lines to send, by event
      */
     public LineExecute(String name, LineConnection connection, Map<String, String> lines) {
         super(name);
@@ -53,11 +53,11 @@ public class LineExecute extends EventExecute {
     }
 
     /**
-     * The device answers each line; the event is carried out when it accepts.
+     * Declares that the device answers each line; the event is executed when the device accepts it.
      *
      * @param accepts a regular expression of the answer when it obeys, such as {@code OK}
-     * @param refuses of the answer when it does not, such as {@code ERR.*}
-     * @param limit within which it answers; then the step fails, and the connection is made anew
+     * @param refuses a regular expression of the answer when it refuses, such as {@code ERR.*}
+     * @param limit the time limit for the answer; after it the step fails, and the connection is renewed
      */
     public final LineExecute answeredBy(String accepts, String refuses, Duration limit) {
         answers = new Answers(
@@ -66,11 +66,11 @@ public class LineExecute extends EventExecute {
     }
 
     /**
-     * The device can be asked where it is, when the converter is in doubt.
+     * Sets a question for the device's state, asked when the converter is in doubt.
      *
      * @param line the question
-     * @param states of the original model, by answer
-     * @param limit within which it answers
+     * @param states the states of the original model, by answer
+     * @param limit the time limit for the answer
      */
     public final LineExecute asking(String line, Map<String, String> states, Duration limit) {
         Pattern known =

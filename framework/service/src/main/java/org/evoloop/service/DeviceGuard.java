@@ -14,21 +14,21 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Has a device made safe by a process of its own, within a second after this one has ended in any way but through
- * {@link #close}, or stands still: stopped by a signal, starved, or hung where it looks after the device.
+ * Makes a device safe with a separate process, within a second after this one has ended in any way other than {@link
+ * #close}, or is not running: stopped by a signal, starved, or hung in the code that handles the device.
  *
- * <p>While the device is active the guard process is told so every {@value #BEAT_MILLIS} ms; it acts when it has heard
- * nothing for {@link #LIMIT}. This process knows that by its own clock, a little earlier: from then on {@link #mayTell}
- * is false, so that a process that goes on after it stood still tells the device nothing that it had decided before.
+ * <p>While the device is active, the guard process gets a heartbeat every {@value #BEAT_MILLIS} ms; it acts when there
+ * has been none for {@link #LIMIT}. This process detects that by its own clock, a little earlier: from then on {@link
+ * #mayTell} is false, so that a process that continues after a standstill sends the device nothing decided before.
  *
- * <p>A guard process that ends or hangs is replaced by another one.
+ * <p>A guard process that ends or hangs is replaced.
  *
  * <p>Threading: thread-safe. Has a thread of its own, in real time.
  *
  * @since 0.1
  */
 public final class DeviceGuard implements AutoCloseable {
-    /** So long nothing is heard of this process before the device is made safe. */
+    /** How long this process may be silent before the device is made safe. */
     public static final Duration LIMIT = Duration.ofMillis(500);
 
     private static final Logger LOG = LoggerFactory.getLogger(DeviceGuard.class);
@@ -78,7 +78,7 @@ public final class DeviceGuard implements AutoCloseable {
     /**
      * Starts the guard process.
      *
-     * @throws IOException if this system has none of what it needs: bash, and setsid of util-linux
+     * @throws IOException if this system lacks bash or setsid (util-linux)
      */
     public static DeviceGuard start(GuardedDevice device) throws IOException {
         DeviceGuard guard = new DeviceGuard(device);
@@ -91,8 +91,8 @@ public final class DeviceGuard implements AutoCloseable {
     }
 
     /**
-     * To be asked before the device is told anything that may make it active: whether this process has been at work all
-     * the time. If not, the device is not to be told anything before {@link GuardedDevice#madeSafe} has returned.
+     * Whether this process has been running all the time; call it before sending the device anything that may make it
+     * active. If false, send the device nothing before {@link GuardedDevice#madeSafe} has returned.
      */
     public synchronized boolean mayTell() {
         long now = System.nanoTime();
@@ -106,7 +106,7 @@ public final class DeviceGuard implements AutoCloseable {
         return true;
     }
 
-    /** How the guard process is, for people. */
+    /** The status of the guard process, for people. */
     public synchronized String describe() {
         return process.isAlive() ? "guarded by process " + process.pid() : "NOT guarded: the guard process has ended";
     }
@@ -209,7 +209,7 @@ public final class DeviceGuard implements AutoCloseable {
         }
     }
 
-    /** The process is about to end and has left the device as it should be: the guard ends, too. Idempotent. */
+    /** Ends the guard, when the process is about to end and the device is safe. Idempotent. */
     @Override
     public void close() {
         closed = true;

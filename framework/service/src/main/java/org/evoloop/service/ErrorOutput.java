@@ -10,7 +10,7 @@ import java.nio.file.Path;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Where a program says why it ends: the standard error. If that is the journal of systemd, each line begins with the
+ * The output for a program's final error: standard error. If that is the journal of systemd, each line begins with the
  * level of an error (sd-daemon(3)), as {@link ProgramLog}'s do.
  *
  * <p>Threading: {@link #stream} may be called by any thread.
@@ -24,8 +24,7 @@ public final class ErrorOutput {
     private ErrorOutput() {}
 
     /**
-     * For messages that are errors. It writes to what {@link System#err} is at this moment, and is flushed with each
-     * line.
+     * A stream for error messages. It writes to the present {@link System#err}, and is flushed after each line.
      */
     public static PrintStream stream() {
         return isJournal() ? levelled(System.err) : System.err;

@@ -1,8 +1,8 @@
 package org.evoloop.service;
 
 /**
- * A device that goes on with what it was told last when nobody tells it anything any more, such as a robot that drives.
- * A {@link DeviceGuard} makes it safe when this process has ended or stands still.
+ * A device that continues its last command when it gets no new ones, such as a robot that drives. A {@link DeviceGuard}
+ * makes it safe when this process has ended or is not running.
  *
  * <p>Threading: called on a thread of the guard's, one call at a time.
  *

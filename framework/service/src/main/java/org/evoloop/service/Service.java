@@ -13,7 +13,7 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Runs a console unattended, as far as {@link ServiceOptions} say so.
+ * Runs a console unattended, according to {@link ServiceOptions}.
  *
  * <pre>{@code
  * try (Service service = Service.open(options)) {
@@ -23,7 +23,7 @@ import org.slf4j.LoggerFactory;
  * }</pre>
  *
  * <p>Lifecycle: {@link #open} takes the name before anything touches the device; {@link #run} opens control socket and
- * loop, tells the service manager, and returns when the console has ended; {@link #close} gives the name back, last of
+ * loop, notifies the service manager, and returns when the console has ended; {@link #close} releases the name, last of
  * all.
  *
  * <p>Threading: open, run and close on one thread.
@@ -61,7 +61,7 @@ public final class Service implements AutoCloseable {
      * Takes the name, if there is one.
      *
      * @throws IllegalArgumentException if a live instance has the name, or its socket's path would be too long
-     * @throws IOException if there is no place for the socket; the message says what to do
+     * @throws IOException if the socket's directory cannot be used; the message says what to do
      */
     public static Service open(ServiceOptions options) throws IOException {
         return open(options, new SystemClock(), System.getenv());
@@ -114,7 +114,7 @@ public final class Service implements AutoCloseable {
     }
 
     /**
-     * Gives the name back: who waits for the end of the program, such as {@code ctl NAME exit}, learns of it.
+     * Releases the name, which notifies programs that wait for the end of this one, such as {@code ctl NAME exit}.
      * Idempotent.
      */
     @Override

@@ -7,11 +7,11 @@ import org.evoloop.config.Settings;
 import org.jspecify.annotations.Nullable;
 
 /**
- * How a program runs by itself.
+ * The options of an unattended program.
  *
  * <p>Threading: immutable.
  *
- * @param start whether the loop is opened at once, and the end of the standard input ends nothing
+ * @param start whether the loop is opened at once, and the end of standard input is ignored
  * @param name the name under which {@code ctl} reaches it; null if it has no control socket
  * @param journal the directory in which its converter keeps its journal; null if it keeps none
  * @since 0.1
@@ -45,12 +45,12 @@ public record ServiceOptions(
         }
     }
 
-    /** An ordinary program with a console: nothing starts by itself, nothing listens, and nothing is kept. */
+    /** An ordinary program with a console: nothing starts by itself, nothing listens, and nothing is recorded. */
     public static ServiceOptions none() {
         return new ServiceOptions(false, null, null);
     }
 
-    /** What a program was told. */
+    /** The options given to a program. */
     public static ServiceOptions of(Settings settings) {
         return new ServiceOptions(
                 settings.isOn(START),
@@ -58,13 +58,13 @@ public record ServiceOptions(
                 settings.get(JOURNAL).orElse(null));
     }
 
-    /** The same for a program that opens its loop at once, and goes on when its standard input ends. */
+    /** A copy for a program that opens its loop at once, and continues when its standard input ends. */
     public ServiceOptions withStart() {
         return new ServiceOptions(true, name, journal);
     }
 
     /**
-     * The same for a program that {@code ctl} reaches under this name.
+     * A copy for a program that {@code ctl} reaches under this name.
      *
      * @throws IllegalArgumentException if it is not a name
      */
