@@ -120,7 +120,7 @@ final class ConverterOptions {
     private @Nullable RobotModels read;
 
     /**
-     * Says which values these options take beyond their types, which of them are paths, and which exclude each other.
+     * Refines these options: allowed values beyond their types, which are paths, and which exclude each other.
      */
     static CommandOptions refined(CommandOptions options) {
         return options.check("time-unit", ModelReference::unit)
@@ -143,7 +143,7 @@ final class ConverterOptions {
             CameraSource.Kind kind = CameraSource.parse(camera).kind();
             return kind == CameraSource.Kind.FILE || kind == CameraSource.Kind.IMAGE_SEQUENCE;
         } catch (CameraException noCamera) {
-            // Told by the option's check.
+            // Reported by the option's check.
             return false;
         }
     }
@@ -154,7 +154,7 @@ final class ConverterOptions {
     }
 
     /**
-     * Reads the models, and checks what must hold of options together.
+     * Reads the models, and checks options against each other.
      *
      * @param simulate whether the robot is simulated
      */
@@ -204,9 +204,9 @@ final class ConverterOptions {
     /**
      * The options, once they have been checked.
      *
-     * @param pace how many times as fast as real time the robot lives
-     * @param simulatedCamera where the simulated robot's camera is, if it has one
-     * @param journal where the converter keeps what it is told; null if it keeps nothing
+     * @param pace how many times faster than real time the robot runs
+     * @param simulatedCamera the address of the simulated robot's camera, if it has one
+     * @param journal the converter's journal; null for none
      */
     RoombaOptions read(double pace, Optional<URI> simulatedCamera, @Nullable Path journal) {
         Double spotWait = spotWaitSeconds;
@@ -276,7 +276,7 @@ final class ConverterOptions {
         });
     }
 
-    /** The machine under a name that tells its file as well, for messages. */
+    /** The machine with a name that includes its file, for messages. */
     private static StateMachine named(StateMachine machine, Path file) {
         return machine.withName(file + "#" + machine.name());
     }

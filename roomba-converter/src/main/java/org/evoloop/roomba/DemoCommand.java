@@ -110,7 +110,7 @@ final class DemoCommand implements Callable<Integer> {
         boolean camera = next == Scenario.REMOTE_START;
         double pace = camera ? Math.min(speed, FASTEST_WITH_CAMERA) : speed;
         if (camera) {
-            // Before anything else is begun, it must be known that there is no OpenCV.
+            // A missing OpenCV must be noticed before anything else begins.
             OpenCv.vision();
         }
         try (Clock clock = new SystemClock(pace);

@@ -12,8 +12,8 @@ import org.evoloop.roomba.session.Telemetry;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The way that a real robot has driven, as its wheels tell it (dead reckoning): from above, with the direction in which
- * it looked when the session began upwards. Of a long way fewer points are kept, never fewer pieces.
+ * The path that a real robot has driven, by its wheel encoders (dead reckoning): seen from above, with the robot's
+ * heading at the beginning of the session upwards. A long path is kept with fewer points, but with all of its parts.
  *
  * <p>Threading: thread-safe.
  */
@@ -38,10 +38,10 @@ final class DrivenWay implements SessionListener {
     private double stepMm = FIRST_STEP_MM;
     private @Nullable OdometryPose now;
 
-    /** Of a robot that has not been heard of. */
+    /** The path of a robot that has not reported yet. */
     DrivenWay() {}
 
-    /** The way of this session's robot from now on, as a picture for the page. */
+    /** The path of this session's robot from now on, as a picture for the page. */
     static Picture of(RoombaSession session) {
         DrivenWay way = new DrivenWay();
         session.addListener(way);
@@ -72,13 +72,13 @@ final class DrivenWay implements SessionListener {
         }
     }
 
-    /** The picture as it is now; empty before the robot has been heard of. */
+    /** The present picture; empty before the robot has reported. */
     synchronized String svg(boolean reachable) {
         OdometryPose robot = now;
         return robot == null ? "" : new Sheet(robot).draw(reachable);
     }
 
-    /** Millimetres of the robot on pixels of the picture. */
+    /** Maps the robot's millimetres to the picture's pixels. */
     private final class Sheet {
         private final OdometryPose robot;
         private final double leftMm;

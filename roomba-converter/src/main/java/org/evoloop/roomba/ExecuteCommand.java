@@ -21,19 +21,19 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Sends events to the robot as commands, and keeps it in the mode that each state needs: while it stands by or cleans
- * it is left to itself (Passive), while it is on and idle its buttons must not act on their own (Safe). On its dock it
- * is left to itself, too: there Safe mode would end at once, and charging with it. If its model has a state {@code
- * Asleep}, it is let to fall asleep where it is not used, and woken for the next event.
+ * Sends events to the robot as commands, and keeps it in the mode that each state needs: in standby or while it cleans
+ * it is left alone (Passive), while it is on and idle its buttons must not act on their own (Safe). On its dock it is
+ * left alone, too: there Safe mode would end at once, and charging with it. If its model has a state {@code Asleep}, it
+ * may fall asleep when it is not used, and is woken for the next event.
  *
- * <p>Where the mode shows that a command has had its effect, that is told when it is seen, on the thread that tells
- * what the robot does by itself; elsewhere the command counts as obeyed when it has been sent.
+ * <p>If the mode shows that a command has had its effect, that is reported when it is seen, on the thread that reports
+ * the robot's own actions; otherwise the command counts as obeyed when it has been sent.
  */
 final class ExecuteCommand extends EventExecute implements SessionListener {
     /** The robot does not acknowledge commands; it is assumed to be ready this long after one. */
     static final Duration HOLD_OFF = Duration.ofMillis(200);
 
-    /** So long the robot is kept under control though nobody uses it. */
+    /** How long an unused robot is kept under control. */
     static final Duration UNUSED_LIMIT = Duration.ofMinutes(5);
 
     private static final Set<String> TOLD_BY_CIRCUMSTANCES = Set.of(
@@ -93,7 +93,7 @@ final class ExecuteCommand extends EventExecute implements SessionListener {
     private void send(Command command) throws InterruptedException {
         sent = command;
         session.send(command);
-        // Not before: while control is wanted, no frame tells that the robot does nothing.
+        // Not earlier: while control is wanted, no frame shows that the robot is idle.
         session.leaveAlone();
         commanded = true;
         commandedNanos = clock.nanoTime();
@@ -102,7 +102,7 @@ final class ExecuteCommand extends EventExecute implements SessionListener {
 
     @Override
     public void obeyed(Command command) {
-        // Others than the last step's are sent to keep the robot in its mode.
+        // Commands other than the last step's keep the robot in its mode.
         if (command == sent) {
             tookEffect();
         }
@@ -122,7 +122,7 @@ final class ExecuteCommand extends EventExecute implements SessionListener {
         String source = step.source().name();
         boolean onlyOn = source.equals(RobotEvents.STATE_OFF) || source.equals(RobotEvents.STATE_ERROR);
         return switch (step.event().name()) {
-            // The command Clean would start to clean straight from stand-by; taking control only switches the robot on.
+            // The command Clean would start cleaning directly from standby; taking control only switches the robot on.
             case RobotEvents.CLEAN -> onlyOn ? new Command.Safe() : new Command.Clean();
             case RobotEvents.SPOT -> new Command.Spot();
             case RobotEvents.DOCK -> new Command.SeekDock();
@@ -137,7 +137,7 @@ final class ExecuteCommand extends EventExecute implements SessionListener {
         resumption.settled();
         keepMode(now.original().name());
         if (!TOLD_BY_CIRCUMSTANCES.contains(now.original().name()) && !session.isUndocking()) {
-            // A robot that is lifted or on its dock may not be where the record has gone.
+            // A robot that is lifted or on its dock may not be in the recorded state.
             session.tellAgain();
         }
         if (now.evolved().equals(now.original()) && now.original().name().equals(RobotEvents.STATE_ON)) {
@@ -155,7 +155,7 @@ final class ExecuteCommand extends EventExecute implements SessionListener {
     }
 
     /**
-     * A robot that is on and that nobody uses need not empty its battery: control is let go, and it may fall asleep.
+     * Releases control of an unused robot that is on, so that it may fall asleep and does not drain its battery.
      */
     private void restLater() {
         synchronized (resting) {

@@ -16,13 +16,13 @@ final class Eyes {
     /**
      * Opens the camera when Move begins, and closes it when Move ends.
      *
-     * @param pace how many times as fast as real time the robot lives; the camera's computer does not
-     * @throws org.evoloop.roomba.camera.CameraException if OpenCV is not there; the message says what to install
+     * @param pace how many times faster than real time the robot runs; the camera's computer does not run faster
+     * @throws org.evoloop.roomba.camera.CameraException if OpenCV is missing; the message says what to install
      */
     static Function<Clock, StartPointSensor> through(CameraSettings settings, double pace) {
         Vision vision = OpenCv.vision();
         Duration stale = Duration.ofNanos(Math.round(settings.staleAfter().toNanos() * Math.max(1, pace)));
-        // Move itself believes in the marker only when some looks in a row agree.
+        // Move itself accepts the marker only when several frames in a row agree.
         CameraSettings each = settings.withFramesInARow(1).withStaleAfter(stale);
         return clock -> StartPointSensor.byCamera(VideoCamera.open(vision, each, clock));
     }

@@ -8,20 +8,19 @@ import org.evoloop.roomba.link.LinkException.Fault;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A link on which nothing is sent once the guard process has stopped the robot: it is lost then, and the session
- * connects anew.
+ * A link that sends nothing after the guard process has stopped the robot: it is then lost, and the session reconnects.
  */
 final class GuardedLink extends ForwardingLink {
     private final BooleanSupplier maySend;
     private volatile @Nullable LinkException lost;
 
-    /** @param maySend is asked before each command */
+    /** @param maySend evaluated before each command */
     GuardedLink(Link link, BooleanSupplier maySend) {
         super(link);
         this.maySend = maySend;
     }
 
-    /** The robot has been stopped by somebody else. */
+    /** The robot has been stopped from outside. */
     void lose(String why) {
         lost = new LinkException(Fault.OVERRULED, description() + ": " + why);
         close();

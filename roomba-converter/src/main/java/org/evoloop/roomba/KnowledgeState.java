@@ -69,7 +69,7 @@ final class KnowledgeState extends StateKnowledge {
         return configuration().original();
     }
 
-    /** Each way in has its way back. */
+    /** Each transition into it has its way back. */
     private void registerMove(State state) {
         function(state.name(), moveFrom(state));
         for (Transition entry : models.entries(state)) {

@@ -23,7 +23,7 @@ import org.evoloop.statemachine.ModelException;
 import org.evoloop.xmi.XmiFile;
 import picocli.CommandLine;
 
-/** Runs the command line; what its user can mend is one line and exit status 2. */
+/** Runs the command line; a mistake of the user is one line and exit status 2. */
 public final class Main {
     private static final List<String> HELP = List.of("-h", "--help", "-V", "--version");
 
@@ -36,7 +36,7 @@ public final class Main {
     /** Runs the command line and returns the exit status: 0 good, 1 a check failed, 2 wrong usage or input. */
     static int run(String... arguments) {
         if (arguments.length > 0 && arguments[0].equals("ctl")) {
-            // It needs none of what takes so long to load, and its options are those of the commands that it hands on.
+            // It needs none of the slow-loading parts, and its options are those of the commands that it passes on.
             return Ctl.run(List.of(arguments).subList(1, arguments.length));
         }
         boolean plain = arguments.length == 0 || arguments[0].startsWith("-");
@@ -46,8 +46,8 @@ public final class Main {
     }
 
     /**
-     * The converter without the commands beside it, whose options take longer to find than a converter needs to start;
-     * they are asked when it does not understand what it is told.
+     * The converter without the other commands, whose options take longer to find than a converter takes to start; they
+     * are tried if it does not understand the arguments.
      */
     private static int converterAlone(String... arguments) {
         Thread loading = new Thread(Main::loadWhatTakesLong, "roomba-loading");
@@ -76,13 +76,13 @@ public final class Main {
         return all.parseArgs(arguments).hasSubcommand();
     }
 
-    /** Beside the reading of the options, which takes as long. */
+    /** In parallel with reading the options, which takes as long. */
     private static void loadWhatTakesLong() {
         XmiFile.prepare();
         try {
             SerialLink.prepare();
         } catch (LinkException | ExceptionInInitializerError toldWhenALinkIsOpened) {
-            // Whoever opens one has an error to tell, and a user who waits for it; a program that ends opens none.
+            // A failure is reported when the library is used; a program that only prints and ends does not use it.
         }
     }
 
@@ -100,7 +100,7 @@ public final class Main {
         return UsersMistakes.toldBy(commandLine.setCaseInsensitiveEnumValuesAllowed(true), Main::isUsersMistake);
     }
 
-    /** Whether whoever runs the program can mend it. */
+    /** Whether the user of the program can fix it. */
     static boolean isUsersMistake(Exception failure) {
         return failure instanceof ModelException
                 || failure instanceof LinkException

@@ -17,9 +17,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Monitors the robot: its buttons, and what it does by itself as far as its model has events for that: the end of its
- * work, its dock, sleep and trouble. The OI mode tells whether the robot acts on a button by itself or merely reports
- * it. Where what is seen differs from what those events say, the robot counts as found.
+ * Monitors the robot: its buttons, and its own actions for which its model has events: the end of its work, its dock,
+ * sleep and trouble. The OI mode tells whether the robot acts on a button by itself or merely reports it. If the
+ * observed activity differs from what these events imply, that is reported as a finding.
  */
 final class MonitorEvent extends PushMonitor implements SessionListener {
     private static final Logger LOG = LoggerFactory.getLogger(MonitorEvent.class);
@@ -33,7 +33,7 @@ final class MonitorEvent extends PushMonitor implements SessionListener {
 
     /**
      * @param original the robot's model
-     * @param restartsMove whether this event would have a Move that runs begin anew
+     * @param restartsMove whether this event would restart a running Move
      */
     MonitorEvent(RoombaSession session, StateMachine original, Predicate<String> restartsMove) {
         this.session = session;
@@ -47,7 +47,7 @@ final class MonitorEvent extends PushMonitor implements SessionListener {
     @Override
     public void pressed(Button button, boolean robotActs) {
         if (robotActs) {
-            // Whatever it did ends by the press, which is told as such.
+            // The press ends any activity, and is reported as a press.
             activity = EstimatedActivity.ON;
         }
         switch (button) {
@@ -59,7 +59,7 @@ final class MonitorEvent extends PushMonitor implements SessionListener {
     }
 
     private void press(String event, boolean robotActs) {
-        // A press ends Move, whatever the models say of it.
+        // A press ends Move, whatever the models say.
         if (known.contains(event) && (robotActs || !restartsMove.test(event))) {
             push(fromPanel(event, robotActs));
         }
@@ -84,7 +84,7 @@ final class MonitorEvent extends PushMonitor implements SessionListener {
         }
     }
 
-    /** The event of what the robot does by itself in place of what it did; empty if there is none. */
+    /** The event for a change of the robot's own activity; empty if there is none. */
     private String change(EstimatedActivity before, EstimatedActivity now) {
         boolean cleaned = before == EstimatedActivity.CLEAN || before == EstimatedActivity.MAX;
         if (cleaned && now == EstimatedActivity.DOCK) {
@@ -106,7 +106,7 @@ final class MonitorEvent extends PushMonitor implements SessionListener {
             List<String> events = changes(before, now);
             events.forEach(this::tell);
             if (known.containsAll(events) && !now.asleep()) {
-                // What they begin must not be overtaken by the finding that they are true.
+                // A finding must not overtake the work that these events begin.
                 session.tellSoon();
             } else {
                 find(now);
@@ -115,7 +115,8 @@ final class MonitorEvent extends PushMonitor implements SessionListener {
     }
 
     /**
-     * Who wakes the robot, or drives it off its dock, tells the end of that; what is seen meanwhile is a part of it.
+     * Code that wakes the robot, or drives it off its dock, reports the end of that; observations meanwhile are part of
+     * it.
      */
     private boolean isBeingMoved() {
         return session.isWaking() || session.isUndocking();
@@ -145,7 +146,7 @@ final class MonitorEvent extends PushMonitor implements SessionListener {
         change(changes, before.inTrouble(), now.inTrouble(), RobotEvents.ERROR, RobotEvents.RECOVERED);
         change(changes, before.docked(), now.docked(), RobotEvents.DOCKED, RobotEvents.UNDOCKED);
         if (now.docked()) {
-            // Who has just come to the dock is taken to charge.
+            // A robot that has just reached its dock is assumed to charge.
             change(
                     changes,
                     !before.docked() || before.filling(),

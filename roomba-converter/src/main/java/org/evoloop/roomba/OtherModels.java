@@ -19,12 +19,12 @@ import org.evoloop.xmi.XmiMachine;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Models that the robot may evolve to while it runs, with the properties beside their files.
+ * Models to which the robot may evolve while it runs, with the properties beside their files.
  *
  * <p>Threading: thread-safe.
  */
 final class OtherModels implements NewModels {
-    /** Whoever chooses on a page or at home waits no longer. */
+    /** How long a choice on the page or in Home Assistant waits. */
     private static final Duration PATIENCE = Duration.ofSeconds(10);
 
     private final RoombaConverter roomba;
@@ -62,7 +62,7 @@ final class OtherModels implements NewModels {
         return choices().stream().map(name -> file + "#" + name).toList();
     }
 
-    /** The new models in the file of the one at the start that the robot can evolve to, that one included, by name. */
+    /** The new models to which the robot can evolve, by name: those in the file of the initial one, including that. */
     synchronized List<String> choices() {
         List<String> known = choices;
         if (known == null) {
@@ -84,7 +84,7 @@ final class OtherModels implements NewModels {
     private boolean fits(String reference) {
         try {
             StateMachine original = roomba.models().pair().original();
-            // The device as it is would be an evolution, too, but nothing that anybody wants.
+            // The original model would be an evolution, too, but a useless one.
             return !reference.equals(original.name())
                     && !RobotModels.of(new ModelPair(original, read(reference)))
                             .pair()

@@ -15,7 +15,7 @@ import org.evoloop.xmi.ModelFiles;
 import org.evoloop.xmi.XmiFile;
 
 /**
- * Plays a scenario with a converter and a simulated robot: presses buttons and waits for what must come of it, in the
+ * Plays a scenario with a converter and a simulated robot: presses buttons and waits for the required results, in the
  * converter's states and in the robot's true state.
  *
  * <p>Threading: used by one thread.
@@ -25,7 +25,7 @@ final class Play {
     private static final Duration RELEASE = Duration.ofMillis(50);
     private static final Duration PATIENCE = Duration.ofMinutes(2);
 
-    /** Something that a scenario promises did not come. */
+    /** A required result of a scenario did not occur. */
     static final class Unfulfilled extends Exception {
         Unfulfilled(String message) {
             super(message);
@@ -42,10 +42,10 @@ final class Play {
         this.clock = clock;
     }
 
-    /** A button on the robot is pressed, once nobody holds one down any more. */
+    /** A button on the robot is pressed, after all are released. */
     Play robotButton(String event) throws InterruptedException, Unfulfilled {
         await("the robot's buttons to be released", () -> world.execute("state").contains("\"pressed\":[]"));
-        // Nobody presses so fast again that the robot's next frame does not show the release.
+        // The next press comes late enough for a frame to show the release.
         clock.sleep(RELEASE);
         String answer = world.execute("press " + event.toLowerCase(Locale.ROOT));
         if (!answer.equals("ok")) {
@@ -60,7 +60,7 @@ final class Play {
         return this;
     }
 
-    /** Another new model takes over while the robot goes on. */
+    /** Another new model takes over while the robot continues. */
     Play evolve(String models) {
         StateMachine evolved = XmiFile.read(ModelFiles.find(models, Play.class)).only();
         ModelPair next = new ModelPair(roomba.models().pair().original(), evolved);
@@ -68,7 +68,7 @@ final class Play {
         return this;
     }
 
-    /** The models before are back. */
+    /** The previous models are restored. */
     Play rollBack() {
         roomba.converter().rollBack();
         return this;

@@ -9,13 +9,13 @@ import org.evoloop.function.NewFunction;
 import org.evoloop.function.Visit;
 
 /**
- * The hours of the day in which the robot is not to begin by itself, and the new function that waits for their end: it
- * raises {@code quietOver} then, and at once where they are not.
+ * The hours of the day in which the robot must not start by itself, and the new function that waits for their end: it
+ * raises {@code quietOver} then, or at once outside of them.
  *
  * <p>Threading: immutable.
  *
  * @param from the first moment of quiet
- * @param until the first moment after; the same as {@code from} if there is no quiet at all
+ * @param until the first moment after; the same as {@code from} for no quiet hours
  */
 record QuietHours(LocalTime from, LocalTime until, ZoneId zone) implements NewFunction {
 
@@ -25,7 +25,7 @@ record QuietHours(LocalTime from, LocalTime until, ZoneId zone) implements NewFu
     }
 
     /**
-     * From text such as {@code 22:00-07:00}.
+     * Parses a text such as {@code 22:00-07:00}.
      *
      * @throws IllegalArgumentException if it is something else
      */
@@ -37,13 +37,13 @@ record QuietHours(LocalTime from, LocalTime until, ZoneId zone) implements NewFu
                         LocalTime.parse(parts[0].strip()), LocalTime.parse(parts[1].strip()), ZoneId.systemDefault());
             }
         } catch (DateTimeParseException wrong) {
-            // Told below, as for any other text.
+            // Reported below, as for any other text.
         }
         throw new IllegalArgumentException(
                 "--quiet-hours is " + text + "; give two times of day, for example 22:00-07:00");
     }
 
-    /** How long they last yet; zero outside of them. */
+    /** Their remaining time; zero outside of them. */
     Duration left(ZonedDateTime now) {
         LocalTime time = now.toLocalTime();
         boolean within = from.isBefore(until)

@@ -7,11 +7,11 @@ import org.evoloop.roomba.session.Telemetry;
 import org.evoloop.statemachine.State;
 
 /**
- * What comes before a function that drives the robot: it has to be on, on the floor, with charge for the way. What it
- * takes is done by events of its own model, in order with all others.
+ * Prepares the robot for a function that drives it: it has to be on, on the floor, and sufficiently charged. It is
+ * prepared by events of its own model, in order with all others.
  */
 final class Readiness {
-    /** With less charge, in percent, the robot is charged first. */
+    /** With a lower charge, in percent, the robot is charged first. */
     static final int LOW_PERCENT = 20;
 
     private static final int FULL_PERCENT = 100;
@@ -19,7 +19,7 @@ final class Readiness {
     private final RoombaSession session;
     private final Supplier<State> device;
 
-    /** @param device where the robot's model is */
+    /** @param device supplies the state of the robot's model */
     Readiness(RoombaSession session, Supplier<State> device) {
         this.session = session;
         this.device = device;

@@ -1,8 +1,8 @@
 package org.evoloop.roomba;
 
 /**
- * Whether the state that the system is in was entered anew because the converter was started again, not because an
- * event led there. Kept by the component that sends, whatever takes its place.
+ * Whether the present state was entered again because the converter was restarted, not because an event led there. It
+ * is updated by the component that sends, even if that is exchanged.
  *
  * <p>Threading: written by one thread at a time, read from any.
  */
@@ -10,7 +10,7 @@ final class Resumption {
     private volatile boolean released;
     private volatile boolean resumed;
 
-    /** An event has been dealt with, or the converter is about to be started. */
+    /** An event has been handled, or the converter is about to be started. */
     void settled() {
         resumed = released;
         released = false;

@@ -11,8 +11,8 @@ import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
 
 /**
- * The names that the models of the robot and this program have in common (paper, section VI.A). A model need not have
- * all of them: a robot that does what its model has no state for counts as being in the nearest one.
+ * The names shared by the models of the robot and this program (paper, section VI.A). A model need not have all of
+ * them: an activity for which it has no state counts as the most similar state.
  */
 final class RobotEvents {
     static final String CLEAN = "Clean";
@@ -21,14 +21,14 @@ final class RobotEvents {
     static final String MAX = "Max";
     static final String POWER = "Power";
 
-    /** No button's: the robot drives backwards off its dock. */
+    /** The robot drives backwards off its dock; no button does that. */
     static final String UNDOCK = "Undock";
 
     static final String END_SPOT = "endSpot";
     static final String END_CLEAN = "endClean";
     static final String END_DOCK = "endDock";
 
-    /** It cleans no more and looks for its dock: its battery is low. */
+    /** It stops cleaning and looks for its dock, since its battery is low. */
     static final String SEEK_DOCK = "seekDock";
 
     static final String DOCKED = "docked";
@@ -43,10 +43,10 @@ final class RobotEvents {
     static final String QUIET_OVER = "quietOver";
     static final String LOW_BATTERY = "lowBattery";
 
-    /** A controller's: the time has come at which the robot's owner wants it to clean. */
+    /** An event of a controller: it is time to clean by the owner's timetable. */
     static final String SCHEDULE = "schedule";
 
-    /** What starts something by the robot's buttons and commands. */
+    /** The events that the robot's buttons and commands can cause. */
     static final List<String> COMMANDS = List.of(CLEAN, SPOT, DOCK, MAX, POWER, UNDOCK);
 
     /** What the robot does by itself. */
@@ -54,10 +54,10 @@ final class RobotEvents {
             CLEAN, SPOT, DOCK, END_SPOT, END_CLEAN, END_DOCK, SEEK_DOCK, DOCKED, UNDOCKED, CHARGED, CHARGING, ASLEEP,
             AWAKE, ERROR, RECOVERED);
 
-    /** What neither a controller nor the robot raises, but this program's functions and timetable. */
+    /** Events raised by this program's functions and timetable, not by a controller or the robot. */
     private static final Set<String> RAISED = Set.of(Move.ARRIVED, TIMEOUT, QUIET_OVER, LOW_BATTERY, SCHEDULE);
 
-    /** The robot stands by: its light is off, and CLEAN switches it on. */
+    /** The robot is in standby: its light is off, and CLEAN switches it on. */
     static final String STATE_OFF = "Off";
 
     /** The robot is on and does nothing. */
@@ -73,7 +73,7 @@ final class RobotEvents {
 
     private RobotEvents() {}
 
-    /** Whether this is what somebody presses or asks for. */
+    /** Whether this event is pressed or requested. */
     static boolean isPress(Event event) {
         boolean byDevice = FACTS.contains(event.name()) && !COMMANDS.contains(event.name());
         return !byDevice
@@ -81,14 +81,14 @@ final class RobotEvents {
                 && event.timeTrigger().isEmpty();
     }
 
-    /** The state of the robot's model in which it does this; empty if that knows none. */
+    /** The state of the robot's model for this activity; empty if there is none. */
     static Optional<String> stateName(StateMachine original, EstimatedActivity activity, Circumstances circumstances) {
         return candidates(activity, circumstances).stream()
                 .filter(name -> original.hasState(new State(name)))
                 .findFirst();
     }
 
-    /** The same of a robot that is awake on the floor, and well. */
+    /** The state for this activity of a robot that is awake, on the floor, and without trouble. */
     static Optional<String> stateName(StateMachine original, EstimatedActivity activity) {
         return stateName(original, activity, Circumstances.USUAL);
     }
@@ -117,7 +117,7 @@ final class RobotEvents {
         };
     }
 
-    /** What it does in this state of its model. */
+    /** The activity in this state of its model. */
     static EstimatedActivity activity(State state) {
         return switch (state.name()) {
             case STATE_OFF -> EstimatedActivity.STANDBY;

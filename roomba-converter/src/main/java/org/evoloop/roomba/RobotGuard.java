@@ -19,11 +19,11 @@ import org.evoloop.service.GuardedDevice;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Has the robot stopped and put into Passive mode when this program has ended or stands still, so that its owner finds
- * it with its buttons and its safety as usual.
+ * Stops the robot and puts it into Passive mode when this program has ended or is not running, so that its buttons and
+ * its safety features work as usual.
  *
- * <p>The guard process opens the port only then. jSerialComm locks it by {@code flock} against programs that ask for
- * that lock; the guard does not.
+ * <p>The guard process opens the port only then. jSerialComm locks it by {@code flock} against programs that respect
+ * that lock; the guard ignores it.
  *
  * <p>Threading: as {@link GuardedDevice}; all else from any thread.
  */
@@ -46,7 +46,7 @@ final class RobotGuard implements GuardedDevice, AutoCloseable {
         }
     }
 
-    /** The same cable, on which nothing is sent once the robot has been stopped. */
+    /** The cable, which sends nothing after the robot has been stopped. */
     IntFunction<Link> cable(IntFunction<Link> cable) {
         return baud -> {
             GuardedLink opened = new GuardedLink(cable.apply(baud), guard::mayTell);
@@ -55,7 +55,7 @@ final class RobotGuard implements GuardedDevice, AutoCloseable {
         };
     }
 
-    /** From now on it is known whether the robot is under control. Returns its link, with how the guard is. */
+    /** Sets the session that knows whether the robot is under control. Returns its link, with the guard's status. */
     DeviceLink watch(RoombaSession watched) {
         session = watched;
         return new DeviceLink() {
@@ -84,7 +84,7 @@ final class RobotGuard implements GuardedDevice, AutoCloseable {
     @Override
     public String makeSafeCommand() {
         String path = "'" + settings.path().toString().replace("'", "'\\''") + "'";
-        // A port keeps the rate at which this program has found the robot, after its end, too.
+        // A port keeps the rate at which this program found the robot, even after its end.
         return "rate=$(stty -F " + path + " speed) && { [ \"$rate\" = 19200 ] || rate=" + settings.baud()
                 + "; } && stty -F "
                 + path + " \"$rate\" raw -echo cs8 -parenb -cstopb -crtscts clocal && printf '" + octal(stop()) + "' > "
@@ -92,8 +92,8 @@ final class RobotGuard implements GuardedDevice, AutoCloseable {
     }
 
     /**
-     * What stops the robot. A command that this program had begun takes at most as many of the bytes for its data as
-     * its longest one has; the rest is understood. A robot that works by itself takes no notice.
+     * The bytes that stop the robot. An unfinished command consumes at most as many of them as the longest command has;
+     * the rest is understood. A robot that works by itself ignores them.
      */
     private static byte[] stop() {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();

@@ -7,11 +7,11 @@ import org.evoloop.function.Visit;
 import org.evoloop.statemachine.State;
 
 /**
- * A new function in which the robot itself does the work: it is sent an event, and tells the end by itself.
+ * A new function in which the robot itself does the work: it is sent an event, and reports the end by itself.
  *
- * @param device where the robot's model is
- * @param words what it does, for people
- * @param event has the robot begin
+ * @param device supplies the state of the robot's model
+ * @param words describes the work, for people
+ * @param event the event that starts the work
  * @param underWay the states of its model in which it has begun: after a restart, a second command would pause it
  */
 record RobotWork(Supplier<State> device, String words, String event, Set<String> underWay) implements NewFunction {

@@ -48,7 +48,7 @@ import picocli.CommandLine.Option;
         footer = "%nctl NAME COMMAND gives a command to the one that was started with --name NAME (ctl --help).",
         mixinStandardHelpOptions = true)
 final class RoombaCommand implements Callable<Integer> {
-    /** Those that are declared where they are carried out. */
+    /** The options that are declared where they are implemented. */
     private static final Options OPTIONS =
             Options.of().and(ServiceOptions.OPTIONS, PageOptions.OPTIONS, MqttOptions.OPTIONS);
 
@@ -89,7 +89,7 @@ final class RoombaCommand implements Callable<Integer> {
     }
 
     /**
-     * Reads and checks what the command is told, from wherever.
+     * Reads and checks the command's options, from all sources.
      *
      * @param line the command's own, which has its options afterwards
      * @throws org.evoloop.config.ConfigException if there are mistakes
@@ -184,7 +184,7 @@ final class RoombaCommand implements Callable<Integer> {
                 .toList();
     }
 
-    /** Whoever is there to see it learns at once that there is no robot; a service waits for it. */
+    /** At a terminal a missing robot is an error at once; a service waits for it. */
     private RoombaConverter connect(IntFunction<Link> robot, LoopConfig config, RoombaOptions read)
             throws InterruptedException {
         SessionOptions how = robotOptions(speed == null ? 1 : speed);
@@ -193,7 +193,7 @@ final class RoombaCommand implements Callable<Integer> {
                 : RoombaConverter.connect(robot, config, how, read);
     }
 
-    /** What can be seen of a robot from above, and of a simulated one with its own eye. */
+    /** The pictures of a robot from above, and of a simulated one's camera. */
     private static List<Picture> pictures(RoombaConverter roomba, @Nullable SimulatedWorld world) {
         if (world == null) {
             return List.of(DrivenWay.of(roomba.session()));
@@ -233,14 +233,14 @@ final class RoombaCommand implements Callable<Integer> {
         return baud -> SerialLink.open(new SerialSettings(robotPort).withBaud(baud));
     }
 
-    /** What a fast simulation sends may come late by as much as its computer is busy, in real time. */
+    /** The messages of a fast simulation may be late in real time if its computer is busy. */
     static SessionOptions sessionOptions(double pace) {
         SessionOptions usual = SessionOptions.defaults();
         return usual.withSilenceLimit(
                 Duration.ofMillis(Math.round(usual.silenceLimit().toMillis() * Math.max(1, pace))));
     }
 
-    /** Limits are meant in real time: a simulation that runs fast is not served faster by its computer. */
+    /** Limits are in real time: a fast simulation does not make its computer faster. */
     static LoopConfig config(Clock clock, double pace) {
         LoopConfig usual = LoopConfig.defaults("roomba", clock);
         return usual.withStepLimit(

@@ -16,8 +16,8 @@ import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 
 /**
- * The robot as a vacuum in Home Assistant. Each command presses the controller's buttons until the new model is where
- * the button of that name leads from On; so a function that the owner has put there runs.
+ * The robot as a vacuum in Home Assistant. Each command presses the controller's buttons until the new model is in the
+ * state to which the button of that name leads from On, so that a function assigned to that state runs.
  */
 final class RoombaVacuum implements Vacuum {
     private static final State ON = new State(RobotEvents.STATE_ON);
@@ -31,7 +31,7 @@ final class RoombaVacuum implements Vacuum {
     private boolean paused;
     private boolean rested;
 
-    /** @param models the converter's present ones */
+    /** @param models supplies the converter's present models */
     RoombaVacuum(HomeAssistant home, RoombaSession session, Supplier<ModelPair> models) {
         this.home = home;
         this.session = session;
@@ -47,7 +47,7 @@ final class RoombaVacuum implements Vacuum {
         Activity drawn = activity(
                 status.states().evolved().name(), status.states().original().name());
         if (drawn != Activity.IDLE) {
-            // Before it rests, it is still doing what is to be interrupted.
+            // Before it rests, it is still doing the work that is to be interrupted.
             paused &= !rested;
             rested = false;
             return drawn;

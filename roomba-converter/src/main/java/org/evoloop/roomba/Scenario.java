@@ -2,7 +2,7 @@ package org.evoloop.roomba;
 
 import java.util.Locale;
 
-/** What the demo plays. Each ends where the robot's true state shows that it has come about. */
+/** The scenarios of the demo. Each ends when the robot's true state shows its result. */
 enum Scenario {
     /** The paper's first listing: the robot's own buttons; it moves to the starting point before it spot cleans. */
     REMOTE_START {
@@ -75,7 +75,7 @@ enum Scenario {
         play.controllerButton(RobotEvents.CLEAN).states("Clean", "Clean").robotIs("clean", "passive");
     }
 
-    /** As it stands on the command line: {@code remote-start}. */
+    /** Its name on the command line: {@code remote-start}. */
     @Override
     public String toString() {
         return name().toLowerCase(Locale.ROOT).replace('_', '-');

@@ -28,7 +28,7 @@ import org.evoloop.time.Clock;
 import org.evoloop.time.SystemClock;
 
 /**
- * A simulated robot at a serial port, and the people around it: they speak the simulator's text commands.
+ * A simulated robot at a serial port, and its environment, controlled by the simulator's text commands.
  *
  * <p>Threading: thread-safe.
  */
@@ -36,7 +36,7 @@ interface SimulatedWorld extends AutoCloseable {
     String ROOM = "demo-room.txt";
     String DRAWING = "drawing.svg";
 
-    /** Of the robot's time: as many as two slow cores can make and look at when it lives four times as fast. */
+    /** In the robot's time: as many as two slow cores can render and process when it runs four times as fast. */
     double CAMERA_FRAMES_PER_SECOND = 8;
 
     /** The robot's serial port. */
@@ -48,24 +48,24 @@ interface SimulatedWorld extends AutoCloseable {
     @Override
     void close();
 
-    /** Where its camera's pictures are to be had; empty if it carries none. */
+    /** The address of its camera; empty if it has none. */
     Optional<URI> camera();
 
-    /** Draws the room, the robot's way and what it sees now. */
+    /** Draws the room, the robot's path and its camera's present view. */
     void draw(Path file) throws IOException;
 
-    /** The same as SVG, while it lives; empty if it lives in another process. */
+    /** The drawing as SVG, while it runs; empty if it runs in another process. */
     default String drawn() {
         return "";
     }
 
-    /** What its camera has sent last, as JPEG, while it lives in this process; empty if nothing. */
+    /** The last picture of its camera, as JPEG, while it runs in this process; empty if there is none. */
     default byte[] seen() {
         return new byte[0];
     }
 
     /**
-     * Somewhere for a robot with a camera: a room with a marker, 0.4 m before which is the scenarios' starting point.
+     * A room for a robot with a camera, with a marker; the scenarios' starting point is 0.4 m in front of it.
      *
      * @throws IOException if it cannot be written
      */
@@ -80,7 +80,7 @@ interface SimulatedWorld extends AutoCloseable {
     /**
      * A robot in this process.
      *
-     * @param camera whether it carries one, in a room with a marker
+     * @param camera whether it has a camera, in a room with a marker
      * @throws IOException if this system has no pseudo-terminals
      */
     static SimulatedWorld inThisProcess(double speed, boolean camera) throws IOException {
@@ -145,11 +145,10 @@ interface SimulatedWorld extends AutoCloseable {
     }
 
     /**
-     * A robot in a process of its own: nothing but the port, and its camera's address, joins it with whoever opens
-     * that.
+     * A robot in a process of its own, connected only by the port and its camera's address.
      *
-     * @param camera whether it carries one, in a room with a marker
-     * @param options more of the simulator's, such as {@code --baud=19200}
+     * @param camera whether it has a camera, in a room with a marker
+     * @param options further options of the simulator, such as {@code --baud=19200}
      * @throws IOException if it cannot be started
      */
     static SimulatedWorld inAnotherProcess(double speed, boolean camera, String... options) throws IOException {
@@ -241,7 +240,7 @@ interface SimulatedWorld extends AutoCloseable {
             }
             Files.deleteIfExists(folder);
         } catch (IOException leftBehind) {
-            // A link in the folder for temporary files does no harm.
+            // A leftover link in the folder for temporary files does no harm.
             folder.toFile().deleteOnExit();
         }
     }

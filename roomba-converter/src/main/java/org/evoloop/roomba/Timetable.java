@@ -12,7 +12,8 @@ import java.util.regex.Pattern;
 import org.evoloop.converter.TimetableMonitor;
 
 /**
- * When the robot shall clean, as its owner writes it: {@code 09:00} for every day, {@code MON,FRI 09:00} for some.
+ * A time at which the robot is to clean, as its owner writes it: {@code 09:00} for every day, {@code MON,FRI 09:00} for
+ * some.
  *
  * @param days none for every day
  */

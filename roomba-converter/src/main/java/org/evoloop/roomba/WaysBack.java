@@ -14,9 +14,9 @@ import org.evoloop.statemachine.StateMachineBuilder;
 import org.evoloop.statemachine.Transition;
 
 /**
- * The ways out of a Move that ends without an arrival, which its owner need not draw: back to the state in which the
- * press occurred that led to it, or to where the robot is that somebody has set to work by its own buttons meanwhile.
- * They are transitions of the new model like any other, on events of their own.
+ * The transitions out of a Move that ends without an arrival, which its owner need not draw: back to the state in which
+ * the press that led to it occurred, or to the state of a robot that was meanwhile set to work by its own buttons. They
+ * are ordinary transitions of the new model, on events of their own.
  */
 final class WaysBack {
     static final String PREFIX = "backTo";
@@ -36,7 +36,7 @@ final class WaysBack {
         return PREFIX + state.name();
     }
 
-    /** The new model with these ways. */
+    /** The new model with these transitions. */
     StateMachine drawn() {
         StateMachineBuilder builder =
                 StateMachine.named(evolved.name()).initial(evolved.initial().name());
@@ -71,7 +71,7 @@ final class WaysBack {
                 .toList();
     }
 
-    /** The state in which somebody's press led, at once or by and by, to this transition. */
+    /** The state in which a press led, directly or indirectly, to this transition. */
     State before(Transition entry) {
         Set<State> seen = new LinkedHashSet<>();
         Deque<Transition> next = new ArrayDeque<>(List.of(entry));
@@ -88,7 +88,7 @@ final class WaysBack {
         return entry.source();
     }
 
-    /** Whether the device gets there, or need not, wherever it stands when the state is entered. */
+    /** Whether the device can get there, or need not, from each of its possible states when the state is entered. */
     private boolean canBeReached(State target, State move) {
         if (!original.hasState(target)) {
             return evolved.hasState(target);
@@ -96,7 +96,7 @@ final class WaysBack {
         return deviceStates(move).stream().allMatch(from -> reachable(from).contains(target));
     }
 
-    /** Where the device stands in a new state: in the states of its own from which that is entered. */
+    /** The device's possible states in a new state: its own states from which that is entered. */
     private Set<State> deviceStates(State state) {
         Set<State> found = new LinkedHashSet<>();
         Set<State> seen = new LinkedHashSet<>(Set.of(state));

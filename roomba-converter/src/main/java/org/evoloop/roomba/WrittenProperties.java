@@ -16,7 +16,7 @@ import org.evoloop.xmi.ModelReference;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What is written beside the files of new models, which are named by where they are.
+ * The property files beside the files of new models.
  *
  * <p>Threading: thread-safe.
  */
@@ -24,7 +24,7 @@ final class WrittenProperties implements Sentry.Posting {
     private final Map<String, TimeRules> time = new ConcurrentHashMap<>();
 
     /**
-     * Reads what belongs to the new model; nothing if there is no such file.
+     * Reads the properties of the new model; none if there is no such file.
      *
      * @throws ModelException if it cannot be read or understood
      */
