@@ -21,8 +21,6 @@ PATIENCE_S = 120
 INSTALLATION_S = 900
 
 CONFIGURATION = """
-homeassistant:
-  name: Test
 logger:
   default: warning
 mqtt:
@@ -57,11 +55,17 @@ def free_port() -> int:
         return int(probe.getsockname()[1])
 
 
+def program(jar: str, *options: str) -> list[str]:
+    return ["java", f"-Devoloop.home={PROJECT}", "-jar", str(PROJECT / jar), "--start", *options]
+
+
 class House:
     """What is in a house with one broker that forgets everything when it ends."""
 
-    def __init__(self, folder: Path) -> None:
+    def __init__(self, folder: Path, extra: str = "") -> None:
+        """extra: what else there is in Home Assistant's configuration, in YAML."""
         self.folder = folder
+        self.extra = extra
         self.port = free_port()
         self.newest: dict[str, str] = {}
         self.processes: dict[str, subprocess.Popen[bytes]] = {}
@@ -73,7 +77,7 @@ class House:
         config = ROOT / "config"
         shutil.rmtree(config, ignore_errors=True)
         (config / ".storage").mkdir(parents=True)
-        (config / "configuration.yaml").write_text(CONFIGURATION)
+        (config / "configuration.yaml").write_text(CONFIGURATION + self.extra)
         entry = {
             "created_at": "2026-11-01T00:00:00+00:00", "modified_at": "2026-11-01T00:00:00+00:00",
             "data": {"broker": "127.0.0.1", "port": self.port, "protocol": "5"}, "options": {"discovery": True},
@@ -119,6 +123,21 @@ class House:
     def stop_broker(self) -> None:
         self.stop("listener")
         self.stop("broker", signal.SIGKILL)
+
+    def start_home_assistant_twice(self) -> None:
+        """The first start only installs what the integrations need; the second one's triggers know MQTT."""
+        self.start_home_assistant(INSTALLATION_S)
+        self.stop("home-assistant")
+        (self.folder / "home-assistant.log").unlink()
+        self.start_home_assistant()
+
+    def start_programs(self) -> None:
+        """The light bulb and a simulated Roomba, at five times its speed."""
+        url = f"mqtt://127.0.0.1:{self.port}"
+        self.start("lamp", program("lightbulb-example/target/lightbulb-example.jar", "--mqtt", url))
+        self.start(
+            "roomba", program("roomba-converter/target/roomba-converter.jar", "--simulate", "--speed", "5", "--mqtt", url)
+        )
 
     def start_home_assistant(self, limit_s: int = PATIENCE_S) -> None:
         self.newest.pop("homeassistant/status", None)

@@ -9,14 +9,10 @@ import time
 import unittest
 from pathlib import Path
 
-from house import INSTALLATION_S, PROJECT, House
+from house import House
 
 BROKER_RESTARTS = int(os.environ.get("EVOLOOP_BROKER_RESTARTS", "50"))
 HOME_ASSISTANT_RESTARTS = int(os.environ.get("EVOLOOP_HOME_ASSISTANT_RESTARTS", "20"))
-
-
-def program(jar: str, *options: str) -> list[str]:
-    return ["java", f"-Devoloop.home={PROJECT}", "-jar", str(PROJECT / jar), "--start", *options]
 
 
 class HomeAssistantTest(unittest.TestCase):
@@ -28,16 +24,8 @@ class HomeAssistantTest(unittest.TestCase):
         cls.house = House(Path(cls.folder.name))
         cls.addClassCleanup(cls.folder.cleanup)
         cls.addClassCleanup(cls.house.close)
-        # The first start only installs what the integrations need; the second one's triggers know MQTT.
-        cls.house.start_home_assistant(INSTALLATION_S)
-        cls.house.stop("home-assistant")
-        (Path(cls.folder.name) / "home-assistant.log").unlink()
-        cls.house.start_home_assistant()
-        url = f"mqtt://127.0.0.1:{cls.house.port}"
-        cls.house.start("lamp", program("lightbulb-example/target/lightbulb-example.jar", "--mqtt", url))
-        cls.house.start(
-            "roomba", program("roomba-converter/target/roomba-converter.jar", "--simulate", "--speed", "5", "--mqtt", url)
-        )
+        cls.house.start_home_assistant_twice()
+        cls.house.start_programs()
 
     def test_1_both_are_shown_as_soon_as_they_are_there(self) -> None:
         for name, entity in (("lamp", "switch.lamp_converting"), ("roomba", "vacuum.roomba")):
