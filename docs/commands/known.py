@@ -72,6 +72,7 @@ KNOWN = [
     typed("./evoloop demo", slow=True, shows="remote-start"),
     Known("./evoloop test", why_not=THIS),
     Known("./evoloop test --slow", why_not=THIS),
+    Known("./evoloop test --ci", why_not=THIS),
     Known("./evoloop test --oracles", why_not="network: fetches checkers from PyPI; a test run of its own"),
     Known("./evoloop test --interop", why_not="network: fetches clients from PyPI; a test run of its own"),
     Known("./evoloop test --package", why_not="root and network: Debians of its own; a test run of its own"),

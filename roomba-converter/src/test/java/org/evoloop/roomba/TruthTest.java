@@ -129,7 +129,7 @@ class TruthTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"PAPER, 100", "HOME, 70", "GUEST, 30"})
+    @CsvSource({"PAPER, 50", "HOME, 35", "GUEST, 15"})
     void isKnownAfterSomeRandomSequences(Evolution evolution, int sequences) {
         search(evolution, 20_261_121, sequences);
     }
