@@ -31,7 +31,7 @@ import org.jspecify.annotations.Nullable;
  * <p>Threading: thread-safe. Its lock is held for as long as the core and its outputs take, which is short; nothing
  * of a user runs under it. A thread that holds the loop's lock may take this one, never the other way round.
  */
-final class CoreDriver implements Intake<Occurrence> {
+final class CoreDriver implements Intake<Occurrence>, EffectListener {
     private static final long WAIT_MILLIS = 5;
 
     private final Core core;
@@ -239,7 +239,8 @@ final class CoreDriver implements Intake<Occurrence> {
      *
      * @param inOrder see {@link Input.Sent}
      */
-    synchronized void tookEffect(EventExecute execute, boolean inOrder) {
+    @Override
+    public synchronized void tookEffect(EventExecute execute, boolean inOrder) {
         long number = execute.sending;
         execute.sending = 0;
         if (number != 0) {

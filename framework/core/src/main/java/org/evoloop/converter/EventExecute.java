@@ -26,7 +26,7 @@ public abstract class EventExecute extends Execute<ChangePlan> {
 
     private volatile @Nullable Set<Event> events;
     private volatile Values values = Values.NONE;
-    private volatile @Nullable CoreDriver driver;
+    private volatile @Nullable EffectListener listener;
     private volatile @Nullable Carrier carrier;
 
     /** A component with the name of its class. */
@@ -73,7 +73,7 @@ public abstract class EventExecute extends Execute<ChangePlan> {
     }
 
     private void report(boolean inOrder) {
-        CoreDriver told = driver;
+        EffectListener told = listener;
         if (told != null) {
             told.tookEffect(this, inOrder);
         }
@@ -117,8 +117,8 @@ public abstract class EventExecute extends Execute<ChangePlan> {
      */
     protected void released() throws Exception {}
 
-    final void attach(CoreDriver joined, Carrier carriedBy) {
-        driver = joined;
+    final void attach(EffectListener joined, @Nullable Carrier carriedBy) {
+        listener = joined;
         carrier = carriedBy;
     }
 
