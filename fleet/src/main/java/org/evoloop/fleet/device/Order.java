@@ -12,9 +12,23 @@ import org.evoloop.evolution.Values;
  * @param what the event to send, or the effect to run; empty if the device is to say where it is
  * @param values what the occurrence carries
  * @param deadlineNanos nobody carries it out later than this, in nanoseconds since 1970
+ * @param visit the evolved system's stay in its state
+ * @param function whether what runs in that visit goes on meanwhile
+ * @param from the state in which the device is, by what is known
+ * @param to where an event takes it; else the same
  * @since 0.1
  */
-public record Order(long sequence, long occurrence, Kind kind, String what, Values values, long deadlineNanos) {
+public record Order(
+        long sequence,
+        long occurrence,
+        Kind kind,
+        String what,
+        Values values,
+        long deadlineNanos,
+        long visit,
+        boolean function,
+        String from,
+        String to) {
 
     /** What is asked for. */
     public enum Kind {
