@@ -45,6 +45,7 @@ THIS = "is what runs this test"
 MUTANTS = "takes some minutes of both processors: over a thousand mutants of the models, a test run of its own"
 NO_BOARD = "hardware: takes a camera's pictures of a printed chessboard (CalibrationTest draws them)"
 CLUSTER = "needs a Kafka cluster; FleetCommandTest of fleet starts a broker and does the same there"
+EDGE = "needs a Kafka cluster and an MQTT broker; RoombaEdgeTest of fleet starts both, and does the same with a simulated robot"
 ELSEWHERE = "is for the project that scaffold writes; test_retrofit.py makes it and runs this there"
 
 CONSOLE = """start
@@ -172,6 +173,13 @@ KNOWN = [
     Known(
         "./evoloop gateway --bootstrap HOST:9092 --mqtt mqtt://BROKER --device kitchen,hall --journal DIR",
         why_not="needs a Kafka cluster and an MQTT broker; GatewayTest of fleet starts both",
+    ),
+    Known("./evoloop fleet publish robot-1 models/cleaning-robot.xml --bootstrap HOST:9092", why_not=CLUSTER),
+    Known("./evoloop fleet register --model robot-1 robot --bootstrap HOST:9092", why_not=CLUSTER),
+    Known("./evoloop gateway --bootstrap HOST:9092 --mqtt mqtt://BROKER --device robot --journal DIR", why_not=EDGE),
+    Known(
+        "./evoloop roomba edge --port /dev/ttyUSB0 --device robot --mqtt mqtt://BROKER --journal DIR",
+        why_not=EDGE,
     ),
     Known("./evoloop bench --fleet", why_not="takes ten minutes and more; --quick does the same with fewer devices"),
     typed("./evoloop bench --fleet --quick", slow=True, shows="events/CPU s"),

@@ -8,4 +8,5 @@ module org.evoloop.mqtt {
     requires org.slf4j;
 
     exports org.evoloop.mqtt;
+    exports org.evoloop.mqtt.edge;
 }

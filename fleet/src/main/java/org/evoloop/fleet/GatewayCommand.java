@@ -1,5 +1,6 @@
 package org.evoloop.fleet;
 
+import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.Set;
 import java.util.concurrent.Callable;
@@ -23,6 +24,9 @@ import picocli.CommandLine.Spec;
         sortOptions = false,
         footer = {"", "Exit status: 0 success, 2 wrong usage or input."})
 final class GatewayCommand implements Callable<Integer> {
+    /** A connection to the broker keeps no more states. */
+    private static final int MOST_DEVICES = 500;
+
     @Spec
     @SuppressWarnings("NullAway.Init") // picocli sets it
     private CommandSpec spec;
@@ -76,6 +80,10 @@ final class GatewayCommand implements Callable<Integer> {
                         + "'; MQTT takes no '/', '+', '#' or spaces in its name, 200 characters at most");
             }
         }
+        if (devices.size() > MOST_DEVICES) {
+            throw new IllegalArgumentException("--device names " + devices.size() + " devices, and a gateway has "
+                    + MOST_DEVICES + " at most; start another one for the others, with another --gateway");
+        }
         BrokerAddress address = BrokerAddress.parse(mqtt);
         String password = System.getenv("EVOLOOP_MQTT_PASSWORD");
         cluster.check();
@@ -93,6 +101,9 @@ final class GatewayCommand implements Callable<Integer> {
             Runtime.getRuntime().addShutdownHook(new Thread(gateway::close, "gateway-end"));
             gateway.start();
             new CountDownLatch(1).await();
+        } catch (UncheckedIOException unusable) {
+            throw new IllegalArgumentException(
+                    "--journal: " + unusable.getMessage() + "; give a directory that this program may write", unusable);
         }
         return 0;
     }

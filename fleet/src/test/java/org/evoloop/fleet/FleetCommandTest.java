@@ -2,9 +2,12 @@ package org.evoloop.fleet;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Path;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import picocli.CommandLine;
@@ -32,7 +35,16 @@ class FleetCommandTest {
         mistake("standbys is -1", "fleet", "--bootstrap", Brokers.shared(), "--standbys", "-1");
         mistake("the commit interval is PT0S", "fleet", "--bootstrap", Brokers.shared(), "--commit-ms", "0");
         mistake("--partitions is 0", "fleet", "--bootstrap", Brokers.shared(), "--create-topics", "--partitions", "0");
+        mistake("the device is 'a/b'", gateway("a/b", "j"));
+        String many = IntStream.rangeClosed(1, 501).mapToObj(String::valueOf).collect(Collectors.joining(","));
+        mistake("--device names 501 devices, and a gateway has 500 at most", gateway(many, "j"));
         mistake("none.occurrences is missing", "fleet", "--bootstrap", Brokers.shared(), "--name", "none");
+    }
+
+    private static String[] gateway(String devices, String journal) throws IOException {
+        return new String[] {
+            "gateway", "--bootstrap", Brokers.shared(), "--mqtt", "mqtt://h", "--device", devices, "--journal", journal
+        };
     }
 
     private void mistake(String message, String... arguments) {
@@ -40,6 +52,14 @@ class FleetCommandTest {
         assertThat(run(arguments)).as(message).isEqualTo(2);
         assertThat(err.toString()).startsWith("error: ").contains(message).doesNotContain("\tat ");
         assertThat(out.toString()).isEmpty();
+    }
+
+    @Test
+    void aGatewayRefusesAJournalThatItCannotWrite() throws Exception {
+        assertThat(run("fleet", "--bootstrap", Brokers.shared(), "--create-topics", "--partitions", "1"))
+                .isZero();
+        out.getBuffer().setLength(0);
+        mistake("--journal: /dev/null/j cannot be used", gateway("a", "/dev/null/j"));
     }
 
     @Test

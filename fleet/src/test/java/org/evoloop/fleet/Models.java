@@ -19,6 +19,10 @@ public final class Models {
         return new ModelRecord(file, text(file), "original", "new", timers, 8);
     }
 
+    /** The cleaning robot of the paper; how long it waits for a second press is up to a function at the robot. */
+    public static final ModelRecord ROBOT = new ModelRecord(
+            "models/cleaning-robot.xml", text("models/cleaning-robot.xml"), "original", "new", List.of(), 8);
+
     private Models() {}
 
     private static String text(String file) {

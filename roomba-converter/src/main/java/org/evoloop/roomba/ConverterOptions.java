@@ -221,6 +221,14 @@ final class ConverterOptions {
                 .withJournal(journal == null ? null : Journal.in(journal));
     }
 
+    /** Checks the values of a command whose options stand in no file, as {@link #refined} does for others. */
+    void checkRanges() {
+        requireWithin("--search-limit", searchLimitSeconds, 1, 3600);
+        if (spotWaitSeconds != null) {
+            requireWithin("--spot-wait", spotWaitSeconds, 0.1, 3600);
+        }
+    }
+
     private static void requireWithin(String option, double value, double least, double most) {
         if (!(value >= least && value <= most)) {
             DecimalFormat plain = new DecimalFormat("0.###", DecimalFormatSymbols.getInstance(Locale.ROOT));

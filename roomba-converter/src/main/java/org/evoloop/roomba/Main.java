@@ -88,6 +88,7 @@ public final class Main {
 
     private static CommandLine everything() {
         return withHandlers(RoombaCommand.line(new RoombaCommand())
+                .addSubcommand(new EdgeCommand())
                 .addSubcommand(new SimulatorCommand())
                 .addSubcommand(new DemoCommand())
                 .addSubcommand(new CameraCommand())

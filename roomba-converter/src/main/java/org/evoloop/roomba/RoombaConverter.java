@@ -50,13 +50,7 @@ public record RoombaConverter(
         PushMonitor controller = new PushMonitor("Controller");
         SystemEventConverter converter = new SystemEventConverter(config);
         Resumption resumption = new Resumption();
-        Function<RobotModels, KnowledgeState> knowing = models -> new KnowledgeState(
-                models,
-                session,
-                back -> new Move(session, options.startPoint(), options.move(), back),
-                resumption,
-                new SpotWait(options.spotWait()),
-                options.quietHours());
+        Function<RobotModels, KnowledgeState> knowing = models -> knowledge(models, session, options, resumption);
         AtomicBoolean mayMove = new AtomicBoolean();
         MonitorEvent robot = new MonitorEvent(
                 session, original, event -> mayMove.get() && models(converter).restartsMove(current(converter), event));
@@ -88,6 +82,17 @@ public record RoombaConverter(
             session.assume(RobotEvents.activity(converter.status().states().original()));
         }
         return new RoombaConverter(session, robot, controller, converter, properties);
+    }
+
+    static KnowledgeState knowledge(
+            RobotModels models, RoombaSession session, RoombaOptions options, Resumption resumption) {
+        return new KnowledgeState(
+                models,
+                session,
+                back -> new Move(session, options.startPoint(), options.move(), back),
+                resumption,
+                new SpotWait(options.spotWait()),
+                options.quietHours());
     }
 
     private static RobotModels models(SystemEventConverter converter) {
@@ -122,7 +127,7 @@ public record RoombaConverter(
     }
 
     /** The converter's timetable takes the place of the robot's own. */
-    private static List<Command> greeting(RoombaOptions options) {
+    static List<Command> greeting(RoombaOptions options) {
         return options.timetable().isEmpty() ? List.of() : List.of(new Command.Schedule(Map.of()));
     }
 

@@ -47,6 +47,14 @@ class BadInputTest {
     @CsvSource(
             delimiter = '|',
             value = {
+                "edge --device a/b --port /dev/x --mqtt mqtt://h --journal j | error: --device is 'a/b'; MQTT takes no '/', "
+                        + "'+', '#' or spaces in its name, 200 characters at most",
+                "edge --device a --port /dev/x --mqtt h --journal j | error: the broker's URL h names no broker; give it as "
+                        + "mqtt://HOST, mqtt://USER@HOST:1883 or mqtts://USER@HOST",
+                "edge --device a --port /dev/x --mqtt mqtt://h --journal /dev/null/j | error: --journal: /dev/null/j cannot "
+                        + "be used: /dev/null/j: Not a directory; give a directory that this program may write",
+                "edge --device a --port /dev/x --mqtt mqtt://h --journal j --spot-wait 0 | error: --spot-wait is 0.0, allowed "
+                        + "is 0.1 to 3600 seconds",
                 "--simulate --port /dev/x | error: say which robot: --port PATH or --simulate",
                 "--speed 2 --port /dev/x | error: --speed goes with --simulate; a real robot has its own pace",
                 "--simulate --speed 0 | error: --speed is 0.0, allowed is 0.01 to 1000.0 times real time",

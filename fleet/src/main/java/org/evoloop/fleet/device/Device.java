@@ -14,8 +14,8 @@ import org.evoloop.core.Snapshot;
 import org.evoloop.evolution.Decision;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Step;
-import org.evoloop.evolution.Values;
 import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.State;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -253,9 +253,9 @@ public final class Device {
             send(pending, send.step(), holds);
         } else if (next instanceof Output.Run run) {
             core.running(pending.number());
-            order(pending, Order.Kind.RUN, run.effect());
+            order(pending, Order.Kind.RUN, run.effect(), core.at().original());
         } else if (next instanceof Output.Locate) {
-            order(pending, Order.Kind.LOCATE, "");
+            order(pending, Order.Kind.LOCATE, "", core.at().original());
         }
     }
 
@@ -269,14 +269,23 @@ public final class Device {
         }
         core.sending(pending.number());
         if (core.maySend(pending.number())) {
-            order(pending, Order.Kind.SEND, step.trigger().name());
+            order(pending, Order.Kind.SEND, step.trigger().name(), step.target());
         }
     }
 
-    private void order(Pending pending, Order.Kind kind, String what) {
+    private void order(Pending pending, Order.Kind kind, String what, State to) {
         sequence++;
-        Values values = pending.occurrence().values();
-        Order order = new Order(sequence, pending.number(), kind, what, values, core.nowNanos() + patienceNanos);
+        Order order = new Order(
+                sequence,
+                pending.number(),
+                kind,
+                what,
+                pending.occurrence().values(),
+                core.nowNanos() + patienceNanos,
+                core.visit(),
+                !core.isVisitOver(),
+                core.at().original().name(),
+                to.name());
         open = Order.Open.of(order);
         hearer.ordered(order);
     }

@@ -12,9 +12,23 @@ import org.evoloop.evolution.Values;
  * @param what the event to send, or the effect to run; empty if the device is to report its state
  * @param values the values of the occurrence
  * @param deadlineNanos the time after which it must not be carried out, in nanoseconds since 1970
+ * @param visit the number of the evolved system's current visit to a state
+ * @param function whether what runs in that visit continues meanwhile
+ * @param from the state of the device, as far as is known
+ * @param to the state to which an event leads; else the same
  * @since 0.1
  */
-public record Order(long sequence, long occurrence, Kind kind, String what, Values values, long deadlineNanos) {
+public record Order(
+        long sequence,
+        long occurrence,
+        Kind kind,
+        String what,
+        Values values,
+        long deadlineNanos,
+        long visit,
+        boolean function,
+        String from,
+        String to) {
 
     /** The kind of an order. */
     public enum Kind {

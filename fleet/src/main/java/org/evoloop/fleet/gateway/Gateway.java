@@ -32,12 +32,15 @@ import org.evoloop.fleet.wire.Wire;
 import org.evoloop.mqtt.BrokerAddress;
 import org.evoloop.mqtt.BrokerConnection;
 import org.evoloop.mqtt.Message;
+import org.evoloop.mqtt.edge.Carried;
+import org.evoloop.mqtt.edge.Outbox;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
  * Connects the devices of an MQTT broker to a fleet. Under {@code evoloop/DEVICE/} a device publishes on {@code
- * occurrence} and {@code effect}, and listens to {@code command}; the payloads are the fleet's records.
+ * occurrence} and {@code effect}, and listens to {@code command}, {@code state} and {@code kept}; the payloads are the
+ * fleet's records.
  *
  * <p>Lifecycle: {@link #start}, then {@link #close}.
  *
@@ -84,7 +87,7 @@ public final class Gateway implements AutoCloseable {
         this.name = name;
         this.devices = Set.copyOf(devices);
         this.teller = teller;
-        this.outbox = new Outbox(directory);
+        this.outbox = new Outbox(directory, 0);
         this.carried = new Carried(directory);
         this.mqtt = new BrokerConnection(mqtt, name);
         for (String device : devices) {
@@ -113,7 +116,26 @@ public final class Gateway implements AutoCloseable {
         String record = payload.startsWith("{") && !payload.contains("\"atMillis\"")
                 ? "{\"atMillis\":" + System.currentTimeMillis() + ',' + payload.substring(1)
                 : payload;
-        outbox.add(topic, device, record);
+        outbox.add(topic.name(), device, record);
+        kept(device, record);
+    }
+
+    /** A device that numbers what it tells learns that it need not tell it again. */
+    private void kept(String device, String record) {
+        long number = number(record);
+        if (number > 0) {
+            mqtt.publish(Message.command(topic(device, "kept"), "{\"schema\":1,\"number\":" + number + '}'));
+        }
+    }
+
+    /** The number that the device has given it; 0 if it has given none, or the fleet makes a dead letter of it. */
+    private static long number(String record) {
+        try {
+            return Reading.of(record.getBytes(StandardCharsets.UTF_8)).number("number", 0);
+        } catch (Refusal unreadable) {
+            LOG.debug("a device has told what is no record", unreadable);
+            return 0;
+        }
     }
 
     private void sendAll() {
@@ -142,15 +164,18 @@ public final class Gateway implements AutoCloseable {
         producer.beginTransaction();
         for (Outbox.Entry entry : batch) {
             byte[] record = numbered(entry).getBytes(StandardCharsets.UTF_8);
-            var sent = producer.send(new ProducerRecord<>(entry.topic().of(fleet), entry.device(), record));
+            var sent = producer.send(
+                    new ProducerRecord<>(Topic.valueOf(entry.topic()).of(fleet), entry.device(), record));
             LOG.trace("sent {}", sent);
         }
         producer.commitTransaction();
-        outbox.sent(batch.get(batch.size() - 1));
+        outbox.sent(batch.get(batch.size() - 1).number());
     }
 
     private static String numbered(Outbox.Entry entry) {
-        boolean counts = entry.topic() == Topic.OCCURRENCES && entry.record().startsWith("{");
+        boolean counts = entry.topic().equals(Topic.OCCURRENCES.name())
+                && entry.record().startsWith("{")
+                && number(entry.record()) == 0;
         return counts ? "{\"number\":" + entry.number() + ',' + entry.record().substring(1) : entry.record();
     }
 
@@ -189,6 +214,11 @@ public final class Gateway implements AutoCloseable {
         if (!devices.contains(record.key())) {
             return;
         }
+        if (record.topic().equals(Topic.STATES.of(fleet))) {
+            mqtt.publish(Message.state(
+                    topic(record.key(), "state"), record.value() == null ? "" : Wire.text(record.value())));
+            return;
+        }
         try {
             Order order = Reading.of(record.value()).order();
             if (carried.take(record.key(), order.sequence())) {
@@ -212,7 +242,7 @@ public final class Gateway implements AutoCloseable {
 
     private void failed(String device, Order order, String why, long nowMillis) {
         Answer answer = new Answer(order.sequence(), Answer.Outcome.FAILED, why, null, Wire.nanos(nowMillis));
-        outbox.add(Topic.EFFECTS, device, Wire.text(Wire.effect(answer)));
+        outbox.add(Topic.EFFECTS.name(), device, Wire.text(Wire.effect(answer)));
     }
 
     private KafkaConsumer<String, byte[]> consumer() {
@@ -236,8 +266,10 @@ public final class Gateway implements AutoCloseable {
 
     private List<TopicPartition> partitions(KafkaConsumer<String, byte[]> consumer) {
         List<TopicPartition> all = new ArrayList<>();
-        for (PartitionInfo each : consumer.partitionsFor(Topic.COMMANDS.of(fleet))) {
-            all.add(new TopicPartition(each.topic(), each.partition()));
+        for (Topic topic : List.of(Topic.COMMANDS, Topic.STATES)) {
+            for (PartitionInfo each : consumer.partitionsFor(topic.of(fleet))) {
+                all.add(new TopicPartition(each.topic(), each.partition()));
+            }
         }
         return all;
     }

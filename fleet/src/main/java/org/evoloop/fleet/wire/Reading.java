@@ -95,7 +95,17 @@ public final class Reading {
     public Order order() {
         Order.Kind kind = constant(Order.Kind.values(), "kind");
         String what = kind == Order.Kind.LOCATE ? "" : text(kind == Order.Kind.SEND ? "event" : "effect");
-        return new Order(number("sequence"), 0, kind, what, values(), Wire.nanos(number("deadlineMillis")));
+        return new Order(
+                number("sequence"),
+                0,
+                kind,
+                what,
+                values(),
+                Wire.nanos(number("deadlineMillis")),
+                number("visit", 0),
+                truth("function"),
+                text("from", ""),
+                text("to", ""));
     }
 
     private Source source() {

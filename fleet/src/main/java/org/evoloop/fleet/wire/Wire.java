@@ -13,6 +13,7 @@ import org.evoloop.fleet.device.Answer;
 import org.evoloop.fleet.device.Kept;
 import org.evoloop.fleet.device.Order;
 import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.Transition;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -93,9 +94,12 @@ public final class Wire {
                 .with("sequence", order.sequence())
                 .with("kind", word(order.kind()))
                 .with("deadlineMillis", millis(order.deadlineNanos()));
-        if (order.kind() != Order.Kind.LOCATE) {
-            json.with(order.kind() == Order.Kind.SEND ? "event" : "effect", order.what());
+        if (order.kind() == Order.Kind.SEND) {
+            json.with("event", order.what()).with("from", order.from()).with("to", order.to());
+        } else if (order.kind() == Order.Kind.RUN) {
+            json.with("effect", order.what());
         }
+        json.with("visit", order.visit()).with("function", order.function());
         return json.withValues("values", order.values().byName()).bytes();
     }
 
@@ -152,6 +156,12 @@ public final class Wire {
                 .with("system", snapshot.at().evolved().name())
                 .with("visit", snapshot.visit().number())
                 .with("function", isNew && !snapshot.visit().over());
+        Transition by = snapshot.visit().by();
+        if (isNew && by != null) {
+            json.with("from", by.source().name()).with("by", by.event().toString());
+        }
+        json.with("sequence", kept.sequence())
+                .with("settled", kept.open() == null && !snapshot.visit().over());
         Map<Event, Long> deadlines = snapshot.visit().deadlines();
         if (!deadlines.isEmpty()) {
             Json timers = Json.inner();

@@ -5,11 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.ServerSocket;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardOpenOption;
 import java.time.Duration;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
@@ -109,45 +106,6 @@ class GatewayTest {
     private static int freePort() throws IOException {
         try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
             return socket.getLocalPort();
-        }
-    }
-
-    @Test
-    void whatIsKeptIsThereAgainAfterACrashAndNoNumberIsGivenTwice() throws Exception {
-        Path kept = directory.resolve("kept");
-        try (Outbox outbox = new Outbox(kept)) {
-            outbox.add(Topic.OCCURRENCES, "a", "{1}");
-            outbox.add(Topic.EFFECTS, "b", "{2}\n{x}");
-            outbox.sent(outbox.first(1, 1).get(0));
-        }
-        Files.writeString(kept.resolve("outbox"), "3\tOCC", StandardOpenOption.APPEND);
-        try (Outbox outbox = new Outbox(kept)) {
-            assertThat(outbox.first(9, 1)).containsExactly(new Outbox.Entry(2, Topic.EFFECTS, "b", "{2} {x}"));
-            outbox.add(Topic.OCCURRENCES, "a", "{3}");
-            List<Outbox.Entry> all = new ArrayList<>(outbox.first(9, 1));
-            assertThat(all).extracting(Outbox.Entry::number).containsExactly(2L, 3L);
-            outbox.sent(all.get(1));
-        }
-        try (Outbox outbox = new Outbox(kept)) {
-            assertThat(outbox.size()).isZero();
-            outbox.add(Topic.OCCURRENCES, "a", "{4}");
-            assertThat(outbox.first(9, 1)).extracting(Outbox.Entry::number).containsExactly(4L);
-        }
-    }
-
-    @Test
-    void noCommandIsCarriedOutTwiceAfterACrash() {
-        Path kept = directory.resolve("kept");
-        assertThat(kept.toFile().mkdirs()).isTrue();
-        try (Carried carried = new Carried(kept)) {
-            assertThat(carried.take("a", 1)).isTrue();
-            assertThat(carried.take("b", 7)).isTrue();
-            assertThat(carried.take("a", 1)).isFalse();
-        }
-        try (Carried carried = new Carried(kept)) {
-            assertThat(carried.take("b", 6)).isFalse();
-            assertThat(carried.take("b", 7)).isFalse();
-            assertThat(carried.take("a", 2)).isTrue();
         }
     }
 }

@@ -84,7 +84,7 @@ final class ConverterShell implements LoopListener<Occurrence> {
 
     private void adopt(StateKnowledge adopted) {
         adopted.bindings().watch(config, books.failures());
-        adopted.attach(driver);
+        adopted.attach(driver::configuration);
     }
 
     /** Its present knowledge. */

@@ -32,7 +32,7 @@ import org.jspecify.annotations.Nullable;
  * <p>Threading: thread-safe. Its lock is held for as long as the core and its outputs take, which is short; no user
  * code runs under it. A thread that holds the loop's lock may take this one, never the other way round.
  */
-final class CoreDriver implements Intake<Occurrence> {
+final class CoreDriver implements Intake<Occurrence>, EffectListener {
     private static final long WAIT_MILLIS = 5;
 
     private final Core core;
@@ -243,7 +243,8 @@ final class CoreDriver implements Intake<Occurrence> {
      *
      * @param inOrder see {@link Input.Sent}
      */
-    synchronized void tookEffect(EventExecute execute, boolean inOrder) {
+    @Override
+    public synchronized void tookEffect(EventExecute execute, boolean inOrder) {
         long number = execute.sending;
         execute.sending = 0;
         if (number != 0) {

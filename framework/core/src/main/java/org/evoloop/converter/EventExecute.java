@@ -29,7 +29,7 @@ public abstract class EventExecute extends Execute<ChangePlan> {
 
     private volatile @Nullable Set<Event> events;
     private volatile Values values = Values.NONE;
-    private volatile @Nullable CoreDriver driver;
+    private volatile @Nullable EffectListener listener;
     private volatile @Nullable Carrier carrier;
 
     /** A component named after its class. */
@@ -78,7 +78,7 @@ public abstract class EventExecute extends Execute<ChangePlan> {
     }
 
     private void report(boolean inOrder) {
-        CoreDriver told = driver;
+        EffectListener told = listener;
         if (told != null) {
             told.tookEffect(this, inOrder);
         }
@@ -122,8 +122,8 @@ public abstract class EventExecute extends Execute<ChangePlan> {
      */
     protected void released() throws Exception {}
 
-    final void attach(CoreDriver joined, Carrier carriedBy) {
-        driver = joined;
+    final void attach(EffectListener joined, @Nullable Carrier carriedBy) {
+        listener = joined;
         carrier = carriedBy;
     }
 

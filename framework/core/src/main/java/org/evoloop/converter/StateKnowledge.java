@@ -14,6 +14,7 @@ import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.BooleanSupplier;
 import java.util.function.Predicate;
+import java.util.function.Supplier;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.DeviceEvents;
 import org.evoloop.evolution.EventNames;
@@ -53,7 +54,7 @@ public class StateKnowledge extends Knowledge {
     private final Set<String> repeated = new LinkedHashSet<>();
 
     private boolean registered;
-    private volatile @Nullable CoreDriver driver;
+    private volatile @Nullable Supplier<Configuration> place;
 
     /** @throws org.evoloop.statemachine.ModelException if the pair violates Condition 1 or 2 */
     public StateKnowledge(ModelPair pair) {
@@ -258,13 +259,13 @@ public class StateKnowledge extends Knowledge {
 
     /** The current states of both models at one moment. */
     public final Configuration configuration() {
-        CoreDriver attached = driver;
-        return attached == null ? pair.initial() : attached.configuration();
+        Supplier<Configuration> attached = place;
+        return attached == null ? pair.initial() : attached.get();
     }
 
     /** Sets where the states are kept from now on; null for nowhere. */
-    final void attach(@Nullable CoreDriver joined) {
-        driver = joined;
+    final void attach(@Nullable Supplier<Configuration> kept) {
+        place = kept;
     }
 
     final EventNames eventNames() {

@@ -233,6 +233,16 @@ public final class Core implements Inputs {
         return ledger.rules;
     }
 
+    /** The number of the current visit. */
+    public long visit() {
+        return ledger.stay.number();
+    }
+
+    /** Whether the current visit has ended, with all that ran in it, and the next has not begun. */
+    public boolean isVisitOver() {
+        return ledger.stay.isOver();
+    }
+
     /** Whether the requested step may be sent: it was announced, and nothing has overtaken it. */
     public boolean maySend(long number) {
         return ledger.progress.isOf(number) && ledger.progress.isSending();

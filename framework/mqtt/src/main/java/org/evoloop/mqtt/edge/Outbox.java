@@ -1,4 +1,4 @@
-package org.evoloop.fleet.gateway;
+package org.evoloop.mqtt.edge;
 
 import java.io.IOException;
 import java.io.RandomAccessFile;
@@ -12,15 +12,18 @@ import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
-import org.evoloop.fleet.wire.Topic;
 
 /**
- * What devices have told and the fleet may not have yet, in a file: a line each, on the disk before it counts. The
- * number of a line is never given twice, so that the fleet knows what comes again.
+ * What devices have told and the receiver may not have yet, in a file: a line each, on the disk before it counts. The
+ * number of a line is never given twice, so that the receiver knows what comes again.
+ *
+ * <p>Errors: if the directory cannot be used, {@link UncheckedIOException}.
  *
  * <p>Threading: thread-safe.
+ *
+ * @since 0.1
  */
-final class Outbox implements AutoCloseable {
+public final class Outbox implements AutoCloseable {
     private static final char BETWEEN = '\t';
 
     private final Path positionFile;
@@ -29,18 +32,27 @@ final class Outbox implements AutoCloseable {
     private long number;
     private long sent;
 
-    /** One line; its number is of this outbox. */
-    record Entry(long number, Topic topic, String device, String record) {}
+    /**
+     * One line.
+     *
+     * @param number of this outbox
+     * @param topic where it is to go
+     */
+    public record Entry(long number, String topic, String device, String record) {}
 
-    /** @throws UncheckedIOException if the directory cannot be used */
-    Outbox(Path directory) {
+    /**
+     * What is kept in {@code directory}, which is made if it is not there.
+     *
+     * @param before the numbers begin after this one if nothing was kept there yet
+     */
+    public Outbox(Path directory, long before) {
         Path file = directory.resolve("outbox");
         positionFile = directory.resolve("outbox.sent");
         try {
             Files.createDirectories(directory);
             sent = Files.exists(positionFile)
                     ? Long.parseLong(Files.readString(positionFile).strip())
-                    : 0;
+                    : before;
             number = sent;
             read(file);
             lines = FileChannel.open(
@@ -62,7 +74,7 @@ final class Outbox implements AutoCloseable {
             long its = Long.parseLong(parts[0]);
             number = Math.max(number, its);
             if (its > sent) {
-                waiting.add(new Entry(its, Topic.valueOf(parts[1]), parts[2], parts[3]));
+                waiting.add(new Entry(its, parts[1], parts[2], parts[3]));
             }
         }
         if (whole < text.length()) {
@@ -73,16 +85,9 @@ final class Outbox implements AutoCloseable {
     }
 
     /** One more; when this returns, it is on the disk. */
-    synchronized void add(Topic topic, String device, String record) {
+    public synchronized void add(String topic, String device, String record) {
         Entry entry = new Entry(number + 1, topic, device, record.replace('\n', ' '));
-        String line = entry.number
-                + String.valueOf(BETWEEN)
-                + topic.name()
-                + BETWEEN
-                + device
-                + BETWEEN
-                + entry.record
-                + '\n';
+        String line = entry.number + String.valueOf(BETWEEN) + topic + BETWEEN + device + BETWEEN + entry.record + '\n';
         try {
             ByteBuffer bytes = ByteBuffer.wrap(line.getBytes(StandardCharsets.UTF_8));
             while (bytes.hasRemaining()) {
@@ -98,7 +103,7 @@ final class Outbox implements AutoCloseable {
     }
 
     /** The first that wait, {@code most} at most; waits for one for {@code limitMillis}. */
-    synchronized List<Entry> first(int most, long limitMillis) throws InterruptedException {
+    public synchronized List<Entry> first(int most, long limitMillis) throws InterruptedException {
         long end = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(limitMillis);
         for (long left = limitMillis; waiting.isEmpty() && left > 0; ) {
             wait(left);
@@ -107,10 +112,13 @@ final class Outbox implements AutoCloseable {
         return List.copyOf(waiting.subList(0, Math.min(most, waiting.size())));
     }
 
-    /** The fleet has all up to this one. */
-    synchronized void sent(Entry last) {
-        waiting.removeIf(entry -> entry.number <= last.number);
-        sent = last.number;
+    /** All up to this number is where it is for. */
+    public synchronized void sent(long last) {
+        if (last <= sent || last > number) {
+            return;
+        }
+        waiting.removeIf(entry -> entry.number <= last);
+        sent = last;
         try {
             Files.writeString(positionFile, sent + "\n");
             if (waiting.isEmpty()) {
@@ -121,7 +129,8 @@ final class Outbox implements AutoCloseable {
         }
     }
 
-    synchronized int size() {
+    /** How many wait. */
+    public synchronized int size() {
         return waiting.size();
     }
 

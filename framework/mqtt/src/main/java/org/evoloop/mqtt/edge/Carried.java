@@ -1,4 +1,4 @@
-package org.evoloop.fleet.gateway;
+package org.evoloop.mqtt.edge;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -16,9 +16,13 @@ import java.util.Map;
  * Which command each device was given last, in a file, which says so before the device gets it: after a crash nobody
  * gets a command again.
  *
+ * <p>Errors: where the file cannot be used, {@link UncheckedIOException}.
+ *
  * <p>Threading: for one thread.
+ *
+ * @since 0.1
  */
-final class Carried implements AutoCloseable {
+public final class Carried implements AutoCloseable {
     private static final int MOST_LINES = 100_000;
 
     private final Path file;
@@ -26,7 +30,8 @@ final class Carried implements AutoCloseable {
     private FileChannel lines;
     private int written;
 
-    Carried(Path directory) {
+    /** What is kept in {@code directory}, which there must be. */
+    public Carried(Path directory) {
         file = directory.resolve("carried");
         try {
             if (Files.exists(file)) {
@@ -60,7 +65,7 @@ final class Carried implements AutoCloseable {
     }
 
     /** Whether this command is to be carried out; from now on it counts as carried out. */
-    boolean take(String device, long sequence) {
+    public boolean take(String device, long sequence) {
         if (last.getOrDefault(device, 0L) >= sequence) {
             return false;
         }
@@ -77,6 +82,11 @@ final class Carried implements AutoCloseable {
             throw new UncheckedIOException(file + " cannot be written: " + e.getMessage(), e);
         }
         return true;
+    }
+
+    /** The last command that counts as carried out; 0 if none does. */
+    public long last(String device) {
+        return last.getOrDefault(device, 0L);
     }
 
     @Override

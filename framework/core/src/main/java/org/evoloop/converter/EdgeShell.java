@@ -1,0 +1,369 @@
+package org.evoloop.converter;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.function.Supplier;
+import org.evoloop.core.Output;
+import org.evoloop.evolution.Configuration;
+import org.evoloop.evolution.Occurrence;
+import org.evoloop.evolution.Step;
+import org.evoloop.evolution.Values;
+import org.evoloop.loop.Component;
+import org.evoloop.loop.Dispatch;
+import org.evoloop.loop.Failure;
+import org.evoloop.loop.Intake;
+import org.evoloop.loop.LoopConfig;
+import org.evoloop.loop.LoopListener;
+import org.evoloop.loop.MapeLoop;
+import org.evoloop.loop.QueueStatus;
+import org.evoloop.statemachine.State;
+import org.evoloop.statemachine.Transition;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What stands around the core of a converter, without the core: the monitors, execute components and new functions of a
+ * device whose events are decided elsewhere, in a fleet for example. What is observed goes to a {@link Decider}; what it has
+ * decided is carried out by {@link #send}, {@link #run}, {@link #locate} and {@link #stand}.
+ *
+ * <p>Lifecycle: add the components, {@link #open}, {@link #close}.
+ *
+ * <p>Threading: those that add, {@code open} and {@code close} for one thread. What carries out waits for the device and is
+ * for one thread, too.
+ *
+ * @since 0.1
+ */
+public final class EdgeShell implements AutoCloseable {
+    private final LoopConfig config;
+    private final StateKnowledge knowledge;
+    private final Decider decider;
+    private final FailureLog failures;
+    private final Visits visits;
+    private final Assembly assembly = new Assembly();
+    private final MapeLoop<Occurrence, Analysis, ChangePlan> loop;
+    private final EffectListener effects = this::tookEffect;
+    private volatile Configuration at;
+
+    /** The sequence number of what was asked for and is not answered; 0 if nothing is. */
+    private long asked;
+
+    /** The last visit that has begun, or ended before it began. */
+    private long visited;
+
+    /** Who decides. Called on any thread, one call at a time for what comes from one thread; must be quick. */
+    public interface Decider {
+        /** Something was observed, or a function has raised it. */
+        void observed(Occurrence occurrence);
+
+        /**
+         * Something that was asked for came to its end.
+         *
+         * @param reason why it was not done, for people; else empty
+         * @param state where the device is, if it was asked and can tell
+         */
+        void answered(long sequence, Result result, String reason, Optional<State> state);
+    }
+
+    /** What became of something that was asked for. */
+    public enum Result {
+        /** It was done. */
+        SENT,
+        /** It was not done, and will not be. */
+        FAILED,
+        /** Nobody knows. */
+        IN_DOUBT
+    }
+
+    /**
+     * Where device and evolved system stand, by what was decided.
+     *
+     * @param visit the number of the evolved system's stay in its state
+     * @param settled whether nothing is in progress
+     * @param function whether the state's function is to run
+     * @param from the state that was left for this one; empty if that is unknown
+     * @param by the event with which it was left, with its guards; empty if that is unknown
+     */
+    public record Standing(Configuration at, long visit, boolean settled, boolean function, String from, String by) {}
+
+    /** One without components. */
+    public EdgeShell(LoopConfig config, StateKnowledge knowledge, Decider decider) {
+        this.config = config;
+        this.knowledge = knowledge;
+        this.decider = decider;
+        this.failures = new FailureLog(config);
+        this.visits = new Visits(config, new CurrentKnowledge(knowledge), new Transcript(), failures);
+        this.at = knowledge.models().initial();
+        this.loop = new MapeLoop<>(config, new Failures(), Dispatch.toEach(), new Told());
+    }
+
+    /** Adds a monitor; what it reports goes to the decider at once, on the thread that reports it. */
+    public void addMonitor(EventMonitor monitor) {
+        assembly.add(monitor);
+    }
+
+    /** Adds a component that sends events. */
+    public void addExecute(EventExecute execute) {
+        assembly.add(execute);
+    }
+
+    /**
+     * Begins to observe.
+     *
+     * @throws org.evoloop.statemachine.ModelException if the models and the components do not fit; the message lists all problems
+     */
+    public void open() {
+        assembly.compile(knowledge, true);
+        knowledge.bindings().watch(config, failures);
+        Supplier<Configuration> place = () -> at;
+        knowledge.attach(place);
+        visits.attach(loop);
+        loop.addAnalyze(new EventAnalyze());
+        loop.addPlan(new EventPlan());
+        for (Component component : assembly.all()) {
+            if (component instanceof EventMonitor monitor) {
+                monitor.attach(config, loop, knowledge.eventNames(), this::holding);
+                loop.addMonitor(monitor);
+            } else if (component instanceof EventExecute execute) {
+                execute.attach(effects, null);
+                loop.addExecute(execute);
+            }
+        }
+        loop.buildAndStart();
+    }
+
+    // What was decided
+
+    /** Has the device take {@code step}. The answer comes with its effect, maybe before this returns. */
+    public void send(long sequence, Step step, Values values) throws InterruptedException {
+        for (EventExecute execute : assembly.executes()) {
+            if (execute.events().contains(step.trigger())) {
+                carryOut(sequence, execute.name(), "send", () -> {
+                    execute.awaitReady(step);
+                    synchronized (this) {
+                        execute.sending = sequence;
+                    }
+                    execute.perform(step, values);
+                });
+                return;
+            }
+        }
+        decider.answered(sequence, Result.FAILED, "nothing here can send " + step.trigger(), Optional.empty());
+    }
+
+    /** Runs an effect of the new model. */
+    public void run(long sequence, String effect, Values values) throws InterruptedException {
+        carryOut(sequence, "effect", effect, () -> {
+            knowledge.bindings().run(effect, values);
+            answer(sequence, Result.SENT, "", Optional.empty());
+        });
+    }
+
+    /** Asks the device where it is. */
+    public void locate(long sequence) throws InterruptedException {
+        carryOut(sequence, "device", "locate", () -> {
+            Optional<State> found = Optional.empty();
+            for (EventExecute execute : assembly.executes()) {
+                found = found.isPresent() ? found : execute.locate().map(State::new);
+            }
+            answer(sequence, Result.SENT, "", found);
+        });
+    }
+
+    private interface Work {
+        void run() throws Exception;
+    }
+
+    private void carryOut(long sequence, String who, String what, Work work) throws InterruptedException {
+        synchronized (this) {
+            asked = sequence;
+        }
+        try {
+            work.run();
+        } catch (InterruptedException stop) {
+            throw stop;
+        } catch (Exception | LinkageError | AssertionError | StackOverflowError cause) {
+            Failure<Occurrence> failure = new Failure<>(who, what, 0, null, cause);
+            failures.log(failure);
+            boolean unknown = cause instanceof UnknownEffectException;
+            answer(sequence, unknown ? Result.IN_DOUBT : Result.FAILED, failure.toString(), Optional.empty());
+        }
+    }
+
+    /** The only answer to what is asked for now; what comes later counts for nothing. */
+    private synchronized void answer(long sequence, Result result, String reason, Optional<State> state) {
+        if (asked == sequence) {
+            asked = 0;
+            decider.answered(sequence, result, reason, state);
+        }
+    }
+
+    private synchronized void tookEffect(EventExecute execute, boolean inOrder) {
+        if (execute.sending != 0) {
+            answer(execute.sending, Result.SENT, "", Optional.empty());
+            execute.sending = 0;
+        }
+    }
+
+    /** The visit {@code visit} has ended, or will not begin; so do its function and its timers. */
+    public void leave(long visit) {
+        if (visit >= visited) {
+            visited = visit;
+            visits.leave();
+        }
+    }
+
+    /** Device and evolved system stand like this. What was told before counts for nothing. */
+    public void stand(Standing now) {
+        at = now.at();
+        State state = now.at().evolved();
+        if (now.visit() > visited || !now.function()) {
+            leave(now.visit() - (now.function() ? 1 : 0));
+        }
+        if (!knowledge.models().evolved().hasState(state)) {
+            failures.warn(
+                    "the state " + state + " was decided, which the models here do not have; start this program with"
+                            + " the models by which is decided");
+            return;
+        }
+        if (now.settled()) {
+            assembly.executes().forEach(execute -> settle(execute, now.at()));
+        }
+        if (now.function() && now.visit() > visited) {
+            visited = now.visit();
+            visits.enter(new Output.Enter(now.visit(), state, transition(now), Map.of()));
+            visits.start(new Output.Start(now.visit(), false));
+        }
+    }
+
+    private void settle(EventExecute execute, Configuration now) {
+        try {
+            execute.settled(now);
+        } catch (InterruptedException stop) {
+            Thread.currentThread().interrupt();
+        } catch (Exception | LinkageError | AssertionError | StackOverflowError cause) {
+            failures.log(new Failure<>(execute.name(), "settled", 0, null, cause));
+        }
+    }
+
+    /** The transition that led to the state, which names its function. */
+    private @Nullable Transition transition(Standing now) {
+        Transition likely = null;
+        for (Transition each : knowledge.models().evolved().transitions()) {
+            if (each.target().equals(now.at().evolved()) && !each.internal()) {
+                if (each.source().name().equals(now.from())
+                        && each.event().toString().equals(now.by())) {
+                    return each;
+                }
+                likely = likely == null ? each : likely;
+            }
+        }
+        return likely;
+    }
+
+    // What is observed
+
+    private Set<String> holding() {
+        Set<String> holding = new TreeSet<>();
+        for (Set<String> drawn : List.of(
+                knowledge.models().original().guards(),
+                knowledge.models().evolved().guards())) {
+            for (String text : drawn) {
+                if (holds(text)) {
+                    holding.add(text);
+                }
+            }
+        }
+        return holding;
+    }
+
+    /** A guard that fails does not hold: what was observed is told all the same. */
+    private boolean holds(String text) {
+        try {
+            return knowledge.bindings().test(text);
+        } catch (RuntimeException | Error counted) {
+            return false;
+        }
+    }
+
+    private void observed(Occurrence occurrence) {
+        Set<String> holding = occurrence instanceof Occurrence.Heard ? holding() : Set.of();
+        if (occurrence instanceof Occurrence.Heard heard && !holding.isEmpty()) {
+            decider.observed(new Occurrence.Heard(
+                    heard.event(),
+                    heard.values(),
+                    heard.source(),
+                    heard.deviceActed(),
+                    holding,
+                    heard.visit(),
+                    heard.observedNanos()));
+        } else {
+            decider.observed(occurrence);
+        }
+    }
+
+    /** Lets nothing wait: whoever decides has a queue. */
+    private final class Told implements Intake<Occurrence> {
+        @Override
+        public Admission atOnce(Occurrence occurrence) {
+            observed(occurrence);
+            return Admission.TAKEN;
+        }
+
+        @Override
+        public Admission offer(Occurrence occurrence) {
+            return atOnce(occurrence);
+        }
+
+        @Override
+        public boolean hasRoom() {
+            return true;
+        }
+
+        @Override
+        public @Nullable Occurrence next() {
+            return null;
+        }
+
+        @Override
+        public void ended() {}
+
+        @Override
+        public void opened() {}
+
+        @Override
+        public void closed() {}
+
+        @Override
+        public QueueStatus status() {
+            return new QueueStatus(0, 0, 0, 0, 0, 0);
+        }
+    }
+
+    private final class Failures implements LoopListener<Occurrence> {
+        @Override
+        public void failed(Failure<Occurrence> failure) {
+            failures.log(failure);
+        }
+
+        @Override
+        public void dropped(Occurrence occurrence, boolean first) {}
+    }
+
+    /** Ends the function that runs and the monitors, and lets go of the device. Idempotent. */
+    @Override
+    public void close() {
+        visits.leave();
+        loop.close();
+        for (EventExecute execute : assembly.executes()) {
+            try {
+                execute.released();
+            } catch (InterruptedException stop) {
+                Thread.currentThread().interrupt();
+            } catch (Exception | LinkageError | AssertionError | StackOverflowError cause) {
+                failures.log(new Failure<>(execute.name(), "released", 0, null, cause));
+            }
+        }
+    }
+}

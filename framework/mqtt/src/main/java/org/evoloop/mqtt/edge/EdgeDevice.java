@@ -1,0 +1,272 @@
+package org.evoloop.mqtt.edge;
+
+import java.nio.file.Path;
+import java.time.Duration;
+import java.time.InstantSource;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.Consumer;
+import org.evoloop.console.JsonObject;
+import org.evoloop.converter.EdgeShell;
+import org.evoloop.evolution.Occurrence;
+import org.evoloop.function.Reading;
+import org.evoloop.mqtt.BrokerAddress;
+import org.evoloop.mqtt.BrokerConnection;
+import org.evoloop.mqtt.Message;
+import org.evoloop.statemachine.State;
+import org.evoloop.time.Clock;
+import org.evoloop.time.Threads;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * A device of a fleet, whose gateway is reached over an MQTT broker: passes on what an {@link EdgeShell} observes, and has it carry
+ * out what the fleet decides.
+ *
+ * <p>What is told is numbered and kept in a file until the gateway says that it has it, and told again until then; the fleet
+ * leaves out what it has heard. Which command is carried out is written down before; none is carried out twice, or after its
+ * deadline.
+ *
+ * <p>Lifecycle: {@link #open}, {@link #close}.
+ *
+ * <p>Threading: thread-safe.
+ *
+ * @since 0.1
+ */
+public final class EdgeDevice implements EdgeShell.Decider, AutoCloseable {
+    private static final Logger LOG = LoggerFactory.getLogger(EdgeDevice.class);
+    private static final String OCCURRENCE = "occurrence";
+    private static final String EFFECT = "effect";
+    private static final int WINDOW = 100;
+    private static final long POLL_MILLIS = 100;
+    private static final long AGAIN_NANOS = TimeUnit.SECONDS.toNanos(5);
+    private static final Duration END_LIMIT = Duration.ofSeconds(5);
+
+    private final String id;
+    private final Clock clock;
+    private final InstantSource wall;
+    private final Consumer<String> teller;
+    private final BrokerConnection gateway;
+    private final Outbox outbox;
+    private final Carried carried;
+    private final BlockingQueue<Told> told = new LinkedBlockingQueue<>();
+    private final BlockingQueue<Message> received = new LinkedBlockingQueue<>();
+    private final AtomicLong kept = new AtomicLong();
+    private String link = "";
+    private volatile boolean closing;
+    private @Nullable Thread telling;
+    private @Nullable Thread carrying;
+
+    private record Told(String topic, String record) {}
+
+    /**
+     * One that is not opened yet.
+     *
+     * @param id of the device in the fleet
+     * @param directory for what the gateway does not have yet; of this device alone
+     * @param clock that by which is waited
+     * @param wall tells when things happen
+     * @param teller hears how the link is, when that changes
+     * @throws java.io.UncheckedIOException if the directory cannot be used
+     */
+    public EdgeDevice(
+            String id, BrokerAddress broker, Path directory, Clock clock, InstantSource wall, Consumer<String> teller) {
+        this.id = id;
+        this.clock = clock;
+        this.wall = wall;
+        this.teller = teller;
+        // Who has lost the directory goes on with numbers that the fleet has not heard.
+        this.outbox = new Outbox(directory, wall.millis());
+        this.carried = new Carried(directory);
+        this.gateway = new BrokerConnection(broker, "edge-" + id);
+        gateway.subscribe(topic("command"), received::add);
+        gateway.subscribe(topic("state"), received::add);
+        gateway.subscribe(topic("kept"), this::kept);
+    }
+
+    private String topic(String what) {
+        return "evoloop/" + id + '/' + what;
+    }
+
+    /** Begins to pass on; waits neither for the broker nor for the gateway. */
+    public synchronized void open(EdgeShell shell) {
+        gateway.open();
+        telling = begin("edge-" + id + "-teller", this::tellAll);
+        carrying = begin("edge-" + id + "-carrier", () -> carryAll(shell));
+    }
+
+    private static Thread begin(String name, Runnable work) {
+        Thread thread = new Thread(work, name);
+        thread.start();
+        return thread;
+    }
+
+    // From the device
+
+    @Override
+    public void observed(Occurrence occurrence) {
+        JsonObject record = new JsonObject().put("schema", 1).put("atMillis", wall.millis());
+        if (occurrence instanceof Occurrence.Found found) {
+            record.put("kind", "found").put("state", found.state().name());
+        } else {
+            record.put("kind", occurrence instanceof Occurrence.Asked ? "asked" : "heard")
+                    .put("event", occurrence.label())
+                    .put("source", occurrence.source().name().toLowerCase(Locale.ROOT));
+        }
+        if (occurrence instanceof Occurrence.Heard heard) {
+            record.put("deviceActed", heard.deviceActed()).putTexts("holding", heard.holding());
+        }
+        if (occurrence.visit() != Occurrence.ANY_VISIT) {
+            record.put("visit", occurrence.visit());
+        }
+        List<Reading> values = occurrence.values().byName().entrySet().stream()
+                .map(each -> new Reading(each.getKey(), each.getValue(), ""))
+                .toList();
+        if (!values.isEmpty()) {
+            record.put("values", JsonObject.of(values));
+        }
+        told.add(new Told(OCCURRENCE, record.toString()));
+    }
+
+    @Override
+    public void answered(long sequence, EdgeShell.Result result, String reason, Optional<State> state) {
+        JsonObject record = new JsonObject()
+                .put("schema", 1)
+                .put("sequence", sequence)
+                .put("outcome", result.name().toLowerCase(Locale.ROOT).replace('_', '-'))
+                .put("atMillis", wall.millis());
+        if (!reason.isEmpty()) {
+            record.put("reason", reason);
+        }
+        state.ifPresent(found -> record.put("state", found.name()));
+        told.add(new Told(EFFECT, record.toString()));
+    }
+
+    private void tellAll() {
+        long publishedTo = 0;
+        long publishedNanos = clock.nanoTime();
+        long connects = -1;
+        try {
+            while (!closing || !told.isEmpty()) {
+                keep(told.poll(POLL_MILLIS, TimeUnit.MILLISECONDS));
+                outbox.sent(kept.get());
+                tellOfLink();
+                boolean again = connects != gateway.connects() || clock.nanoTime() - publishedNanos > AGAIN_NANOS;
+                for (Outbox.Entry entry : gateway.isUp() ? outbox.first(WINDOW, 0) : List.<Outbox.Entry>of()) {
+                    if (again || entry.number() > publishedTo) {
+                        gateway.publish(Message.event(
+                                topic(entry.topic()),
+                                "{\"number\":" + entry.number() + ','
+                                        + entry.record().substring(1)));
+                        publishedTo = Math.max(publishedTo, entry.number());
+                        publishedNanos = clock.nanoTime();
+                        connects = gateway.connects();
+                    }
+                }
+            }
+        } catch (InterruptedException hurry) {
+            // What waits is kept.
+        }
+    }
+
+    private void keep(@Nullable Told first) {
+        for (Told next = first; next != null; next = told.poll()) {
+            outbox.add(next.topic(), id, next.record());
+        }
+    }
+
+    private void kept(Message message) {
+        try {
+            long number = new Received(message.payload()).number("number", 0);
+            kept.accumulateAndGet(number, Math::max);
+        } catch (IllegalArgumentException unreadable) {
+            leftOut(message, unreadable);
+        }
+    }
+
+    private void tellOfLink() {
+        String now = gateway.isUp() ? "the gateway's broker is reached" : gateway.describe();
+        if (!now.equals(link)) {
+            link = now;
+            teller.accept(now + "; " + outbox.size() + " records wait");
+        }
+    }
+
+    // To the device
+
+    private void carryAll(EdgeShell shell) {
+        try {
+            while (!closing) {
+                Message next = received.take();
+                try {
+                    take(next, shell);
+                } catch (IllegalArgumentException unreadable) {
+                    leftOut(next, unreadable);
+                }
+            }
+        } catch (InterruptedException closed) {
+            // It is being closed.
+        }
+    }
+
+    private void take(Message message, EdgeShell shell) throws InterruptedException {
+        if (message.payload().isEmpty()) {
+            // The device was taken out of the fleet.
+            return;
+        }
+        Received record = new Received(message.payload());
+        long sequence = record.number("sequence", 0);
+        if (message.topic().equals(topic("state"))) {
+            // One from before the last command is out of date.
+            if (sequence >= carried.last(id)) {
+                shell.stand(record.standing());
+            }
+        } else if (carried.take(id, sequence)) {
+            if (record.number("deadlineMillis", 0) < wall.millis()) {
+                answered(sequence, EdgeShell.Result.FAILED, "the command came too late", Optional.empty());
+                return;
+            }
+            if (!record.truth("function")) {
+                shell.leave(record.number("visit", 0));
+            }
+            carryOut(record, sequence, shell);
+        }
+    }
+
+    private static void carryOut(Received record, long sequence, EdgeShell shell) throws InterruptedException {
+        switch (record.text("kind")) {
+            case "send" -> shell.send(sequence, record.step(), record.values());
+            case "run" -> shell.run(sequence, record.text("effect"), record.values());
+            case "locate" -> shell.locate(sequence);
+            default -> throw new IllegalArgumentException("there is no kind of command '" + record.text("kind") + "'");
+        }
+    }
+
+    private static void leftOut(Message message, IllegalArgumentException why) {
+        LOG.warn("what came on {} is left out: {}", message.topic(), why.getMessage());
+    }
+
+    /** Keeps what was told, and ends; the shell is to be closed after. Idempotent. */
+    @Override
+    public synchronized void close() {
+        closing = true;
+        Thread carrier = carrying;
+        Thread passing = telling;
+        if (carrier != null) {
+            carrier.interrupt();
+            Threads.join(carrier, END_LIMIT);
+        }
+        if (passing != null) {
+            Threads.join(passing, END_LIMIT);
+        }
+        gateway.close();
+        outbox.close();
+        carried.close();
+    }
+}

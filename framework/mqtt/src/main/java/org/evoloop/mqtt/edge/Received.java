@@ -1,0 +1,76 @@
+package org.evoloop.mqtt.edge;
+
+import java.util.Map;
+import org.evoloop.converter.EdgeShell;
+import org.evoloop.evolution.Configuration;
+import org.evoloop.evolution.Step;
+import org.evoloop.evolution.Values;
+import org.evoloop.statemachine.Event;
+import org.evoloop.statemachine.State;
+import org.evoloop.statemachine.Transition;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A record of schema 1 that came from the gateway. Members that this program does not know count for nothing.
+ *
+ * <p>Errors: what is asked for and is not there is an {@link IllegalArgumentException}.
+ *
+ * <p>Threading: immutable.
+ */
+final class Received {
+    private final Map<String, @Nullable Object> members;
+
+    Received(String payload) {
+        members = Json.object(payload);
+        if (number("schema", 1) != 1) {
+            throw new IllegalArgumentException("its schema is " + number("schema", 1) + "; update this program");
+        }
+    }
+
+    long number(String name, long otherwise) {
+        return members.get(name) instanceof Double number ? number.longValue() : otherwise;
+    }
+
+    boolean truth(String name) {
+        return Boolean.TRUE.equals(members.get(name));
+    }
+
+    String text(String name) {
+        if (members.get(name) instanceof String text) {
+            return text;
+        }
+        throw new IllegalArgumentException("'" + name + "' must be a text");
+    }
+
+    private String text(String name, String otherwise) {
+        return members.containsKey(name) ? text(name) : otherwise;
+    }
+
+    /** What the device is to take. */
+    Step step() {
+        Event event = new Event(text("event"));
+        return new Step(new Transition(new State(text("from")), event, new State(text("to"))), event, false, false);
+    }
+
+    Values values() {
+        Values values = Values.NONE;
+        if (members.get("values") instanceof Map<?, ?> all) {
+            for (Map.Entry<?, ?> each : all.entrySet()) {
+                if (each.getValue() != null) {
+                    values = values.with(String.valueOf(each.getKey()), each.getValue());
+                }
+            }
+        }
+        return values;
+    }
+
+    EdgeShell.Standing standing() {
+        return new EdgeShell.Standing(
+                new Configuration(new State(text("device")), new State(text("system"))),
+                number("visit", 0),
+                truth("settled"),
+                truth("function"),
+                text("from", ""),
+                text("by", ""));
+    }
+}

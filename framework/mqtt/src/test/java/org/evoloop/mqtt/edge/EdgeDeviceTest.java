@@ -1,0 +1,247 @@
+package org.evoloop.mqtt.edge;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.nio.file.Path;
+import java.time.Duration;
+import java.time.Instant;
+import java.time.InstantSource;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.CopyOnWriteArrayList;
+import org.awaitility.Awaitility;
+import org.evoloop.PaperModels;
+import org.evoloop.converter.EdgeShell;
+import org.evoloop.converter.EventExecute;
+import org.evoloop.converter.PushMonitor;
+import org.evoloop.converter.StateKnowledge;
+import org.evoloop.evolution.Step;
+import org.evoloop.evolution.Values;
+import org.evoloop.function.NewFunction;
+import org.evoloop.loop.LoopConfig;
+import org.evoloop.mqtt.BrokerAddress;
+import org.evoloop.mqtt.BrokerConnection;
+import org.evoloop.mqtt.Message;
+import org.evoloop.mqtt.Mosquitto;
+import org.evoloop.time.SystemClock;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** A lamp at a real MQTT broker; the test is its gateway. */
+class EdgeDeviceTest {
+    private static final Instant NOW = Instant.parse("2026-11-23T12:00:00Z");
+    private static final Duration LIMIT = Duration.ofSeconds(60);
+
+    @TempDir
+    private Path directory;
+
+    private final List<Map<String, Object>> told = new CopyOnWriteArrayList<>();
+    private final List<String> done = new CopyOnWriteArrayList<>();
+    private final List<String> link = new CopyOnWriteArrayList<>();
+    private final SystemClock clock = new SystemClock();
+    private volatile boolean keeping = true;
+    private Mosquitto mosquitto;
+    private BrokerConnection gateway;
+
+    private final class Lamp implements AutoCloseable {
+        final PushMonitor panel = new PushMonitor("Panel");
+        final EdgeDevice edge = new EdgeDevice(
+                "lamp",
+                BrokerAddress.parse(mosquitto.url()),
+                directory.resolve("edge"),
+                clock,
+                InstantSource.fixed(NOW),
+                link::add);
+        final EdgeShell shell = new EdgeShell(LoopConfig.defaults("lamp", clock), knowledge(), edge);
+
+        Lamp() {
+            shell.addMonitor(panel);
+            shell.addExecute(new EventExecute("Bulb") {
+                @Override
+                protected Set<String> sendableEvents() {
+                    return Set.of("switch");
+                }
+
+                @Override
+                protected void send(Step step) {
+                    done.add(step + " " + values());
+                }
+            });
+            shell.open();
+            edge.open(shell);
+        }
+
+        @Override
+        public void close() {
+            edge.close();
+            shell.close();
+        }
+    }
+
+    private static StateKnowledge knowledge() {
+        return new StateKnowledge(PaperModels.lightBulb()) {
+            @Override
+            protected void registerNewFunctions() {
+                function("wait", visit -> visit.finish("timeout"));
+                function("incandescentOn", NewFunction.none());
+            }
+        };
+    }
+
+    @BeforeEach
+    void begin() {
+        mosquitto = new Mosquitto(directory).start();
+        gateway = new BrokerConnection(BrokerAddress.parse(mosquitto.url()), "gateway");
+        gateway.subscribe("evoloop/lamp/occurrence", this::hear);
+        gateway.subscribe("evoloop/lamp/effect", this::hear);
+        gateway.open();
+        Awaitility.await().atMost(LIMIT).until(gateway::isUp);
+    }
+
+    @AfterEach
+    void end() {
+        gateway.close();
+        mosquitto.close();
+        clock.close();
+    }
+
+    private void hear(Message message) {
+        Map<String, Object> record = Json.object(message.payload());
+        told.add(record);
+        if (keeping) {
+            gateway.publish(Message.command("evoloop/lamp/kept", "{\"number\":" + number(record) + "}"));
+        }
+    }
+
+    private static long number(Map<String, Object> record) {
+        return ((Double) record.get("number")).longValue();
+    }
+
+    private void await(int records) {
+        Awaitility.await().atMost(LIMIT).until(() -> told.size() >= records);
+    }
+
+    private static String command(long sequence, Instant deadline) {
+        return "{\"schema\":1,\"sequence\":" + sequence + ",\"kind\":\"send\",\"deadlineMillis\":"
+                + deadline.toEpochMilli()
+                + ",\"event\":\"switch\",\"from\":\"off\",\"to\":\"on\",\"visit\":1,\"function\":false,\"values\":{\"by\":\"me\"}}";
+    }
+
+    private void send(String topic, String payload) {
+        gateway.publish(Message.event("evoloop/lamp/" + topic, payload));
+    }
+
+    @Test
+    void whatIsToldWhileTheBrokerIsAwayComesInOrderAndIsNumberedFromTheTime() {
+        try (Lamp lamp = new Lamp()) {
+            lamp.panel.press("switch");
+            await(1);
+            mosquitto.stop();
+            lamp.panel.press("switch", Values.of("level", 0.5));
+            lamp.panel.press("timeout");
+            Awaitility.await().atMost(LIMIT).until(() -> link.size() >= 3);
+            mosquitto.start();
+            await(3);
+        }
+        List<Map<String, Object>> first = told.stream().distinct().toList();
+        assertThat(first).extracting(each -> each.get("event")).containsExactly("switch", "switch", "timeout");
+        long begun = NOW.toEpochMilli();
+        assertThat(first).extracting(EdgeDeviceTest::number).containsExactly(begun + 1, begun + 2, begun + 3);
+        assertThat(first.get(1))
+                .containsEntry("atMillis", (double) begun)
+                .containsEntry("source", "controller")
+                .containsEntry("values", Map.of("level", 0.5));
+        assertThat(link).anyMatch(how -> how.startsWith("the gateway's broker is reached"));
+    }
+
+    @Test
+    void whatNobodyKeepsIsToldAgainByTheNextProcess() {
+        keeping = false;
+        try (Lamp lamp = new Lamp()) {
+            lamp.panel.press("switch");
+            await(1);
+        }
+        keeping = true;
+        try (Lamp next = new Lamp()) {
+            await(2);
+            next.panel.press("switch");
+            await(3);
+        }
+        assertThat(told.get(1)).isEqualTo(told.get(0));
+        assertThat(number(told.get(2))).isEqualTo(number(told.get(0)) + 1);
+    }
+
+    @Test
+    void aCommandIsCarriedOutOnceAndNeverLate() {
+        try (Lamp lamp = new Lamp()) {
+            Awaitility.await()
+                    .atMost(LIMIT)
+                    .until(() -> !link.isEmpty() && link.get(link.size() - 1).startsWith("the"));
+            send("command", command(1, NOW.plusSeconds(9)));
+            send("command", command(1, NOW.plusSeconds(9)));
+            send("command", command(2, NOW.minusMillis(1)));
+            await(2);
+        }
+        try (Lamp next = new Lamp()) {
+            Awaitility.await()
+                    .atMost(LIMIT)
+                    .until(() -> link.get(link.size() - 1).startsWith("the gateway's broker"));
+            send("command", "what is this");
+            send("command", command(2, NOW.plusSeconds(9)));
+            send("command", "{\"sequence\":3,\"kind\":\"locate\",\"deadlineMillis\":" + Long.MAX_VALUE / 1000 + "}");
+            Awaitility.await()
+                    .atMost(LIMIT)
+                    .until(() ->
+                            told.stream().anyMatch(each -> each.get("sequence").equals(3.0)));
+            assertThat(next.edge).isNotNull();
+        }
+        assertThat(done).containsExactly("off --switch--> on by=me");
+        assertThat(told.stream().distinct())
+                .extracting(each -> each.get("sequence") + " " + each.get("outcome") + " " + each.get("reason"))
+                .containsExactly("1.0 sent null", "2.0 failed the command came too late", "3.0 sent null");
+    }
+
+    @Test
+    void theFunctionOfAStateRunsHere() {
+        try (Lamp lamp = new Lamp()) {
+            gateway.publish(Message.state(
+                    "evoloop/lamp/state",
+                    "{\"schema\":1,\"device\":\"on\",\"system\":\"wait\",\"visit\":4,\"function\":true,\"settled\":true,"
+                            + "\"sequence\":0,\"from\":\"on\",\"by\":\"switch\",\"timersMillis\":{\"x\":[1]}}"));
+            await(1);
+            assertThat(lamp.edge).isNotNull();
+        }
+        assertThat(told.get(0)).containsEntry("event", "timeout").containsEntry("visit", 4.0);
+        assertThat(told.get(0)).containsEntry("source", "function");
+    }
+
+    @Test
+    void jsonIsReadOrRefused() {
+        assertThat(Json.object(" {\"a\":[1,-2.5e1,{}],\"b\":null,\"c\\u0041\\n\":\"\\\"\\\\/\",\"d\":true} "))
+                .containsEntry("a", List.of(1.0, -25.0, Map.of()))
+                .containsEntry("b", null)
+                .containsEntry("cA\n", "\"\\/")
+                .containsEntry("d", true);
+        for (String wrong : List.of(
+                "",
+                "[]",
+                "{",
+                "{\"a\"}",
+                "{\"a\":}",
+                "{\"a\":tru}",
+                "{\"a\":1}x",
+                "{\"a\":\"",
+                "{\"a\":\"\\q\"}",
+                "{\"a\":" + "[".repeat(30),
+                "{\"a\":\"\\u00",
+                "{\"a\":[1 2]}",
+                "{\"a\":\"\\uzzzz\"}")) {
+            assertThatThrownBy(() -> Json.object(wrong)).as(wrong).isInstanceOf(IllegalArgumentException.class);
+        }
+        assertThatThrownBy(() -> new Received("{\"schema\":2}")).hasMessageContaining("update this program");
+    }
+}

@@ -1,0 +1,56 @@
+package org.evoloop.mqtt.edge;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** What is on the disk after a crash. */
+class KeptTest {
+    @TempDir
+    private Path directory;
+
+    @Test
+    void whatIsKeptIsThereAgainAfterACrashAndNoNumberIsGivenTwice() throws Exception {
+        Path kept = directory.resolve("kept");
+        try (Outbox outbox = new Outbox(kept, 0)) {
+            outbox.add("occurrence", "a", "{1}");
+            outbox.add("effect", "b", "{2}\n{x}");
+            outbox.sent(outbox.first(1, 1).get(0).number());
+        }
+        Files.writeString(kept.resolve("outbox"), "3\tocc", StandardOpenOption.APPEND);
+        try (Outbox outbox = new Outbox(kept, 0)) {
+            assertThat(outbox.first(9, 1)).containsExactly(new Outbox.Entry(2, "effect", "b", "{2} {x}"));
+            outbox.add("occurrence", "a", "{3}");
+            List<Outbox.Entry> all = new ArrayList<>(outbox.first(9, 1));
+            assertThat(all).extracting(Outbox.Entry::number).containsExactly(2L, 3L);
+            outbox.sent(all.get(1).number());
+        }
+        try (Outbox outbox = new Outbox(kept, 0)) {
+            assertThat(outbox.size()).isZero();
+            outbox.add("occurrence", "a", "{4}");
+            assertThat(outbox.first(9, 1)).extracting(Outbox.Entry::number).containsExactly(4L);
+        }
+    }
+
+    @Test
+    void noCommandIsCarriedOutTwiceAfterACrash() {
+        Path kept = directory.resolve("kept");
+        assertThat(kept.toFile().mkdirs()).isTrue();
+        try (Carried carried = new Carried(kept)) {
+            assertThat(carried.take("a", 1)).isTrue();
+            assertThat(carried.take("b", 7)).isTrue();
+            assertThat(carried.take("a", 1)).isFalse();
+        }
+        try (Carried carried = new Carried(kept)) {
+            assertThat(carried.take("b", 6)).isFalse();
+            assertThat(carried.take("b", 7)).isFalse();
+            assertThat(carried.take("a", 2)).isTrue();
+        }
+    }
+}
