@@ -54,7 +54,7 @@ public final class Console {
     private final List<Consumer<String>> endListeners = new ArrayList<>();
     private final Ending ending = new Ending();
     private boolean outlivesInput;
-    private @Nullable NewModels newModels;
+    private @Nullable OfferedModels offeredModels;
 
     private final Reader reader = new Reader() {
         @Override
@@ -124,13 +124,14 @@ public final class Console {
      * @param models reads what they name
      */
     public void evolvesBy(NewModels models) {
-        newModels = models;
-        EvolveCommands.of(converter, models).forEach(commands::add);
+        OfferedModels offered = new OfferedModels(converter, models);
+        offeredModels = offered;
+        EvolveCommands.of(converter, models, offered).forEach(commands::add);
     }
 
-    /** By what {@code evolve} reads other models; empty if there is no such command. */
-    public Optional<NewModels> newModels() {
-        return Optional.ofNullable(newModels);
+    /** What {@code evolve} offers; empty if there is no such command. */
+    public Optional<OfferedModels> offeredModels() {
+        return Optional.ofNullable(offeredModels);
     }
 
     /** Adds a command, before {@link #run}. @throws IllegalArgumentException if there is one of that name */
