@@ -180,7 +180,8 @@ class HomeAssistantTest {
         assertThat(watcher.heard())
                 .anyMatch(line -> line.startsWith(DECISION)
                         && line.contains("\"event_type\":\"failed\"")
-                        && line.contains("violation of Nobody plays with the light"));
+                        && line.contains("violation of Nobody plays with the light")
+                        && line.contains("\"source\":\"property\""));
         watcher.awaitNewest(STATE, "\"last_failure\":\"violation of Nobody plays with the light");
     }
 
