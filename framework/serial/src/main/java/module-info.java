@@ -2,7 +2,7 @@
 module org.evoloop.serial {
     requires static org.jspecify;
     requires transitive org.evoloop.line;
-    requires org.evoloop.roomba.link;
+    requires org.evoloop.link;
 
     exports org.evoloop.serial;
 }

@@ -7,7 +7,7 @@ module org.evoloop.roomba.camera {
     // The machine's own, loaded when it is first asked for.
     requires static opencv;
     requires transitive org.evoloop.core;
-    requires org.evoloop.roomba.natives;
+    requires org.evoloop.natives;
     requires com.sun.jna;
     requires java.desktop;
     requires org.slf4j;

@@ -2,7 +2,7 @@
 module org.evoloop.roomba.session {
     requires static org.jspecify;
     requires transitive org.evoloop.core;
-    requires transitive org.evoloop.roomba.link;
+    requires transitive org.evoloop.link;
     requires transitive org.evoloop.roomba.oi;
     requires org.slf4j;
 

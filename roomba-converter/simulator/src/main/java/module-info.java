@@ -5,8 +5,7 @@ module org.evoloop.roomba.simulator {
     requires static info.picocli;
     requires transitive org.evoloop.core;
     requires transitive org.evoloop.roomba.oi;
-    requires org.evoloop.roomba.natives;
-    requires com.sun.jna;
+    requires org.evoloop.natives;
     requires java.desktop;
     requires jdk.httpserver;
     requires org.slf4j;

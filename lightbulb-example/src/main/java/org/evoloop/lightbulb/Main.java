@@ -13,6 +13,7 @@ import org.evoloop.config.Options;
 import org.evoloop.config.Settings;
 import org.evoloop.console.Console;
 import org.evoloop.console.ConsoleCommand;
+import org.evoloop.console.NewModels;
 import org.evoloop.converter.PushMonitor;
 import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.evolution.ModelPair;
@@ -95,10 +96,10 @@ public final class Main {
             Console console = new Console(converter, System.in, System.out, System.err);
             console.addCommand(ConsoleCommand.of(
                     "switch", "operates the wall switch", (words, out) -> wallSwitch.press("switch")));
-            console.evolvesBy(XmiFile::machine);
+            console.evolvesBy(NewModels.offering(machines.references(), XmiFile::machine));
             Page.open(PageOptions.of(settings), console, System.err);
             MqttOptions.broker(settings).ifPresent(broker -> {
-                HomeAssistant home = new HomeAssistant(converter, broker).open();
+                HomeAssistant home = new HomeAssistant(console, broker).open();
                 console.onEnd(reason -> home.close());
             });
             return service.run(console);

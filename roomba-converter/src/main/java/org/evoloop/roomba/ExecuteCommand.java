@@ -7,7 +7,7 @@ import java.util.Set;
 import org.evoloop.converter.EventExecute;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Step;
-import org.evoloop.roomba.link.LinkException;
+import org.evoloop.link.LinkException;
 import org.evoloop.roomba.oi.Command;
 import org.evoloop.roomba.session.RoombaSession;
 import org.evoloop.roomba.session.SessionListener;

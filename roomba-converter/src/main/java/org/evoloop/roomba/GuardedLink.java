@@ -1,10 +1,10 @@
 package org.evoloop.roomba;
 
 import java.util.function.BooleanSupplier;
-import org.evoloop.roomba.link.ForwardingLink;
-import org.evoloop.roomba.link.Link;
-import org.evoloop.roomba.link.LinkException;
-import org.evoloop.roomba.link.LinkException.Fault;
+import org.evoloop.link.ForwardingLink;
+import org.evoloop.link.Link;
+import org.evoloop.link.LinkException;
+import org.evoloop.link.LinkException.Fault;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -1,22 +1,16 @@
 package org.evoloop.roomba;
 
 import java.nio.file.Path;
-import java.time.Duration;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
 import org.evoloop.check.temporal.Property;
 import org.evoloop.check.temporal.PropertyWatch;
 import org.evoloop.console.NewModels;
-import org.evoloop.converter.Evolution;
 import org.evoloop.converter.Probation;
 import org.evoloop.evolution.ModelPair;
-import org.evoloop.statemachine.ModelException;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.xmi.ModelReference;
 import org.evoloop.xmi.XmiFile;
-import org.evoloop.xmi.XmiMachine;
-import org.jspecify.annotations.Nullable;
 
 /**
  * Models to which the robot may evolve while it runs, with the properties beside their files.
@@ -24,16 +18,13 @@ import org.jspecify.annotations.Nullable;
  * <p>Threading: thread-safe.
  */
 final class OtherModels implements NewModels {
-    /** How long a choice on the page or in Home Assistant waits. */
-    private static final Duration PATIENCE = Duration.ofSeconds(10);
-
     private final RoombaConverter roomba;
     private final Path file;
-    private @Nullable List<String> choices;
 
     OtherModels(RoombaConverter roomba) {
         this.roomba = roomba;
-        this.file = ModelReference.parse(running()).file();
+        this.file =
+                ModelReference.parse(roomba.models().pair().evolved().name()).file();
     }
 
     @Override
@@ -59,54 +50,6 @@ final class OtherModels implements NewModels {
 
     @Override
     public List<String> offered() {
-        return choices().stream().map(name -> file + "#" + name).toList();
-    }
-
-    /** The new models to which the robot can evolve, by name: those in the file of the initial one, including that. */
-    synchronized List<String> choices() {
-        List<String> known = choices;
-        if (known == null) {
-            known = new ArrayList<>();
-            for (XmiMachine machine : XmiFile.read(file).machines()) {
-                if (fits(file + "#" + machine.name())) {
-                    known.add(machine.name());
-                }
-            }
-            choices = known;
-        }
-        return known;
-    }
-
-    private String running() {
-        return roomba.models().pair().evolved().name();
-    }
-
-    private boolean fits(String reference) {
-        try {
-            StateMachine original = roomba.models().pair().original();
-            // The original model would be an evolution, too, but a useless one.
-            return !reference.equals(original.name())
-                    && !RobotModels.of(new ModelPair(original, read(reference)))
-                            .pair()
-                            .evolved()
-                            .states()
-                            .isEmpty();
-        } catch (ModelException unfit) {
-            return false;
-        }
-    }
-
-    /** The running one of the {@link #choices}. */
-    String chosen() {
-        String reference = running();
-        return reference.substring(reference.lastIndexOf('#') + 1);
-    }
-
-    /** Evolves to another one of the {@link #choices}. */
-    void choose(String name) {
-        String reference = file + "#" + name;
-        ModelPair next = new ModelPair(roomba.models().pair().original(), read(reference));
-        roomba.converter()
-                .evolve(Evolution.to(roomba.converter().knowledgeOf(next)).withDeadline(PATIENCE));
+        return XmiFile.read(file).references();
     }
 }

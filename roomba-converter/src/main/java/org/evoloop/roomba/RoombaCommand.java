@@ -16,17 +16,16 @@ import org.evoloop.config.Settings;
 import org.evoloop.console.Console;
 import org.evoloop.console.ConsoleCommand;
 import org.evoloop.converter.SystemEventConverter;
+import org.evoloop.link.Link;
+import org.evoloop.link.SerialLink;
+import org.evoloop.link.SerialSettings;
 import org.evoloop.loop.LoopConfig;
-import org.evoloop.mqtt.Choice;
 import org.evoloop.mqtt.HomeAssistant;
 import org.evoloop.mqtt.MqttOptions;
 import org.evoloop.page.Page;
 import org.evoloop.page.PageOptions;
 import org.evoloop.page.Picture;
 import org.evoloop.program.CommandOptions;
-import org.evoloop.roomba.link.Link;
-import org.evoloop.roomba.link.SerialLink;
-import org.evoloop.roomba.link.SerialSettings;
 import org.evoloop.roomba.session.SessionOptions;
 import org.evoloop.roomba.simulator.SimulatorServer;
 import org.evoloop.roomba.simulator.WorldCommands;
@@ -163,8 +162,7 @@ final class RoombaCommand implements Callable<Integer> {
                             "presses a button of the external controller: " + String.join(", ", buttons(roomba)),
                             (arguments, out) -> roomba.controller().press(event(roomba.models(), arguments.get(0))))
                     .completing(before -> before.isEmpty() ? buttons(roomba) : List.of()));
-            OtherModels others = new OtherModels(roomba);
-            console.evolvesBy(others);
+            console.evolvesBy(new OtherModels(roomba));
             if (world != null) {
                 console.addCommand(ConsoleCommand.of(
                                 "robot COMMAND [ARGUMENT] [ARGUMENT] [ARGUMENT]",
@@ -173,7 +171,7 @@ final class RoombaCommand implements Callable<Integer> {
                         .completing(before -> before.isEmpty() ? WorldCommands.NAMES : WorldCommands.BUTTON_NAMES));
             }
             Page.open(PageOptions.of(settings), console, System.err, pictures(roomba, world));
-            showAtHome(roomba, others, console);
+            showAtHome(roomba, console);
             return service.run(console);
         }
     }
@@ -208,15 +206,12 @@ final class RoombaCommand implements Callable<Integer> {
         return world.camera().isPresent() ? List.of(room, sight) : List.of(room);
     }
 
-    private void showAtHome(RoombaConverter roomba, OtherModels others, Console console) {
+    private void showAtHome(RoombaConverter roomba, Console console) {
         MqttOptions.broker(settings).ifPresent(broker -> {
             SystemEventConverter converter = roomba.converter();
-            HomeAssistant home = new HomeAssistant(converter, broker);
+            HomeAssistant home = new HomeAssistant(console, broker);
             home.vacuum(new RoombaVacuum(
                     home, roomba.session(), () -> converter.knowledge().models()));
-            if (others.choices().size() > 1) {
-                home.choice(new Choice("Model", others.choices(), others::chosen, others::choose));
-            }
             home.open();
             console.onEnd(reason -> home.close());
         });

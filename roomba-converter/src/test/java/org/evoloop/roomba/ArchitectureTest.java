@@ -14,7 +14,7 @@ import com.tngtech.archunit.core.importer.ImportOption;
 import com.tngtech.archunit.junit.AnalyzeClasses;
 import com.tngtech.archunit.junit.ArchTest;
 import com.tngtech.archunit.lang.ArchRule;
-import org.evoloop.roomba.link.LinkException;
+import org.evoloop.link.LinkException;
 import org.evoloop.roomba.simulator.SimulatorCommand;
 
 /**

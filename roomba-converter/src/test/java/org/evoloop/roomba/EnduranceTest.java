@@ -11,7 +11,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.evoloop.roomba.link.MemoryLink;
+import org.evoloop.link.MemoryLink;
 import org.evoloop.roomba.oi.StreamFrame;
 import org.evoloop.roomba.session.RoombaSession;
 import org.evoloop.roomba.session.SessionListener;

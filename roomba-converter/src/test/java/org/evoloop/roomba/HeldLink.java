@@ -2,8 +2,8 @@ package org.evoloop.roomba;
 
 import java.util.concurrent.CountDownLatch;
 import java.util.function.IntFunction;
-import org.evoloop.roomba.link.ForwardingLink;
-import org.evoloop.roomba.link.Link;
+import org.evoloop.link.ForwardingLink;
+import org.evoloop.link.Link;
 
 /**
  * A link on which a test can hold a command, before it leaves or when the robot has it but the send has not returned.

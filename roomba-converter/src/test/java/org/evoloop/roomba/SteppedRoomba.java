@@ -8,12 +8,12 @@ import org.evoloop.PaperPair;
 import org.evoloop.converter.HistoryEntry;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.ModelPair;
+import org.evoloop.link.ForwardingLink;
+import org.evoloop.link.Link;
+import org.evoloop.link.LinkException;
+import org.evoloop.link.MemoryLink;
+import org.evoloop.link.WakeLine;
 import org.evoloop.loop.LoopConfig;
-import org.evoloop.roomba.link.ForwardingLink;
-import org.evoloop.roomba.link.Link;
-import org.evoloop.roomba.link.LinkException;
-import org.evoloop.roomba.link.MemoryLink;
-import org.evoloop.roomba.link.WakeLine;
 import org.evoloop.roomba.move.MoveOptions;
 import org.evoloop.roomba.move.StartPointSensor;
 import org.evoloop.roomba.oi.Button;
@@ -151,7 +151,7 @@ final class SteppedRoomba implements AutoCloseable {
     void stall() {
         MemoryLink.Pair current = cable;
         if (current != null) {
-            current.robot().setReading(false);
+            current.device().setReading(false);
         }
     }
 
@@ -164,7 +164,7 @@ final class SteppedRoomba implements AutoCloseable {
         MemoryLink.Pair current = cable;
         if (current != null) {
             MemoryLink.Noise set = nextNoise == null ? new MemoryLink.Noise(0, 0, 0) : nextNoise;
-            current.robot().setNoise(set);
+            current.device().setNoise(set);
             current.converter().setNoise(new MemoryLink.Noise(set.seed(), set.dropRate(), 0));
         }
     }
@@ -186,7 +186,7 @@ final class SteppedRoomba implements AutoCloseable {
         MemoryLink.Pair current = cable;
         if (current != null) {
             byte[] buffer = new byte[1_024];
-            MemoryLink end = current.robot();
+            MemoryLink end = current.device();
             for (int length = end.receive(buffer); length > 0; length = end.receive(buffer)) {
                 robot.receive(buffer, length);
             }
@@ -200,7 +200,7 @@ final class SteppedRoomba implements AutoCloseable {
         MemoryLink.Pair current = cable;
         if (bytes.length > 0 && plugged && !muted && current != null) {
             try {
-                current.robot().send(bytes);
+                current.device().send(bytes);
             } catch (LinkException pulled) {
                 // What a robot says into a pulled cable nobody hears.
                 robotSays.reset();

@@ -6,10 +6,10 @@ import java.util.concurrent.CountDownLatch;
 import org.HdrHistogram.Histogram;
 import org.evoloop.benchmarks.report.Latencies;
 import org.evoloop.benchmarks.ring.HandOff;
-import org.evoloop.roomba.link.Link;
-import org.evoloop.roomba.link.SerialLink;
-import org.evoloop.roomba.link.SerialSettings;
-import org.evoloop.roomba.simulator.Pty;
+import org.evoloop.link.Link;
+import org.evoloop.link.SerialLink;
+import org.evoloop.link.SerialSettings;
+import org.evoloop.natives.Pty;
 
 /**
  * What a way from a byte read to a byte written costs at least on this computer: over the same serial link, in the

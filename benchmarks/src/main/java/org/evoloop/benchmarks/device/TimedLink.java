@@ -1,8 +1,8 @@
 package org.evoloop.benchmarks.device;
 
 import org.HdrHistogram.Histogram;
-import org.evoloop.roomba.link.ForwardingLink;
-import org.evoloop.roomba.link.Link;
+import org.evoloop.link.ForwardingLink;
+import org.evoloop.link.Link;
 
 /**
  * A link that measures from when the byte that completes a frame was read to when the operating system has taken a

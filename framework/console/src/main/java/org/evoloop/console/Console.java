@@ -57,7 +57,7 @@ public final class Console {
     private final List<Consumer<String>> endListeners = new ArrayList<>();
     private final Ending ending = new Ending();
     private boolean outlivesInput;
-    private @Nullable NewModels newModels;
+    private @Nullable OfferedModels offeredModels;
 
     private final Reader reader = new Reader() {
         @Override
@@ -127,13 +127,14 @@ public final class Console {
      * @param models reads the models that these commands name
      */
     public void evolvesBy(NewModels models) {
-        newModels = models;
-        EvolveCommands.of(converter, models).forEach(commands::add);
+        OfferedModels offered = new OfferedModels(converter, models);
+        offeredModels = offered;
+        EvolveCommands.of(converter, models, offered).forEach(commands::add);
     }
 
-    /** The reader of the models for {@code evolve}; empty if there is no such command. */
-    public Optional<NewModels> newModels() {
-        return Optional.ofNullable(newModels);
+    /** The models that {@code evolve} offers; empty if there is no such command. */
+    public Optional<OfferedModels> offeredModels() {
+        return Optional.ofNullable(offeredModels);
     }
 
     /** Adds a command, before {@link #run}. @throws IllegalArgumentException if there is one of that name */

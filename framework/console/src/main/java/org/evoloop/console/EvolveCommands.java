@@ -30,15 +30,22 @@ final class EvolveCommands {
 
     private final SystemEventConverter converter;
     private final NewModels models;
+    private final OfferedModels offered;
 
-    private EvolveCommands(SystemEventConverter converter, NewModels models) {
+    private EvolveCommands(SystemEventConverter converter, NewModels models, OfferedModels offered) {
         this.converter = converter;
         this.models = models;
+        this.offered = offered;
     }
 
-    /** @param models reads the models that the commands name */
-    static List<ConsoleCommand> of(SystemEventConverter converter, NewModels models) {
-        EvolveCommands own = new EvolveCommands(converter, models);
+    /**
+     * All of them.
+     *
+     * @param models reads the models that the commands name
+     * @param offered the models that completion shows
+     */
+    static List<ConsoleCommand> of(SystemEventConverter converter, NewModels models, OfferedModels offered) {
+        EvolveCommands own = new EvolveCommands(converter, models, offered);
         return List.of(
                 ConsoleCommand.of("evolve FILE#NAME [OPTION...]", """
                                 replaces the new model by another, between two events
@@ -49,7 +56,7 @@ final class EvolveCommands {
                                 --probation SECONDS: rolls back if anything goes wrong in this time
                                 --probation-events N: the same for this many events
                                 --no-way-back: even if a rollback is impossible from some of its states""", own::evolve)
-                        .completing(before -> before.isEmpty() ? models.offered() : OPTIONS),
+                        .completing(before -> before.isEmpty() ? offered.references() : OPTIONS),
                 ConsoleCommand.of("rollback", "goes back to the models before the last evolve", own::rollBack),
                 ConsoleCommand.of("shadow [FILE#NAME|off] [OPTION...]", """
                                 lets another new model decide the same events, without acting on its decisions; without
@@ -59,7 +66,7 @@ final class EvolveCommands {
     }
 
     private List<String> shadows() {
-        List<String> words = new ArrayList<>(models.offered());
+        List<String> words = new ArrayList<>(offered.references());
         words.add("off");
         return words;
     }

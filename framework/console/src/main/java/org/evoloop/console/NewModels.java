@@ -1,6 +1,7 @@
 package org.evoloop.console;
 
 import java.util.List;
+import java.util.function.Function;
 import org.evoloop.converter.Probation;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.statemachine.StateMachine;
@@ -13,6 +14,27 @@ import org.evoloop.statemachine.StateMachine;
 @FunctionalInterface
 public interface NewModels {
     /**
+     * Reads any model, and offers some of them.
+     *
+     * @param references what is offered, each as {@code FILE#NAME}, such as all machines of a file
+     * @param reader as {@link #read}
+     */
+    static NewModels offering(List<String> references, Function<String, StateMachine> reader) {
+        List<String> offered = List.copyOf(references);
+        return new NewModels() {
+            @Override
+            public StateMachine read(String reference) {
+                return reader.apply(reference);
+            }
+
+            @Override
+            public List<String> offered() {
+                return offered;
+            }
+        };
+    }
+
+    /**
      * Reads a machine.
      *
      * @param reference {@code FILE#NAME}
@@ -21,7 +43,10 @@ public interface NewModels {
      */
     StateMachine read(String reference);
 
-    /** The new models offered as a choice, as {@code FILE#NAME}; others may also be named. */
+    /**
+     * The new models offered as a choice, as {@code FILE#NAME}; those that do not fit the device are left out, see
+     * {@link OfferedModels}. Others may also be named.
+     */
     default List<String> offered() {
         return List.of();
     }

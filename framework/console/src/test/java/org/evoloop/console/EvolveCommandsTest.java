@@ -1,12 +1,14 @@
 package org.evoloop.console;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
 import java.io.ByteArrayInputStream;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import org.evoloop.PaperModels;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.statemachine.ModelException;
@@ -38,6 +40,33 @@ class EvolveCommandsTest {
             throw new ModelException("lamp.xml has no machine '" + reference + "'");
         }
         return PaperModels.lightBulb().original().withName("plain");
+    }
+
+    private static StateMachine readAny(String reference) {
+        return switch (reference) {
+            case "lamp.xml#original" -> PaperModels.lightBulb().original();
+            case "lamp.xml#new" -> PaperModels.lightBulb().evolved();
+            case "lamp.xml#other" -> PaperModels.cleaningRobot().original();
+            default -> read(reference);
+        };
+    }
+
+    @Test
+    void whatFitsTheDeviceIsOfferedAndChosen() {
+        Console console = new Console(lamp.converter, InputStream.nullInputStream(), out.stream, err.stream);
+        console.evolvesBy(NewModels.offering(
+                List.of("lamp.xml#original", "lamp.xml#new", "lamp.xml#plain", "lamp.xml#other", "lamp.xml#gone"),
+                EvolveCommandsTest::readAny));
+        OfferedModels offered = console.offeredModels().orElseThrow();
+        assertThat(offered.references()).containsExactly("lamp.xml#new", "lamp.xml#plain");
+        assertThat(offered.running()).contains("lamp.xml#new");
+        lamp.converter.start();
+        offered.choose("lamp.xml#plain");
+        assertThat(offered.running()).contains("lamp.xml#plain");
+        assertThat(lamp.converter.knowledge().models().evolved().name()).isEqualTo("plain");
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> offered.choose("lamp.xml#other"))
+                .withMessageContaining("lamp.xml#other");
     }
 
     @Test

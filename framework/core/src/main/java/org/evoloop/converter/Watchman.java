@@ -103,7 +103,7 @@ final class Watchman {
             found.add(new Occurrence.Violated(each.property(), now));
             if (each.raised() != null) {
                 Values why = Values.of("violated", each.property());
-                found.add(new Occurrence.Heard(each.raised(), why, Source.OWNER, Occurrence.ANY_VISIT, now));
+                found.add(new Occurrence.Heard(each.raised(), why, Source.PROPERTY, Occurrence.ANY_VISIT, now));
             }
         }
         set();

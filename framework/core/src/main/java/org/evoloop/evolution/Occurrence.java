@@ -179,7 +179,7 @@ public sealed interface Occurrence {
 
         @Override
         public Source source() {
-            return Source.OWNER;
+            return Source.PROPERTY;
         }
 
         @Override

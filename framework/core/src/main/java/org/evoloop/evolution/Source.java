@@ -16,6 +16,8 @@ public enum Source {
     TIMER,
     /** A new function that runs on this computer. */
     FUNCTION,
+    /** A property that is watched over time, when it is violated. */
+    PROPERTY,
     /** The person who operates the converter. */
     OWNER;
 

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
@@ -46,6 +47,7 @@ public final class BrokerConnection implements DeviceLink, AutoCloseable {
     private final Attempts attempts = new Attempts();
     private final CountDownLatch closed = new CountDownLatch(1);
     private final Set<String> deniedTopics = new HashSet<>();
+    private final Set<String> failedTopics = ConcurrentHashMap.newKeySet();
     private @Nullable Message will;
     private @Nullable Thread thread;
     private volatile @Nullable HiveSession session;
@@ -73,7 +75,8 @@ public final class BrokerConnection implements DeviceLink, AutoCloseable {
 
     /**
      * Calls {@code consumer} with each message on this topic; before {@link #open}. A message that the broker had
-     * retained is a {@link Message.Kind#STATE}, any other a {@link Message.Kind#COMMAND}.
+     * retained is a {@link Message.Kind#STATE}, any other a {@link Message.Kind#COMMAND}. If {@code consumer} throws, that
+     * is logged the first time, and later messages still arrive.
      *
      * @param topic the topic, without wildcards
      * @throws IllegalStateException if it is open, or this topic has a consumer already
@@ -197,8 +200,16 @@ public final class BrokerConnection implements DeviceLink, AutoCloseable {
         synchronized (this) {
             consumer = consumers.get(message.topic());
         }
-        if (consumer != null && !closing) {
+        if (consumer == null || closing) {
+            return;
+        }
+        try {
             consumer.accept(message);
+        } catch (RuntimeException wrong) {
+            // The client would call nobody any more.
+            if (failedTopics.add(message.topic())) {
+                LOG.warn("what came on {} cannot be dealt with", message.topic(), wrong);
+            }
         }
     }
 

@@ -31,6 +31,6 @@ record BypassTopics(String base) {
     }
 
     static List<String> events(Message passed) {
-        return passed.payload().lines().toList();
+        return passed.payload().lines().filter(event -> !event.isBlank()).toList();
     }
 }

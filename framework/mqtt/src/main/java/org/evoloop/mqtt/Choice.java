@@ -1,8 +1,15 @@
 package org.evoloop.mqtt;
 
+import static java.util.Objects.requireNonNull;
+
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import org.evoloop.console.OfferedModels;
+import org.evoloop.converter.SystemEventConverter;
 
 /**
  * A choice that can be made while a converter runs, such as its new model.
@@ -23,6 +30,25 @@ public record Choice(String name, List<String> options, Supplier<String> current
         if (options.isEmpty()) {
             throw new IllegalArgumentException("there is no " + name + " to choose");
         }
+    }
+
+    /** The new model, called as its machine, or with its file if two are called so. */
+    static Choice among(OfferedModels offered, SystemEventConverter converter) {
+        Map<String, String> references = new LinkedHashMap<>();
+        for (String reference : offered.references()) {
+            String machine = reference.substring(reference.lastIndexOf('#') + 1);
+            references.put(references.containsKey(machine) ? reference : machine, reference);
+        }
+        return new Choice(
+                "Model",
+                List.copyOf(references.keySet()),
+                () -> references.entrySet().stream()
+                        .filter(each -> offered.running().equals(Optional.of(each.getValue())))
+                        .map(Map.Entry::getKey)
+                        .findFirst()
+                        .orElseGet(
+                                () -> converter.knowledge().models().evolved().name()),
+                name -> offered.choose(requireNonNull(references.get(name))));
     }
 
     /** Its name in topics and JSON. */

@@ -8,7 +8,9 @@ import java.util.Locale;
 import java.util.Set;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
+import org.evoloop.console.Console;
 import org.evoloop.console.JsonObject;
+import org.evoloop.console.OfferedModels;
 import org.evoloop.converter.ConverterListener;
 import org.evoloop.converter.ConverterStatus;
 import org.evoloop.converter.Evolution;
@@ -31,10 +33,8 @@ import org.slf4j.LoggerFactory;
  * outcomes, buttons for the controller's events, the readings of the device, and the converter's diagnostics.
  *
  * <pre>{@code
- * try (HomeAssistant home = new HomeAssistant(converter, BrokerAddress.parse("mqtt://ha@broker"))) {
- *     home.open();
- *     return service.run(console);
- * }
+ * HomeAssistant home = new HomeAssistant(console, BrokerAddress.parse("mqtt://ha@broker")).open();
+ * console.onEnd(reason -> home.close());
  * }</pre>
  *
  * <p>Lifecycle: made when the converter has been built; {@link #vacuum} and {@link #choice}; {@link #open}, which does
@@ -68,6 +68,15 @@ public final class HomeAssistant implements AutoCloseable {
     private @Nullable Vacuum vacuum;
     private @Nullable Thread thread;
     private volatile String lastFailure = "";
+
+    /** Shows a console's converter there, and lets one of the {@linkplain OfferedModels models that it offers} be chosen. */
+    public HomeAssistant(Console console, BrokerAddress address) {
+        this(console.converters().get(0), address);
+        console.offeredModels()
+                .filter(offered -> offered.references().size() > 1)
+                .map(offered -> Choice.among(offered, converter))
+                .ifPresent(choices::add);
+    }
 
     /**
      * Prepares to show {@code converter}.

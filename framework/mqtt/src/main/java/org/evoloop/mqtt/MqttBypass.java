@@ -90,7 +90,7 @@ public final class MqttBypass implements AutoCloseable {
             return;
         }
         connection.publish(message);
-        if (passed.size() == MOST_TOLD) {
+        if (passed.size() >= MOST_TOLD) {
             LOG.warn("more than {} events are passed on; the converter will not be told of {}", MOST_TOLD, event);
             return;
         }

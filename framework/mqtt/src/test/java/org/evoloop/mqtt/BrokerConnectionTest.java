@@ -199,6 +199,26 @@ class BrokerConnectionTest {
     }
 
     @Test
+    void aConsumerThatThrowsDeafensNobodyAndIsLoggedOnce() throws Exception {
+        List<String> heard = new CopyOnWriteArrayList<>();
+        try (Mosquitto broker = new Mosquitto(directory).start();
+                Watcher watcher = new Watcher(broker);
+                BrokerConnection connection = connection(broker.url())) {
+            connection.subscribe("bad", message -> {
+                throw new IllegalStateException("it is bad");
+            });
+            connection.subscribe("good", message -> heard.add(message.payload()));
+            connection.open();
+            await().atMost(LIMIT).until(connection::isUp);
+            watcher.publish("bad", "1", false);
+            watcher.publish("bad", "2", false);
+            watcher.publish("good", "3", false);
+            await().atMost(LIMIT).until(() -> heard.contains("3"));
+            assertThat(logged.lines()).hasSize(1).allMatch(line -> line.contains("what came on bad"));
+        }
+    }
+
+    @Test
     void aBrokerThatIsNotThereHoldsUpNobody() {
         try (BrokerConnection connection = connection("mqtt://127.0.0.1:1")) {
             connection.open();

@@ -3,12 +3,15 @@ package org.evoloop.mqtt;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.awaitility.Awaitility.await;
 
+import java.io.InputStream;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.evoloop.Logged;
+import org.evoloop.console.Console;
+import org.evoloop.console.NewModels;
 import org.evoloop.converter.ConverterStatus;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -95,6 +98,22 @@ class HomeAssistantTest {
     }
 
     @Test
+    void theModelsThatAConsoleOffersAreChosenFrom() throws Exception {
+        home.close();
+        lamp.close();
+        lamp = new Lamp();
+        Console console = new Console(lamp.converter, InputStream.nullInputStream(), System.out, System.err);
+        console.evolvesBy(NewModels.offering(List.of("lamp.xml#new", "lamp.xml#plain"), lamp::model));
+        home = new HomeAssistant(console, BrokerAddress.parse(broker.url() + "?id=choosing")).open();
+        watcher.awaitNewest("evoloop/choosing/state", "\"choices\":{\"model\":\"new\"}");
+        watcher.awaitNewest("homeassistant/device/evoloop_choosing/config", "\"options\":[\"new\",\"plain\"]");
+        lamp.converter.start();
+        watcher.publish("evoloop/choosing/choice/model/set", "plain", false);
+        watcher.awaitNewest("evoloop/choosing/state", "\"choices\":{\"model\":\"plain\"}");
+        assertThat(lamp.converter.knowledge().models().evolved().name()).isEqualTo("plain");
+    }
+
+    @Test
     void whatCannotBeObeyedIsRefusedWithItsReason() throws Exception {
         watcher.awaitNewest("evoloop/lamp/availability", "online");
         watcher.publish("evoloop/lamp/converting/set", "ON", false);
@@ -161,7 +180,8 @@ class HomeAssistantTest {
         assertThat(watcher.heard())
                 .anyMatch(line -> line.startsWith(DECISION)
                         && line.contains("\"event_type\":\"failed\"")
-                        && line.contains("violation of Nobody plays with the light"));
+                        && line.contains("violation of Nobody plays with the light")
+                        && line.contains("\"source\":\"property\""));
         watcher.awaitNewest(STATE, "\"last_failure\":\"violation of Nobody plays with the light");
     }
 

@@ -61,10 +61,17 @@ final class Lamp implements DeviceLink, AutoCloseable {
         }
     }
 
+    /** The new model, or one that has the lamp go off at once. */
+    StateMachine model(String reference) {
+        return reference.endsWith("#new")
+                ? PaperModels.lightBulb().evolved()
+                : Machines.machine("plain", "off switch -> on", "on switch -> off");
+    }
+
     /** Has the lamp go off at once beside the one that waits. */
     void shadow() {
         ModelPair running = converter.knowledge().models();
-        StateMachine plain = Machines.machine("plain", "off switch -> on", "on switch -> off");
+        StateMachine plain = model("lamp.xml#plain");
         converter.shadow(Evolution.to(converter.knowledgeOf(new ModelPair(running.original(), plain)))
                 .withoutWayBack());
     }

@@ -12,7 +12,7 @@ import java.util.regex.Pattern;
 import org.evoloop.console.Console;
 import org.evoloop.console.ConsoleCommand;
 import org.evoloop.console.JsonObject;
-import org.evoloop.console.NewModels;
+import org.evoloop.console.OfferedModels;
 import org.evoloop.converter.SystemEventConverter;
 
 /**
@@ -51,12 +51,12 @@ final class Controls {
         return new JsonObject()
                 .put("commands", commands)
                 .putTexts("spares", converter.spares())
-                .put("evolves", console.newModels().isPresent())
+                .put("evolves", console.offeredModels().isPresent())
                 .putTexts("models", models());
     }
 
     private List<String> models() {
-        return console.newModels().map(NewModels::offered).orElse(List.of());
+        return console.offeredModels().map(OfferedModels::references).orElse(List.of());
     }
 
     private List<ConsoleCommand> buttons() {
@@ -101,7 +101,7 @@ final class Controls {
 
     private boolean isOfModels(String line) {
         Matcher asked = OF_MODELS.matcher(line.strip());
-        return console.newModels().isPresent()
+        return console.offeredModels().isPresent()
                 && asked.matches()
                 && (asked.group(1) == null || models().contains(asked.group(1)));
     }

@@ -2,9 +2,9 @@ package org.evoloop.serial;
 
 import java.io.IOException;
 import org.evoloop.line.LineTransport;
-import org.evoloop.roomba.link.LinkException;
-import org.evoloop.roomba.link.SerialLink;
-import org.evoloop.roomba.link.SerialSettings;
+import org.evoloop.link.LinkException;
+import org.evoloop.link.SerialLink;
+import org.evoloop.link.SerialSettings;
 
 /**
  * Lines over a serial port, with 8 data bits, no parity, one stop bit and no flow control:

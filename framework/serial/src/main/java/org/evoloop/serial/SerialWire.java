@@ -5,8 +5,8 @@ import java.io.InputStream;
 import java.io.OutputStream;
 import java.util.Arrays;
 import org.evoloop.line.LineTransport.Wire;
-import org.evoloop.roomba.link.Link;
-import org.evoloop.roomba.link.LinkException;
+import org.evoloop.link.Link;
+import org.evoloop.link.LinkException;
 
 /** An open serial port as two streams. */
 final class SerialWire implements Wire {

@@ -18,7 +18,7 @@ import org.evoloop.line.LineConnection;
 import org.evoloop.line.LineExecute;
 import org.evoloop.line.LineMonitor;
 import org.evoloop.loop.LoopConfig;
-import org.evoloop.roomba.simulator.Pty;
+import org.evoloop.natives.Pty;
 import org.evoloop.time.SystemClock;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;

@@ -19,7 +19,7 @@ import org.openjdk.jcstress.infra.results.ZZ_Result;
 public class SleepOrWakeStress {
     private static final StageWorker<Object> STAGE = new Rig(ThreadingModel.CALLER, 1).stage;
 
-    private final CarrierThread carrier = new CarrierThread("stress", WaitStrategy.PARK);
+    private final CarrierThread carrier = new CarrierThread(STAGE, "stress", WaitStrategy.PARK);
 
     @Actor
     public void sleeper(ZZ_Result result) {

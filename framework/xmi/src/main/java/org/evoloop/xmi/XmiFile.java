@@ -115,6 +115,11 @@ public final class XmiFile {
         return machines;
     }
 
+    /** What {@link #machine(String)} takes for each machine of the file, in the file's order. */
+    public List<String> references() {
+        return machines.stream().map(machine -> file + "#" + machine.name()).toList();
+    }
+
     /**
      * The machine whose diagram name, own name or id is {@code name}.
      *

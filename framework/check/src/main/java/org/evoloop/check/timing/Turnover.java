@@ -76,7 +76,7 @@ final class Turnover implements Outputs {
         Source source = switch (stimulus.kind()) {
             case ACT -> Source.DEVICE;
             case RAISE -> Source.FUNCTION;
-            case REACT -> Source.OWNER;
+            case REACT -> Source.PROPERTY;
             default -> Source.CONTROLLER;
         };
         boolean acts = source == Source.DEVICE;

@@ -19,7 +19,7 @@ class ArchitectureTest {
             .should()
             .dependOnClassesThat(resideInAPackage("org.evoloop..")
                     .and(resideOutsideOfPackages(
-                            "org.evoloop.roomba.camera..", "org.evoloop.roomba.natives..", "org.evoloop.time..")));
+                            "org.evoloop.roomba.camera..", "org.evoloop.natives..", "org.evoloop.time..")));
 
     @ArchTest
     static final ArchRule onlyOneRoomTouchesOpenCv = noClasses()

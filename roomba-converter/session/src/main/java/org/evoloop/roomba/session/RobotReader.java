@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.IntFunction;
-import org.evoloop.roomba.link.Link;
+import org.evoloop.link.Link;
 import org.evoloop.roomba.oi.Button;
 import org.evoloop.roomba.oi.Command;
 import org.evoloop.roomba.oi.Packet;

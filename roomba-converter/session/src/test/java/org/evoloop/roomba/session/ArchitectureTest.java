@@ -20,7 +20,7 @@ import org.evoloop.function.Reading;
 @AnalyzeClasses(packages = "org.evoloop.roomba.session", importOptions = ImportOption.DoNotIncludeTests.class)
 class ArchitectureTest {
     private static final String OI = "org.evoloop.roomba.oi..";
-    private static final String LINK = "org.evoloop.roomba.link..";
+    private static final String LINK = "org.evoloop.link..";
     private static final String TIME = "org.evoloop.time..";
 
     private static ArchRule room(String room, DescribedPredicate<JavaClass> mayUse) {

@@ -4,8 +4,8 @@ import java.io.ByteArrayOutputStream;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
-import org.evoloop.roomba.link.Link;
-import org.evoloop.roomba.link.MemoryLink;
+import org.evoloop.link.Link;
+import org.evoloop.link.MemoryLink;
 import org.evoloop.roomba.oi.Command;
 import org.evoloop.roomba.oi.SensorValues;
 import org.evoloop.roomba.oi.StreamFrame;
@@ -44,7 +44,7 @@ final class Cables {
     }
 
     void say(byte[] bytes) {
-        current().robot().send(bytes);
+        current().device().send(bytes);
         reader.run();
     }
 
@@ -71,7 +71,7 @@ final class Cables {
     }
 
     void stopReading() {
-        current().robot().setReading(false);
+        current().device().setReading(false);
     }
 
     /** What the robot has heard since the last look. */
@@ -79,9 +79,9 @@ final class Cables {
         byte[] buffer = new byte[1_024];
         ByteArrayOutputStream heard = new ByteArrayOutputStream();
         for (MemoryLink.Pair cable : all) {
-            for (int length = cable.robot().receive(buffer);
+            for (int length = cable.device().receive(buffer);
                     length > 0;
-                    length = cable.robot().receive(buffer)) {
+                    length = cable.device().receive(buffer)) {
                 heard.write(buffer, 0, length);
             }
         }

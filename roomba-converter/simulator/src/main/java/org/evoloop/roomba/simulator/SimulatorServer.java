@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
+import org.evoloop.natives.Pty;
 import org.evoloop.roomba.simulator.robot.RobotOptions;
 import org.evoloop.roomba.simulator.robot.RobotState;
 import org.evoloop.roomba.simulator.robot.SimulatedRoomba;

@@ -20,7 +20,7 @@ class ArchitectureTest {
                     .and(resideOutsideOfPackages(
                             "org.evoloop.roomba.simulator..",
                             "org.evoloop.roomba.oi..",
-                            "org.evoloop.roomba.natives..",
+                            "org.evoloop.natives..",
                             "org.evoloop.time..")));
 
     @ArchTest

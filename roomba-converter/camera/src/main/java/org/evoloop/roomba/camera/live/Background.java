@@ -8,7 +8,7 @@ import com.sun.jna.Pointer;
 import java.io.IOException;
 import java.util.Map;
 import java.util.Optional;
-import org.evoloop.roomba.natives.NativeLibraries;
+import org.evoloop.natives.NativeLibraries;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 

@@ -1,6 +1,6 @@
 package org.evoloop.roomba.session.connection;
 
-import org.evoloop.roomba.link.Link;
+import org.evoloop.link.Link;
 
 /**
  * Interprets the bytes of the robot at the other end of a {@link Connection}.

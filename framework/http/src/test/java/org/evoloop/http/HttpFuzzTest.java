@@ -1,0 +1,127 @@
+package org.evoloop.http;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.code_intelligence.jazzer.api.BugDetectors;
+import com.code_intelligence.jazzer.api.SilentCloseable;
+import com.code_intelligence.jazzer.junit.FuzzTest;
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.net.InetAddress;
+import java.net.Socket;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.Set;
+import org.evoloop.converter.EventExecute;
+import org.evoloop.evolution.Step;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** Whatever a controller asks, it is answered or hung up on; whatever a device answers is understood or refused. */
+@Timeout(30)
+class HttpFuzzTest {
+    private static final int MOST_TRIES = 10_000;
+
+    /** One for all: what one request leaves behind, the next would find. */
+    private static final class Asked {
+        private static final HttpMonitor MONITOR = monitor();
+
+        private static HttpMonitor monitor() {
+            try {
+                HttpMonitor monitor = new HttpMonitor("Buttons", 0)
+                        .controller("POST /switch", "switch")
+                        .controller("GET /switch", "switch")
+                        .device("POST /by-hand", "switch")
+                        .found("POST /is-off", "off")
+                        .open();
+                Lamp lamp = new Lamp(monitor, new EventExecute("Bulb") {
+                    @Override
+                    protected Set<String> sendableEvents() {
+                        return Set.of("switch");
+                    }
+
+                    @Override
+                    protected void send(Step step) {
+                        // A lamp that does as it is told.
+                    }
+                });
+                Runtime.getRuntime().addShutdownHook(new Thread(() -> {
+                    monitor.close();
+                    lamp.close();
+                }));
+                return monitor;
+            } catch (IOException failure) {
+                throw new UncheckedIOException(failure);
+            }
+        }
+    }
+
+    @MethodSource("requests")
+    @FuzzTest
+    void aRequestOfAnyBytesHoldsUpNobody(byte[] bytes) {
+        try {
+            answerTo(bytes);
+        } catch (IOException hungUp) {
+            // That is its right.
+        }
+        String answer = "";
+        // It hangs up at once while it has no room, until it has noticed that others are gone.
+        for (int tries = 0; answer.isEmpty() && tries < MOST_TRIES; tries++) {
+            try {
+                answer = answerTo(text("POST /is-off HTTP/1.0\r\n\r\n"));
+            } catch (IOException full) {
+                Thread.onSpinWait();
+            }
+        }
+        assertThat(answer).contains(" 204 ");
+    }
+
+    private static String answerTo(byte[] request) throws IOException {
+        try (SilentCloseable ours = BugDetectors.allowNetworkConnections();
+                Socket socket = new Socket(InetAddress.getLoopbackAddress(), Asked.MONITOR.port())) {
+            // Else its port could not be used again for a minute.
+            socket.setSoLinger(true, 0);
+            socket.getOutputStream().write(request);
+            socket.shutdownOutput();
+            return new String(socket.getInputStream().readAllBytes(), StandardCharsets.ISO_8859_1);
+        }
+    }
+
+    @MethodSource("answers")
+    @FuzzTest
+    void anAnswerOfAnyBytesIsUnderstoodOrRefused(byte[] bytes) {
+        try {
+            Reply reply = Reply.read(new ByteArrayInputStream(bytes));
+            assertThat(reply.status()).isBetween(200, 599);
+            assertThat(reply.body()).hasSizeLessThanOrEqualTo(Reply.LONGEST_BODY);
+        } catch (IOException refused) {
+            assertThat(refused).hasMessageStartingWith("the answer");
+        }
+    }
+
+    static List<byte[]> requests() {
+        return List.of(
+                text("POST /switch?level=7&where=hall%20way&=&x HTTP/1.1\r\nContent-Length: 2\r\n\r\nok"),
+                text("GET /switch HTTP/1.0\r\nOrigin: http://elsewhere\r\n\r\n"),
+                text("POST /by-hand HTTP/1.1\r\nTransfer-Encoding: chunked\r\n\r\nFFFFFFFF\r\n"),
+                text(
+                        "POST /is-off?%zz=%C3%28 HTTP/1.1\r\nAuthorization: Bearer x\r\nContent-Length: 3\r\n\r\n\u00c3(\n"),
+                text("GET mailto:a HTTP/9.9\r\nContent-Length: -1\r\n\r\n"),
+                text("\r\n"));
+    }
+
+    static List<byte[]> answers() {
+        return List.of(
+                text("HTTP/1.1 200 OK\r\nContent-Length: 2\r\n\r\non"),
+                text("HTTP/1.1 100 Continue\r\n\r\nHTTP/1.0 204 No Content\r\n\r\n"),
+                text("HTTP/1.1 200 OK\r\nTransfer-Encoding: gzip, chunked\r\n\r\n2;x=y\r\non\r\n0\r\n\r\n"),
+                text("HTTP/1.1 200 OK\r\nContent-Length: 999999999999999\r\n\r\nshort"),
+                text("HTTP/1.1 302\r\nLocation: elsewhere\n\n"),
+                text("SSH-2.0-OpenSSH\r\n"));
+    }
+
+    private static byte[] text(String bytes) {
+        return bytes.getBytes(StandardCharsets.ISO_8859_1);
+    }
+}

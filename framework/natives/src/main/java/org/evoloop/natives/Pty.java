@@ -1,0 +1,342 @@
+package org.evoloop.natives;
+
+import com.sun.jna.Memory;
+import com.sun.jna.Native;
+import com.sun.jna.NativeLong;
+import com.sun.jna.Platform;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.LinkOption;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.nio.file.attribute.FileTime;
+import java.util.Arrays;
+import java.util.Optional;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.concurrent.locks.Lock;
+import java.util.concurrent.locks.ReentrantLock;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A pseudo-terminal: the device's end of a cable whose other end is a file that programs open as a serial port. Linux
+ * only.
+ *
+ * <p>The line is raw and at 115200 baud from the start: no echo, no control characters. It has no RTS or DTR. The
+ * kernel ignores the baud rate but {@linkplain #clientBaud() tells it}, so that a wrong one can be simulated.
+ *
+ * <p>Threading: thread-safe, made for one reading and any number of writing threads. No call blocks for longer than
+ * {@value #LONGEST_WAIT_MILLIS} ms, and {@link #hangUp()} ends a waiting {@link #read} at once.
+ *
+ * @since 0.1
+ */
+public final class Pty implements AutoCloseable {
+    /** The longest that {@link #read} waits. */
+    public static final int LONGEST_WAIT_MILLIS = 200;
+
+    /** What {@link #read} returns when no program has the port open, or after {@link #hangUp()}. */
+    public static final int NO_CLIENT = -1;
+
+    /** How long a read rests when nobody is there; the kernel offers no event for a client that comes. */
+    private static final int NO_CLIENT_REST_MILLIS = 10;
+
+    private static final int POLL_ENTRY_BYTES = 8;
+    private static final int POLL_EVENTS_OFFSET = 4;
+    private static final int POLL_RESULT_OFFSET = 6;
+
+    private final int master;
+    private final int wakeUp;
+    private final Path slavePath;
+    private final @Nullable Path symlink;
+
+    /** One lock a direction; whoever closes the descriptors holds both, so that none is used after it. */
+    private final Lock readLock = new ReentrantLock();
+
+    private final Lock writeLock = new ReentrantLock();
+    private volatile boolean hungUp;
+    private final AtomicLong droppedBytes = new AtomicLong();
+
+    private Pty(int master, int wakeUp, Path slavePath, @Nullable Path symlink) {
+        this.master = master;
+        this.wakeUp = wakeUp;
+        this.slavePath = slavePath;
+        this.symlink = symlink;
+    }
+
+    /**
+     * A pseudo-terminal that is found under the path the kernel gives it.
+     *
+     * @throws IOException if the system cannot make one
+     */
+    public static Pty open() throws IOException {
+        return make(null);
+    }
+
+    /**
+     * A pseudo-terminal that is found under a path that stays the same, a symbolic link that goes with {@link
+     * #hangUp()}. It replaces one that a simulator left behind. The next pseudo-terminal of the same path is the cable
+     * plugged in again.
+     *
+     * @throws IOException if the system cannot make one, or the path is that of something else than a symbolic link or
+     *     of a simulator that lives
+     */
+    public static Pty open(Path symlink) throws IOException {
+        if (Files.exists(symlink, LinkOption.NOFOLLOW_LINKS) && !Files.isSymbolicLink(symlink)) {
+            throw new IOException(symlink + " exists and is not a symbolic link; remove it or choose another path");
+        }
+        Optional<Path> living = livingTarget(symlink);
+        if (living.isPresent()) {
+            throw new IOException(symlink + " is the port of a running simulator, " + living.get()
+                    + "; end that one or choose another path");
+        }
+        return make(symlink);
+    }
+
+    /**
+     * Where a link leads, if its terminal is still the one for which it was made. The kernel gives a terminal the path
+     * of one that is gone; then it is younger than the link.
+     */
+    private static Optional<Path> livingTarget(Path symlink) throws IOException {
+        try {
+            Path target = symlink.resolveSibling(Files.readSymbolicLink(symlink));
+            return target.startsWith("/dev/pts") && changed(target).compareTo(changed(symlink)) <= 0
+                    ? Optional.of(target)
+                    : Optional.empty();
+        } catch (NoSuchFileException noneOrDead) {
+            return Optional.empty();
+        }
+    }
+
+    /** Of a terminal and of a link this is when they were made; reading and writing do not count. */
+    private static FileTime changed(Path path) throws IOException {
+        return (FileTime) Files.getAttribute(path, "unix:ctime", LinkOption.NOFOLLOW_LINKS);
+    }
+
+    private static Pty make(@Nullable Path symlink) throws IOException {
+        if (!Platform.isLinux()) {
+            throw new IOException(
+                    "pseudo-terminals are supported on Linux only; this is " + System.getProperty("os.name"));
+        }
+        NativeLibraries.loadJna();
+        int master = LibC.check(
+                LibC.posix_openpt(LibC.O_RDWR | LibC.O_NOCTTY | LibC.O_NONBLOCK | LibC.O_CLOEXEC), "posix_openpt");
+        int wakeUp = -1;
+        try {
+            wakeUp = LibC.check(LibC.eventfd(0, LibC.O_NONBLOCK | LibC.O_CLOEXEC), "eventfd");
+            Path slavePath = unlock(master);
+            makeRaw(master);
+            showNoClient(slavePath);
+            if (symlink != null) {
+                point(symlink, slavePath);
+            }
+            return new Pty(master, wakeUp, slavePath, symlink);
+        } catch (IOException failure) {
+            LibC.close(master);
+            if (wakeUp >= 0) {
+                LibC.close(wakeUp);
+            }
+            throw failure;
+        }
+    }
+
+    private static Path unlock(int master) throws IOException {
+        LibC.check(LibC.grantpt(master), "grantpt");
+        LibC.check(LibC.unlockpt(master), "unlockpt");
+        byte[] name = new byte[64];
+        if (LibC.ptsname_r(master, name, new NativeLong(name.length)) != 0) {
+            throw LibC.failure("ptsname_r");
+        }
+        return Path.of(Native.toString(name, StandardCharsets.UTF_8));
+    }
+
+    private static void makeRaw(int master) throws IOException {
+        try (Memory termios = new Memory(LibC.TERMIOS_BYTES)) {
+            LibC.check(LibC.tcgetattr(master, termios), "tcgetattr");
+            LibC.cfmakeraw(termios);
+            LibC.check(LibC.cfsetspeed(termios, LibC.B115200), "cfsetspeed");
+            LibC.check(LibC.tcsetattr(master, LibC.TCSANOW, termios), "tcsetattr");
+        }
+    }
+
+    /** Before its first client a master looks connected; opening and closing the slave once shows that nobody is. */
+    private static void showNoClient(Path slavePath) throws IOException {
+        LibC.close(LibC.check(
+                LibC.open(slavePath.toString(), LibC.O_RDWR | LibC.O_NOCTTY | LibC.O_CLOEXEC), "open " + slavePath));
+    }
+
+    private static void point(Path symlink, Path slavePath) throws IOException {
+        Path fresh = symlink.resolveSibling(symlink.getFileName() + ".new");
+        try {
+            Files.deleteIfExists(fresh);
+            Files.createSymbolicLink(fresh, slavePath);
+            Files.move(fresh, symlink, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+        } catch (IOException failure) {
+            throw new IOException(
+                    "cannot make the symbolic link " + symlink + "; its folder must exist and be writable", failure);
+        }
+    }
+
+    /** The file to open: the symbolic link if there is one, else {@link #slavePath()}. */
+    public Path path() {
+        return symlink != null ? symlink : slavePath;
+    }
+
+    /** The path the kernel gave, such as {@code /dev/pts/3}. */
+    public Path slavePath() {
+        return slavePath;
+    }
+
+    /**
+     * Waits for bytes from the client.
+     *
+     * @param timeoutMillis how long to wait; more than {@value #LONGEST_WAIT_MILLIS} counts as that
+     * @return how many bytes now stand at the buffer's start, 0 if none came in time, or {@link #NO_CLIENT}, after a
+     *     short rest that keeps a loop of reads from spinning
+     */
+    public int read(byte[] buffer, int timeoutMillis) {
+        readLock.lock();
+        try {
+            if (hungUp) {
+                return NO_CLIENT;
+            }
+            int waitMillis = Math.max(0, Math.min(timeoutMillis, LONGEST_WAIT_MILLIS));
+            int events = await(true, waitMillis);
+            if ((events & LibC.POLLIN) != 0) {
+                return take(buffer);
+            }
+            if ((events & LibC.POLLHUP) != 0) {
+                await(false, Math.min(waitMillis, NO_CLIENT_REST_MILLIS));
+                return NO_CLIENT;
+            }
+            return hungUp ? NO_CLIENT : 0;
+        } finally {
+            readLock.unlock();
+        }
+    }
+
+    private int take(byte[] buffer) {
+        int length = LibC.read(master, buffer, new NativeLong(buffer.length)).intValue();
+        if (length >= 0) {
+            return length;
+        }
+        int error = Native.getLastError();
+        return error == LibC.EAGAIN || error == LibC.EINTR ? 0 : NO_CLIENT;
+    }
+
+    /** Polls, for input if wanted, and for {@link #hangUp()}; returns the master's events. */
+    private int await(boolean input, int timeoutMillis) {
+        try (Memory entries = new Memory(2L * POLL_ENTRY_BYTES)) {
+            entries.clear();
+            entries.setInt(0, wakeUp);
+            entries.setShort(POLL_EVENTS_OFFSET, LibC.POLLIN);
+            entries.setInt(POLL_ENTRY_BYTES, master);
+            entries.setShort(POLL_ENTRY_BYTES + POLL_EVENTS_OFFSET, LibC.POLLIN);
+            int ready = LibC.poll(entries, new NativeLong(input ? 2 : 1), timeoutMillis);
+            return ready > 0 ? entries.getShort(POLL_ENTRY_BYTES + POLL_RESULT_OFFSET) : 0;
+        }
+    }
+
+    /**
+     * Sends bytes to the client and never waits: like a UART, the line does not care whether anybody listens. Without
+     * a client all are lost; what does not fit into a client's full buffer is lost and counted.
+     *
+     * @param length how many, from the buffer's start
+     * @return how many of them the client's buffer took
+     */
+    public int write(byte[] buffer, int length) {
+        writeLock.lock();
+        try {
+            if (hungUp || !clientPresent()) {
+                return 0;
+            }
+            int taken = 0;
+            while (taken < length) {
+                byte[] rest = taken == 0 ? buffer : Arrays.copyOfRange(buffer, taken, length);
+                int written =
+                        LibC.write(master, rest, new NativeLong(length - taken)).intValue();
+                if (written > 0) {
+                    taken += written;
+                } else if (written == 0 || Native.getLastError() != LibC.EINTR) {
+                    break;
+                }
+            }
+            droppedBytes.addAndGet(length - taken);
+            return taken;
+        } finally {
+            writeLock.unlock();
+        }
+    }
+
+    /** Whether the cable has been pulled. */
+    public boolean isHungUp() {
+        return hungUp;
+    }
+
+    /** How many bytes found the buffer of a client that was there full. */
+    public long droppedBytes() {
+        return droppedBytes.get();
+    }
+
+    /** Whether a program has the port open. */
+    public boolean clientPresent() {
+        writeLock.lock();
+        try {
+            return !hungUp && (await(true, 0) & LibC.POLLHUP) == 0;
+        } finally {
+            writeLock.unlock();
+        }
+    }
+
+    /** The rate the client has chosen, in baud; without a client the latest one's; 0 after {@link #hangUp()}. */
+    public int clientBaud() {
+        writeLock.lock();
+        try (Memory termios2 = new Memory(LibC.TERMIOS_BYTES)) {
+            if (hungUp || LibC.ioctl(master, LibC.TCGETS2, termios2) < 0) {
+                return 0;
+            }
+            return termios2.getInt(LibC.TERMIOS2_OUTPUT_SPEED_OFFSET);
+        } finally {
+            writeLock.unlock();
+        }
+    }
+
+    /** Pulls the cable: the client sees a hang-up and the symbolic link is gone. A second call does nothing. */
+    public void hangUp() {
+        writeLock.lock();
+        try {
+            if (hungUp) {
+                return;
+            }
+            hungUp = true;
+            LibC.write(wakeUp, new byte[] {1, 1, 1, 1, 1, 1, 1, 1}, new NativeLong(Long.BYTES));
+            readLock.lock();
+            try {
+                removeSymlink();
+                LibC.close(master);
+                LibC.close(wakeUp);
+            } finally {
+                readLock.unlock();
+            }
+        } finally {
+            writeLock.unlock();
+        }
+    }
+
+    /** Leaves a link alone that points to somebody else's pseudo-terminal by now. */
+    private void removeSymlink() {
+        try {
+            if (symlink != null && Files.readSymbolicLink(symlink).equals(slavePath)) {
+                Files.delete(symlink);
+            }
+        } catch (IOException alreadyGone) {
+            // Somebody tidied up before us; the cable is pulled all the same.
+        }
+    }
+
+    /** The same as {@link #hangUp()}. */
+    @Override
+    public void close() {
+        hangUp();
+    }
+}
