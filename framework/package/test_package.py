@@ -1,4 +1,5 @@
-"""What the Debian package contains, and what becomes of it in a Debian: installed, run, upgraded, rolled back, removed, purged.
+"""What the Debian package contains, and what becomes of it in a Debian: installed, run, upgraded, rolled back, removed, purged,
+and killed, frozen and stopped as a service.
 
 Run by ./evoloop test --package, which has built the package and made the Debians that EVOLOOP_ROOTS names.
 """
@@ -14,12 +15,15 @@ import subprocess
 import tarfile
 import time
 import unittest
+from collections.abc import Callable
 from pathlib import Path
 
 PROJECT = Path(__file__).resolve().parents[2]
 PACKAGE = next((PROJECT / "target").glob("evoloop_*_all.deb"))
 ROOTS = [Path(root) for root in os.environ.get("EVOLOOP_ROOTS", "").split()]
 PROGRAMS = {"./usr/bin/evoloop", "./usr/lib/evoloop/make-safe", "./usr/lib/evoloop/prepare-classes"}
+# systemd itself boots only on the processor that it is for.
+OWN_ROOTS = [root for root in ROOTS if "-" not in root.name]
 LIMIT_S = 600
 
 
@@ -193,6 +197,74 @@ class DebianTest(unittest.TestCase):
         self.do(root, "test -e /etc/evoloop/roomba.yaml && test -e /var/lib/evoloop/roomba")
         self.do(root, "dpkg --purge evoloop")
         self.do(root, "test ! -e /etc/evoloop && test ! -e /var/lib/evoloop && ! getent passwd evoloop")
+
+
+@unittest.skipUnless(OWN_ROOTS, "the Debians are made by ./evoloop test --package, which needs root and debootstrap")
+class BootTest(unittest.TestCase):
+    """The service under a systemd that has booted in one of the Debians."""
+
+    def boot(self, root: Path) -> None:
+        command = ["systemd-nspawn", "--quiet", "--boot", "--register=no", "--keep-unit", "-M", "evoloop-test", "-D", root]
+        # The console's login needs a terminal of its own.
+        machine = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        self.addCleanup(machine.wait)
+        self.addCleanup(machine.kill)
+        self.await_that(lambda: self.leader(machine) != "" and machine.poll() is None)
+        self.inside = ["nsenter", "-t", self.leader(machine), "-a"]
+        self.await_that(lambda: self.do("systemctl is-system-running || true") in ("running", "degraded"))
+
+    @staticmethod
+    def leader(machine: subprocess.Popen[bytes]) -> str:
+        return subprocess.run(["pgrep", "-P", str(machine.pid)], capture_output=True, text=True).stdout.strip()
+
+    def do(self, command: str) -> str:
+        result = subprocess.run(
+            [*self.inside, "sh", "-c", command],
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            text=True,
+            timeout=LIMIT_S,
+        )
+        self.assertEqual(result.returncode, 0, f"{command}\n{result.stdout}")
+        return result.stdout.strip()
+
+    def await_that(self, holds: Callable[[], bool]) -> None:
+        end = time.monotonic() + LIMIT_S
+        while not holds():
+            self.assertLess(time.monotonic(), end, "it never came about")
+            time.sleep(0.5)
+
+    def of(self, unit_property: str) -> str:
+        return self.do(f"systemctl show -p {unit_property} --value evoloop@roomba")
+
+    def await_another(self, process: str) -> None:
+        self.await_that(lambda: self.of("ActiveState") == "active" and self.of("MainPID") != process)
+
+    def test_it_is_killed_freezes_and_is_stopped(self) -> None:
+        for root in OWN_ROOTS:
+            with self.subTest(release=root.name):
+                shutil.copy(PACKAGE, root / "root/evoloop.deb")
+                self.boot(root)
+                self.do("dpkg --purge evoloop; groupadd --force --system gpio; dpkg -i /root/evoloop.deb")
+                self.do("sed -i 's/^port:.*/simulate: true/' /etc/evoloop/roomba.yaml")
+                self.do("mkdir -p /run/systemd/system/evoloop@.service.d")
+                self.do("printf '[Service]\\nWatchdogSec=10\\n' > /run/systemd/system/evoloop@.service.d/test.conf")
+                self.do("systemctl daemon-reload && systemctl start evoloop@roomba")
+                self.do("evoloop ctl roomba press clean")
+                self.await_that(lambda: "original On, new On" in self.do("evoloop ctl roomba status"))
+                killed = self.of("MainPID")
+                self.do(f"kill -KILL {killed}")
+                self.await_another(killed)
+                self.assertIn("Clean", self.do("evoloop ctl roomba history"), "the press before the kill is forgotten")
+                frozen = self.of("MainPID")
+                self.do(f"kill -STOP {frozen}")
+                self.await_another(frozen)
+                self.assertIn("Watchdog timeout", self.do("journalctl -u evoloop@roomba"))
+                self.do("systemctl stop evoloop@roomba")
+                self.assertEqual((self.of("Result"), self.of("ExecMainStatus")), ("success", "0"))
+                self.do("dpkg --purge evoloop")
+                self.doCleanups()
 
 
 if __name__ == "__main__":
