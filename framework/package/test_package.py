@@ -208,9 +208,11 @@ class BootTest(unittest.TestCase):
         # The console's login needs a terminal of its own.
         machine = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         self.addCleanup(machine.wait)
-        self.addCleanup(machine.kill)
-        self.await_that(lambda: self.leader(machine) != "" and machine.poll() is None)
-        self.inside = ["nsenter", "-t", self.leader(machine), "-a"]
+        self.await_that(lambda: self.leader(machine) != "" or machine.poll() is not None)
+        leader = self.leader(machine)
+        # All that runs in there ends with its first process, and that does not end with the command.
+        self.addCleanup(subprocess.run, ["kill", "-KILL", leader])
+        self.inside = ["nsenter", "-t", leader, "-a"]
         self.await_that(lambda: self.do("systemctl is-system-running || true") in ("running", "degraded"))
 
     @staticmethod
