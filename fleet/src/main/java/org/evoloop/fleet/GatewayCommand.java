@@ -7,6 +7,8 @@ import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
 import org.evoloop.fleet.gateway.Gateway;
 import org.evoloop.mqtt.BrokerAddress;
+import org.evoloop.mqtt.MqttOptions;
+import org.evoloop.mqtt.edge.EdgeDevice;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -75,26 +77,16 @@ final class GatewayCommand implements Callable<Integer> {
     @Override
     public Integer call() throws InterruptedException {
         for (String device : devices) {
-            if (!device.matches("[^/+#\\s]{1,200}")) {
-                throw new IllegalArgumentException("the device is '" + device
-                        + "'; MQTT takes no '/', '+', '#' or spaces in its name, 200 characters at most");
-            }
+            EdgeDevice.requireTopicName("the device", device);
         }
         if (devices.size() > MOST_DEVICES) {
             throw new IllegalArgumentException("--device names " + devices.size() + " devices, and a gateway has "
                     + MOST_DEVICES + " at most; start another one for the others, with another --gateway");
         }
-        BrokerAddress address = BrokerAddress.parse(mqtt);
-        String password = System.getenv("EVOLOOP_MQTT_PASSWORD");
+        BrokerAddress broker = MqttOptions.brokerAt(mqtt);
         cluster.check();
-        try (Gateway gateway = new Gateway(
-                cluster.bootstrap(),
-                cluster.fleet(),
-                name,
-                password == null ? address : address.withPassword(password),
-                devices,
-                directory,
-                how -> {
+        try (Gateway gateway =
+                new Gateway(cluster.bootstrap(), cluster.fleet(), name, broker, devices, directory, how -> {
                     spec.commandLine().getOut().println(how);
                     spec.commandLine().getOut().flush();
                 })) {

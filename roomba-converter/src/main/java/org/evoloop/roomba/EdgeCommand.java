@@ -79,12 +79,8 @@ final class EdgeCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws InterruptedException {
-        if (!device.matches("[^/+#\\s]{1,200}")) {
-            throw new IllegalArgumentException("--device is '" + device
-                    + "'; MQTT takes no '/', '+', '#' or spaces in its name, 200 characters at most");
-        }
-        BrokerAddress address = BrokerAddress.parse(mqtt);
-        String password = System.getenv(MqttOptions.PASSWORD.variable());
+        EdgeDevice.requireTopicName("--device", device);
+        BrokerAddress broker = MqttOptions.brokerAt(mqtt);
         options.checkRanges();
         Options.of()
                 .checking((settings, mistakes) -> options.check(false, mistakes))
@@ -92,16 +88,10 @@ final class EdgeCommand implements Callable<Integer> {
         RoombaOptions read = options.read(1, Optional.empty(), null);
         SystemClock clock = new SystemClock();
         PrintWriter out = spec.commandLine().getOut();
-        try (EdgeDevice edge = new EdgeDevice(
-                device,
-                password == null ? address : address.withPassword(password),
-                directory,
-                clock,
-                Clock.systemUTC(),
-                how -> {
-                    out.println(how);
-                    out.flush();
-                })) {
+        try (EdgeDevice edge = new EdgeDevice(device, broker, directory, clock, Clock.systemUTC(), how -> {
+            out.println(how);
+            out.flush();
+        })) {
             serve(edge, clock, read);
         } catch (UncheckedIOException unusable) {
             throw new IllegalArgumentException(

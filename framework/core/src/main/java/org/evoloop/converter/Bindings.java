@@ -9,6 +9,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.TreeSet;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Predicate;
 import org.evoloop.evolution.DecisionTable;
@@ -76,6 +77,24 @@ final class Bindings implements Predicate<String> {
     @Override
     public boolean test(String text) {
         return holds(text, Values.NONE);
+    }
+
+    /** Those of {@code drawn} that hold now. One that throws counts as false: the device's action is reported all the same. */
+    Set<String> holding(Set<String> drawn) {
+        if (drawn.isEmpty()) {
+            return Set.of();
+        }
+        Set<String> holding = new TreeSet<>();
+        for (String text : drawn) {
+            try {
+                if (test(text)) {
+                    holding.add(text);
+                }
+            } catch (RuntimeException | Error counted) {
+                // The watch has counted it.
+            }
+        }
+        return holding;
     }
 
     /** The same for an event that carries {@code values}. */

@@ -3,7 +3,6 @@ package org.evoloop.converter;
 import java.time.Duration;
 import java.util.List;
 import java.util.Set;
-import java.util.TreeSet;
 import java.util.function.Supplier;
 import org.evoloop.core.Core;
 import org.evoloop.core.Input;
@@ -381,26 +380,7 @@ final class CoreDriver implements Intake<Occurrence>, EffectListener {
 
     /** The guards of the original model that hold now. */
     Set<String> holding() {
-        Set<String> drawn = rules.table().models().original().guards();
-        if (drawn.isEmpty()) {
-            return Set.of();
-        }
-        Set<String> holding = new TreeSet<>();
-        for (String text : drawn) {
-            if (holds(text)) {
-                holding.add(text);
-            }
-        }
-        return holding;
-    }
-
-    /** A guard that throws counts as false: the device's action is reported all the same. */
-    private boolean holds(String text) {
-        try {
-            return knowledge.bindings().test(text);
-        } catch (RuntimeException | Error counted) {
-            return false;
-        }
+        return knowledge.bindings().holding(rules.table().models().original().guards());
     }
 
     Rules rules() {

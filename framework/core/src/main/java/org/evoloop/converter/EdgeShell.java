@@ -1,6 +1,5 @@
 package org.evoloop.converter;
 
-import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -24,14 +23,14 @@ import org.evoloop.statemachine.Transition;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What stands around the core of a converter, without the core: the monitors, execute components and new functions of a
- * device whose events are decided elsewhere, in a fleet for example. What is observed goes to a {@link Decider}; what it has
- * decided is carried out by {@link #send}, {@link #run}, {@link #locate} and {@link #stand}.
+ * A converter without its core: the monitors, execute components and new functions of a device whose events are decided
+ * elsewhere, such as in a fleet. Observations go to a {@link Decider}; its decisions are carried out by {@link #send},
+ * {@link #run}, {@link #locate} and {@link #stand}.
  *
  * <p>Lifecycle: add the components, {@link #open}, {@link #close}.
  *
- * <p>Threading: those that add, {@code open} and {@code close} for one thread. What carries out waits for the device and is
- * for one thread, too.
+ * <p>Threading: those that add, {@code open} and {@code close} for one thread. The methods that carry out decisions wait for the
+ * device, and are for one thread, too.
  *
  * @since 0.1
  */
@@ -41,6 +40,9 @@ public final class EdgeShell implements AutoCloseable {
     private final Decider decider;
     private final FailureLog failures;
     private final Visits visits;
+    /** Those of both models. */
+    private final Set<String> guards = new TreeSet<>();
+
     private final Assembly assembly = new Assembly();
     private final MapeLoop<Occurrence, Analysis, ChangePlan> loop;
     private final EffectListener effects = this::tookEffect;
@@ -95,6 +97,8 @@ public final class EdgeShell implements AutoCloseable {
         this.failures = new FailureLog(config);
         this.visits = new Visits(config, new CurrentKnowledge(knowledge), new Transcript(), failures);
         this.at = knowledge.models().initial();
+        guards.addAll(knowledge.models().original().guards());
+        guards.addAll(knowledge.models().evolved().guards());
         this.loop = new MapeLoop<>(config, new Failures(), Dispatch.toEach(), new Told());
     }
 
@@ -123,7 +127,8 @@ public final class EdgeShell implements AutoCloseable {
         loop.addPlan(new EventPlan());
         for (Component component : assembly.all()) {
             if (component instanceof EventMonitor monitor) {
-                monitor.attach(config, loop, knowledge.eventNames(), this::holding);
+                // Guards are evaluated once for each event, by observed().
+                monitor.attach(config, loop, knowledge.eventNames(), Set::of);
                 loop.addMonitor(monitor);
             } else if (component instanceof EventExecute execute) {
                 execute.attach(effects, null);
@@ -135,7 +140,7 @@ public final class EdgeShell implements AutoCloseable {
 
     // What was decided
 
-    /** Has the device take {@code step}. The answer comes with its effect, maybe before this returns. */
+    /** Sends {@code step} to the device. The answer comes when it has taken effect, maybe before this returns. */
     public void send(long sequence, Step step, Values values) throws InterruptedException {
         for (EventExecute execute : assembly.executes()) {
             if (execute.events().contains(step.trigger())) {
@@ -191,7 +196,7 @@ public final class EdgeShell implements AutoCloseable {
         }
     }
 
-    /** The only answer to what is asked for now; what comes later counts for nothing. */
+    /** Answers the current request; later answers to it are ignored. */
     private synchronized void answer(long sequence, Result result, String reason, Optional<State> state) {
         if (asked == sequence) {
             asked = 0;
@@ -214,7 +219,7 @@ public final class EdgeShell implements AutoCloseable {
         }
     }
 
-    /** Device and evolved system stand like this. What was told before counts for nothing. */
+    /** Takes over where device and evolved system stand now; replaces all that was given before. */
     public void stand(Standing now) {
         at = now.at();
         State state = now.at().evolved();
@@ -222,9 +227,8 @@ public final class EdgeShell implements AutoCloseable {
             leave(now.visit() - (now.function() ? 1 : 0));
         }
         if (!knowledge.models().evolved().hasState(state)) {
-            failures.warn(
-                    "the state " + state + " was decided, which the models here do not have; start this program with"
-                            + " the models by which is decided");
+            failures.warn("the models here have no state " + state
+                    + ", which was decided elsewhere; start this program with the" + " models that are used there");
             return;
         }
         if (now.settled()) {
@@ -264,31 +268,9 @@ public final class EdgeShell implements AutoCloseable {
 
     // What is observed
 
-    private Set<String> holding() {
-        Set<String> holding = new TreeSet<>();
-        for (Set<String> drawn : List.of(
-                knowledge.models().original().guards(),
-                knowledge.models().evolved().guards())) {
-            for (String text : drawn) {
-                if (holds(text)) {
-                    holding.add(text);
-                }
-            }
-        }
-        return holding;
-    }
-
-    /** A guard that fails does not hold: what was observed is told all the same. */
-    private boolean holds(String text) {
-        try {
-            return knowledge.bindings().test(text);
-        } catch (RuntimeException | Error counted) {
-            return false;
-        }
-    }
-
     private void observed(Occurrence occurrence) {
-        Set<String> holding = occurrence instanceof Occurrence.Heard ? holding() : Set.of();
+        Set<String> holding =
+                occurrence instanceof Occurrence.Heard ? knowledge.bindings().holding(guards) : Set.of();
         if (occurrence instanceof Occurrence.Heard heard && !holding.isEmpty()) {
             decider.observed(new Occurrence.Heard(
                     heard.event(),
@@ -303,7 +285,7 @@ public final class EdgeShell implements AutoCloseable {
         }
     }
 
-    /** Lets nothing wait: whoever decides has a queue. */
+    /** Queues nothing: the decider has a queue. */
     private final class Told implements Intake<Occurrence> {
         @Override
         public Admission atOnce(Occurrence occurrence) {

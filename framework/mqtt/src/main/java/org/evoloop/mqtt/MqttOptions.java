@@ -41,6 +41,17 @@ public final class MqttOptions {
                         : PASSWORD.in(settings).map(address::withPassword).orElse(address));
     }
 
+    /**
+     * The broker of a program that takes no configuration file: the password, if any, is in the environment.
+     *
+     * @throws IllegalArgumentException if the URL is malformed
+     */
+    public static BrokerAddress brokerAt(String url) {
+        BrokerAddress address = BrokerAddress.parse(url);
+        String password = System.getenv(PASSWORD.variable());
+        return password == null ? address : address.withPassword(password);
+    }
+
     private static void check(Settings settings, Mistakes mistakes) {
         if (settings.get(PASSWORD.file()).isPresent()
                 && settings.get(MQTT).map(BrokerAddress::user).isEmpty()) {

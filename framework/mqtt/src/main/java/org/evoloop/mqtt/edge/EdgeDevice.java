@@ -90,6 +90,19 @@ public final class EdgeDevice implements EdgeShell.Decider, AutoCloseable {
         gateway.subscribe(topic("kept"), this::kept);
     }
 
+    /**
+     * Checks that a device's id can be a part of its topics.
+     *
+     * @param what what messages call the id
+     * @throws IllegalArgumentException if it cannot
+     */
+    public static void requireTopicName(String what, String id) {
+        if (!id.matches("[^/+#\\s]{1,200}")) {
+            throw new IllegalArgumentException(what + " is '" + id
+                    + "'; MQTT takes no '/', '+', '#' or spaces in its name, 200 characters at most");
+        }
+    }
+
     private String topic(String what) {
         return "evoloop/" + id + '/' + what;
     }
