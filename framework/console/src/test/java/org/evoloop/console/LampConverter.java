@@ -1,15 +1,9 @@
 package org.evoloop.console;
 
-import java.time.Duration;
-import java.util.Set;
-import org.evoloop.PaperModels;
-import org.evoloop.converter.EventExecute;
+import org.evoloop.LightBulb;
+import org.evoloop.NotingDevice;
 import org.evoloop.converter.PushMonitor;
-import org.evoloop.converter.StateKnowledge;
 import org.evoloop.converter.SystemEventConverter;
-import org.evoloop.evolution.ModelPair;
-import org.evoloop.evolution.Step;
-import org.evoloop.function.NewFunction;
 import org.evoloop.loop.LoopConfig;
 
 /** The converter of the paper's light bulb, with a wall switch and two spares for it. */
@@ -20,9 +14,9 @@ final class LampConverter {
     LampConverter(LoopConfig config) {
         converter = new SystemEventConverter(config);
         converter.addMonitor(wallSwitch);
-        converter.addExecute(new Lamp());
-        converter.addKnowledge(new LampKnowledge(PaperModels.lightBulb()));
-        converter.addKnowledgeFactory(LampKnowledge::new);
+        converter.addExecute(new NotingDevice("Lamp", "switch"));
+        converter.addKnowledge(new LightBulb());
+        converter.addKnowledgeFactory(LightBulb::new);
         converter.addSpare("spareSwitch", () -> new PushMonitor("SpareSwitch"));
         converter.addSpare("otherSwitch", () -> new PushMonitor("OtherSwitch"));
         converter.build();
@@ -35,27 +29,5 @@ final class LampConverter {
             converter.observe(wallSwitch);
             converter.step();
         });
-    }
-
-    private static final class Lamp extends EventExecute {
-        @Override
-        protected Set<String> sendableEvents() {
-            return Set.of("switch");
-        }
-
-        @Override
-        protected void send(Step step) {}
-    }
-
-    private static final class LampKnowledge extends StateKnowledge {
-        LampKnowledge(ModelPair models) {
-            super(models);
-        }
-
-        @Override
-        protected void registerNewFunctions() {
-            timer("wait", "timeout", Duration.ofSeconds(2));
-            function("incandescentOn", NewFunction.none());
-        }
     }
 }

@@ -5,12 +5,12 @@ import static org.evoloop.Machines.machine;
 
 import java.io.ByteArrayInputStream;
 import java.nio.charset.StandardCharsets;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import org.evoloop.NotingDevice;
 import org.evoloop.converter.ConverterListener;
 import org.evoloop.converter.EventExecute;
 import org.evoloop.converter.HistoryEntry;
@@ -47,7 +47,7 @@ class TwoConvertersTest {
             "Warm boost -> Blinking",
             "Blinking switch -> Off");
 
-    private final List<String> sent = new ArrayList<>();
+    private final NotingDevice lamp = new NotingDevice("Lamp", "switch");
     private final PushMonitor lowerEvents = new PushMonitor("LowerEvents");
     private final PushMonitor remote = new PushMonitor("Remote");
     private final SystemClock lowerClock = new SystemClock();
@@ -57,17 +57,7 @@ class TwoConvertersTest {
 
     TwoConvertersTest() {
         lower.addMonitor(lowerEvents);
-        lower.addExecute(new EventExecute("Lamp") {
-            @Override
-            protected Set<String> sendableEvents() {
-                return Set.of("switch");
-            }
-
-            @Override
-            protected void send(Step step) {
-                sent.add(step.trigger().name());
-            }
-        });
+        lower.addExecute(lamp);
         lower.addKnowledge(new Knowledge(new ModelPair(LAMP, WARM), "Warm"));
         lower.build();
 
@@ -143,7 +133,7 @@ class TwoConvertersTest {
 
         assertThat(upper.knowledge().configuration()).hasToString("(Warm, Warm)");
         assertThat(lower.knowledge().configuration()).hasToString("(On, Warm)");
-        assertThat(sent).containsExactly("switch");
+        assertThat(lamp.sent()).containsExactly("switch");
     }
 
     @Test

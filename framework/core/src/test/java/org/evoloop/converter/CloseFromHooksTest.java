@@ -7,6 +7,7 @@ import java.util.Set;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import org.awaitility.Awaitility;
+import org.evoloop.LightBulb;
 import org.evoloop.PaperModels;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Step;
@@ -66,13 +67,8 @@ class CloseFromHooksTest {
                 closeIf(hook == Hook.RELEASED, converter);
             }
         });
-        converter.addKnowledge(new StateKnowledge(PaperModels.lightBulb()) {
-            @Override
-            protected void registerNewFunctions() {
-                timer("wait", "timeout", Duration.ofMinutes(2));
-                function("incandescentOn", visit -> inFunction(hook, converter, visit));
-            }
-        });
+        converter.addKnowledge(new LightBulb(
+                PaperModels.lightBulb(), Duration.ofMinutes(2), visit -> inFunction(hook, converter, visit)));
         converter.addListener(new ConverterListener() {
             @Override
             public void ended(HistoryEntry entry) {

@@ -3,11 +3,9 @@ package org.evoloop.converter;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import java.util.ArrayList;
 import java.util.List;
-import java.util.Set;
+import org.evoloop.NotingDevice;
 import org.evoloop.evolution.ModelPair;
-import org.evoloop.evolution.Step;
 import org.evoloop.function.NewFunction;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.statemachine.Event;
@@ -26,7 +24,7 @@ class DeferredEventsTest {
             .transition("Grinding", "stop", "Idle")
             .build();
 
-    private final List<String> sent = new ArrayList<>();
+    private final NotingDevice mill = new NotingDevice("Mill", "grind", "stop");
     private final PushMonitor panel = new PushMonitor("Panel");
     private final SystemEventConverter converter = new SystemEventConverter(
             LoopConfig.defaults("mill", new ManualClock()).withoutThreads());
@@ -50,17 +48,7 @@ class DeferredEventsTest {
 
     private void build(StateMachine evolved) {
         converter.addMonitor(panel);
-        converter.addExecute(new EventExecute("Mill") {
-            @Override
-            protected Set<String> sendableEvents() {
-                return Set.of("grind", "stop");
-            }
-
-            @Override
-            protected void send(Step step) {
-                sent.add(step.trigger().name());
-            }
-        });
+        converter.addExecute(mill);
         converter.addKnowledge(new StateKnowledge(new ModelPair(MILL, evolved)) {
             @Override
             protected void registerNewFunctions() {
@@ -87,12 +75,12 @@ class DeferredEventsTest {
         build(evolved(false));
         press("clean");
         press("grind");
-        assertThat(sent).isEmpty();
+        assertThat(mill.sent()).isEmpty();
         assertThat(converter.status().queue().depth()).isEqualTo(1);
         assertThat(converter.knowledge().configuration()).hasToString("(Idle, Cleaning)");
 
         press("cleaned");
-        assertThat(sent).containsExactly("grind");
+        assertThat(mill.sent()).containsExactly("grind");
         assertThat(converter.knowledge().configuration()).hasToString("(Grinding, Grinding)");
         assertThat(converter.history())
                 .extracting(entry -> entry.occurrence().label())

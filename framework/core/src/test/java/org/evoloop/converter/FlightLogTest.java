@@ -3,15 +3,13 @@ package org.evoloop.converter;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Path;
-import java.time.Duration;
 import java.util.List;
-import java.util.Set;
 import java.util.stream.Stream;
 import jdk.jfr.Recording;
 import jdk.jfr.consumer.RecordedEvent;
 import jdk.jfr.consumer.RecordingFile;
-import org.evoloop.PaperModels;
-import org.evoloop.evolution.Step;
+import org.evoloop.LightBulb;
+import org.evoloop.NotingDevice;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.time.ManualClock;
 import org.junit.jupiter.api.Test;
@@ -29,22 +27,8 @@ class FlightLogTest {
 
     FlightLogTest() {
         converter.addMonitor(wallSwitch);
-        converter.addExecute(new EventExecute("Lamp") {
-            @Override
-            protected Set<String> sendableEvents() {
-                return Set.of("switch");
-            }
-
-            @Override
-            protected void send(Step step) {}
-        });
-        converter.addKnowledge(new StateKnowledge(PaperModels.lightBulb()) {
-            @Override
-            protected void registerNewFunctions() {
-                timer("wait", "timeout", Duration.ofSeconds(2));
-                function("incandescentOn", visit -> {});
-            }
-        });
+        converter.addExecute(new NotingDevice("Lamp", "switch"));
+        converter.addKnowledge(new LightBulb());
         converter.build();
         converter.start();
     }

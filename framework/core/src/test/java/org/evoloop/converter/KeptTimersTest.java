@@ -6,8 +6,8 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Set;
 import org.evoloop.Machines;
+import org.evoloop.NotingDevice;
 import org.evoloop.evolution.ModelPair;
-import org.evoloop.evolution.Step;
 import org.evoloop.function.NewFunction;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.statemachine.Event;
@@ -47,15 +47,7 @@ class KeptTimersTest {
                     }
                 });
         converter.addMonitor(panel);
-        converter.addExecute(new EventExecute("Device") {
-            @Override
-            protected Set<String> sendableEvents() {
-                return Set.of("press");
-            }
-
-            @Override
-            protected void send(Step step) {}
-        });
+        converter.addExecute(new NotingDevice("Device", "press"));
         converter.build();
         converter.start();
     }

@@ -3,13 +3,12 @@ package org.evoloop.converter;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.time.Duration;
-import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
-import org.evoloop.PaperModels;
+import org.evoloop.LightBulb;
+import org.evoloop.NotingDevice;
 import org.evoloop.evolution.Decision;
-import org.evoloop.evolution.Step;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.time.SystemClock;
 import org.evoloop.time.Threads;
@@ -41,22 +40,8 @@ class ListenerRemovalTest {
 
     private void build() {
         converter.addMonitor(wallSwitch);
-        converter.addExecute(new EventExecute("Lamp") {
-            @Override
-            protected Set<String> sendableEvents() {
-                return Set.of("switch");
-            }
-
-            @Override
-            protected void send(Step step) {}
-        });
-        converter.addKnowledge(new StateKnowledge(PaperModels.lightBulb()) {
-            @Override
-            protected void registerNewFunctions() {
-                timer("wait", "timeout", Duration.ofSeconds(2));
-                function("incandescentOn", visit -> {});
-            }
-        });
+        converter.addExecute(new NotingDevice("Lamp", "switch"));
+        converter.addKnowledge(new LightBulb());
         converter.build();
         converter.start();
     }

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.time.Duration;
 import java.util.Set;
 import org.assertj.core.api.AbstractThrowableAssert;
+import org.evoloop.NotingDevice;
 import org.evoloop.PaperModels;
 import org.evoloop.function.NewFunction;
 import org.evoloop.loop.LoopConfig;
@@ -16,7 +17,7 @@ import org.junit.jupiter.api.Test;
 
 /** What is put together wrongly is refused when it is registered or built, and can be put right after. */
 class MisuseTest {
-    private final ConverterBuildTest.Device device = new ConverterBuildTest.Device("Clean", "Spot");
+    private final NotingDevice device = new NotingDevice("Device", "Clean", "Spot");
     private final PushMonitor panel = new PushMonitor("Panel");
     private final StateKnowledge knowledge = knowledge();
 
@@ -66,7 +67,7 @@ class MisuseTest {
     void aComponentIsFreeWhenItWasRemovedExchangedOrItsConverterClosed() {
         try (SystemEventConverter second = converter("second", new ManualClock())) {
             second.addKnowledge(knowledge());
-            second.addExecute(new ConverterBuildTest.Device("Clean", "Spot"));
+            second.addExecute(new NotingDevice("Device", "Clean", "Spot"));
             second.build();
             try (SystemEventConverter first = first(new ManualClock())) {
                 assertThatThrownBy(() -> second.addMonitor(panel))
@@ -90,24 +91,10 @@ class MisuseTest {
         SystemEventConverter converter = converter("robot", new ManualClock());
         converter.addKnowledge(knowledge);
         converter.addExecute(device);
-        converter.addExecute(new EventExecuteNamed("Other"));
+        converter.addExecute(new NotingDevice("Other", "Spot"));
         assertThatThrownBy(converter::build)
                 .isInstanceOf(ModelException.class)
                 .hasMessageContaining("Device and Other can both send Spot; let one of them do it");
-    }
-
-    private static final class EventExecuteNamed extends EventExecute {
-        EventExecuteNamed(String name) {
-            super(name);
-        }
-
-        @Override
-        protected Set<String> sendableEvents() {
-            return Set.of("Spot");
-        }
-
-        @Override
-        protected void send(org.evoloop.evolution.Step step) {}
     }
 
     @Test

@@ -7,13 +7,11 @@ import static org.evoloop.converter.Robot.at;
 
 import java.time.Duration;
 import java.util.ArrayDeque;
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Queue;
 import java.util.Set;
+import org.evoloop.NotingDevice;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.ModelPair;
-import org.evoloop.evolution.Step;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.time.ManualClock;
 import org.junit.jupiter.api.Test;
@@ -22,24 +20,14 @@ import org.junit.jupiter.api.Test;
 class PollingMonitorTest {
     private final Queue<String> events = new ArrayDeque<>();
 
-    private final List<String> sent = new ArrayList<>();
+    private final NotingDevice device = new NotingDevice("Device", "play");
 
     /** A music player whose events come from {@code monitor}, which has seen {@code event}. */
     private Configuration after(String event, PollingMonitor monitor) throws InterruptedException {
         try (SystemEventConverter converter = new SystemEventConverter(
                 LoopConfig.defaults("player", new ManualClock()).withoutThreads())) {
             converter.addMonitor(monitor);
-            converter.addExecute(new EventExecute("Device") {
-                @Override
-                protected Set<String> sendableEvents() {
-                    return Set.of("play");
-                }
-
-                @Override
-                protected void send(Step step) {
-                    sent.add(step.trigger().name());
-                }
-            });
+            converter.addExecute(device);
             converter.addKnowledge(new StateKnowledge(new ModelPair(
                     machine("original", "Stopped play -> Playing"), machine("new", "Stopped play -> Playing"))));
             converter.build();
@@ -57,14 +45,14 @@ class PollingMonitorTest {
     void whatItSeesOfTheControllerIsSentToTheDevice() throws InterruptedException {
         assertThat(after("play", PollingMonitor.ofController("Remote", Duration.ofMillis(50), events::poll)))
                 .isEqualTo(at("Playing", "Playing"));
-        assertThat(sent).containsExactly("play");
+        assertThat(device.sent()).containsExactly("play");
     }
 
     @Test
     void whatItSeesTheDeviceDoIsNotSent() throws InterruptedException {
         assertThat(after("play", PollingMonitor.ofDevice("Disc", Duration.ofSeconds(1), Set.of("play"), events::poll)))
                 .isEqualTo(at("Playing", "Playing"));
-        assertThat(sent).isEmpty();
+        assertThat(device.sent()).isEmpty();
     }
 
     @Test

@@ -7,14 +7,13 @@ import static org.evoloop.converter.LiveRobot.until;
 import static org.evoloop.converter.Robot.at;
 
 import java.time.Duration;
-import java.util.Set;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicReference;
+import org.evoloop.NotingDevice;
 import org.evoloop.core.Outcome;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.evolution.Occurrence;
-import org.evoloop.evolution.Step;
 import org.evoloop.function.NewFunction;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.statemachine.StateMachine;
@@ -146,15 +145,7 @@ class TimersTest {
         PushMonitor wall = new PushMonitor("Wall");
         converter.addMonitor(wall);
         converter.addKnowledge(new StateKnowledge(LAMP));
-        converter.addExecute(new EventExecute("Lamp") {
-            @Override
-            protected Set<String> sendableEvents() {
-                return Set.of("switch");
-            }
-
-            @Override
-            protected void send(Step step) {}
-        });
+        converter.addExecute(new NotingDevice("Lamp", "switch"));
         converter.build();
         converter.start();
         wall.press("switch");

@@ -19,10 +19,8 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CopyOnWriteArrayList;
-import org.evoloop.PaperModels;
-import org.evoloop.converter.StateKnowledge;
+import org.evoloop.LightBulb;
 import org.evoloop.converter.SystemEventConverter;
-import org.evoloop.function.NewFunction;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.time.ManualClock;
 import org.junit.jupiter.api.AfterEach;
@@ -65,13 +63,7 @@ class GpioPartsTest {
             relay.addListener(change -> levels.add(change.state().name()));
             converter.addMonitor(monitor);
             converter.addExecute(execute);
-            converter.addKnowledge(new StateKnowledge(PaperModels.lightBulb()) {
-                @Override
-                protected void registerNewFunctions() {
-                    timer("wait", "timeout", Duration.ofDays(1));
-                    function("incandescentOn", NewFunction.none());
-                }
-            });
+            converter.addKnowledge(LightBulb.waiting(LightBulb.LONG));
             converter.build();
             converter.start();
 

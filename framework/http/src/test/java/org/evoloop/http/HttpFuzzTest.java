@@ -12,9 +12,7 @@ import java.net.InetAddress;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
-import java.util.Set;
-import org.evoloop.converter.EventExecute;
-import org.evoloop.evolution.Step;
+import org.evoloop.NotingDevice;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.provider.MethodSource;
 
@@ -35,17 +33,7 @@ class HttpFuzzTest {
                         .device("POST /by-hand", "switch")
                         .found("POST /is-off", "off")
                         .open();
-                Lamp lamp = new Lamp(monitor, new EventExecute("Bulb") {
-                    @Override
-                    protected Set<String> sendableEvents() {
-                        return Set.of("switch");
-                    }
-
-                    @Override
-                    protected void send(Step step) {
-                        // A lamp that does as it is told.
-                    }
-                });
+                Lamp lamp = new Lamp(monitor, new NotingDevice("Bulb", "switch"));
                 Runtime.getRuntime().addShutdownHook(new Thread(() -> {
                     monitor.close();
                     lamp.close();

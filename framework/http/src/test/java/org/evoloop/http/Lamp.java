@@ -4,12 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.awaitility.Awaitility.await;
 
 import java.time.Duration;
-import org.evoloop.PaperModels;
+import org.evoloop.LightBulb;
 import org.evoloop.converter.EventExecute;
 import org.evoloop.converter.EventMonitor;
-import org.evoloop.converter.StateKnowledge;
 import org.evoloop.converter.SystemEventConverter;
-import org.evoloop.function.NewFunction;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.time.SystemClock;
 
@@ -23,13 +21,7 @@ final class Lamp implements AutoCloseable {
     Lamp(EventMonitor monitor, EventExecute execute) {
         converter.addMonitor(monitor);
         converter.addExecute(execute);
-        converter.addKnowledge(new StateKnowledge(PaperModels.lightBulb()) {
-            @Override
-            protected void registerNewFunctions() {
-                timer("wait", "timeout", Duration.ofDays(1));
-                function("incandescentOn", NewFunction.none());
-            }
-        });
+        converter.addKnowledge(LightBulb.waiting(LightBulb.LONG));
         converter.build();
         converter.start();
     }

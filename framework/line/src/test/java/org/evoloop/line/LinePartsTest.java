@@ -10,10 +10,8 @@ import java.net.Socket;
 import java.time.Duration;
 import java.util.Map;
 import java.util.regex.Pattern;
-import org.evoloop.PaperModels;
-import org.evoloop.converter.StateKnowledge;
+import org.evoloop.LightBulb;
 import org.evoloop.converter.SystemEventConverter;
-import org.evoloop.function.NewFunction;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.time.SystemClock;
 import org.junit.jupiter.api.AfterEach;
@@ -42,13 +40,7 @@ class LinePartsTest {
                 .device(Map.of("by hand", "switch"))
                 .found(Map.of("is off", "off", "is on", "on")));
         converter.addExecute(lamp);
-        converter.addKnowledge(new StateKnowledge(PaperModels.lightBulb()) {
-            @Override
-            protected void registerNewFunctions() {
-                timer("wait", "timeout", Duration.ofDays(1));
-                function("incandescentOn", NewFunction.none());
-            }
-        });
+        converter.addKnowledge(LightBulb.waiting(LightBulb.LONG));
         converter.addLink(connection);
     }
 

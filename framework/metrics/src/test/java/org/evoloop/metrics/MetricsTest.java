@@ -15,15 +15,13 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
+import org.evoloop.LightBulb;
+import org.evoloop.NotingDevice;
 import org.evoloop.PaperModels;
 import org.evoloop.console.Console;
 import org.evoloop.converter.DeviceLink;
-import org.evoloop.converter.EventExecute;
 import org.evoloop.converter.PushMonitor;
-import org.evoloop.converter.StateKnowledge;
 import org.evoloop.converter.SystemEventConverter;
-import org.evoloop.evolution.Step;
 import org.evoloop.function.Reading;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.page.Page;
@@ -50,24 +48,11 @@ class MetricsTest {
         PushMonitor wallSwitch = new PushMonitor("WallSwitch");
         switches.add(wallSwitch);
         converter.addMonitor(wallSwitch);
-        converter.addExecute(new EventExecute("Lamp") {
-            @Override
-            protected Set<String> sendableEvents() {
-                return Set.of("switch");
-            }
-
-            @Override
-            protected void send(Step step) {}
-        });
-        converter.addKnowledge(new StateKnowledge(PaperModels.lightBulb()) {
-            @Override
-            protected void registerNewFunctions() {
-                timer("wait", "timeout", Duration.ofSeconds(2));
-                function(
-                        "incandescentOn",
-                        visit -> visit.progress("warming up", List.of(Reading.of("warmth", 0.5, ""))));
-            }
-        });
+        converter.addExecute(new NotingDevice("Lamp", "switch"));
+        converter.addKnowledge(new LightBulb(
+                PaperModels.lightBulb(),
+                Duration.ofSeconds(2),
+                visit -> visit.progress("warming up", List.of(Reading.of("warmth", 0.5, "")))));
         converter.build();
         return converter;
     }

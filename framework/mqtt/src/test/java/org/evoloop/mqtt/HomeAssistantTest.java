@@ -94,7 +94,7 @@ class HomeAssistantTest {
         watcher.awaitNewest(STATE, "\"progress\":\"warming up, warm 40 %\"");
         watcher.awaitHeard(DECISION, "\"event_type\":\"handled\"");
         watcher.awaitHeard(DECISION, "new function of incandescentOn");
-        assertThat(lamp.sent).containsExactly("switch");
+        assertThat(lamp.bulb.sent()).containsExactly("switch");
     }
 
     @Test
@@ -127,7 +127,7 @@ class HomeAssistantTest {
         watcher.awaitHeard(DECISION, "there is no Model dusk");
         watcher.publish("evoloop/lamp/choice/model/set", "night", false);
         watcher.awaitHeard(DECISION, "is not there yet");
-        assertThat(lamp.sent).isEmpty();
+        assertThat(lamp.bulb.sent()).isEmpty();
     }
 
     @Test
@@ -247,7 +247,7 @@ class HomeAssistantTest {
         watcher.close();
         broker.stop();
         lamp.wallSwitch.press("switch");
-        await().atMost(LIMIT).until(() -> lamp.sent.contains("switch"));
+        await().atMost(LIMIT).until(() -> lamp.bulb.sent().contains("switch"));
         broker.start();
         watcher = new Watcher(broker);
         watcher.awaitNewest(STATE, "\"state\":\"on\"");

@@ -2,19 +2,16 @@ package org.evoloop.mqtt;
 
 import java.time.Duration;
 import java.util.List;
-import java.util.Set;
-import java.util.concurrent.CopyOnWriteArrayList;
 import org.evoloop.Alarm;
+import org.evoloop.LightBulb;
 import org.evoloop.Machines;
+import org.evoloop.NotingDevice;
 import org.evoloop.PaperModels;
 import org.evoloop.converter.DeviceLink;
-import org.evoloop.converter.EventExecute;
 import org.evoloop.converter.Evolution;
 import org.evoloop.converter.PushMonitor;
-import org.evoloop.converter.StateKnowledge;
 import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.evolution.ModelPair;
-import org.evoloop.evolution.Step;
 import org.evoloop.function.Reading;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.statemachine.StateMachine;
@@ -25,40 +22,25 @@ final class Lamp implements DeviceLink, AutoCloseable {
     final PushMonitor wallSwitch = new PushMonitor("WallSwitch");
     final ManualClock clock = new ManualClock();
     final SystemEventConverter converter = new SystemEventConverter(LoopConfig.defaults("lamp", clock));
-    final List<String> sent = new CopyOnWriteArrayList<>();
+    final NotingDevice bulb = new NotingDevice("Bulb", "switch");
     volatile boolean up = true;
     volatile long battery = 93;
 
     Lamp() {
         converter.addMonitor(wallSwitch);
-        converter.addExecute(new EventExecute("Bulb") {
-            @Override
-            protected Set<String> sendableEvents() {
-                return Set.of("switch");
-            }
-
-            @Override
-            protected void send(Step step) {
-                sent.add(step.trigger().name());
-            }
-        });
-        converter.addKnowledge(new Knowledge(PaperModels.lightBulb()));
-        converter.addKnowledgeFactory(Knowledge::new);
+        converter.addExecute(bulb);
+        converter.addKnowledge(knowledge(PaperModels.lightBulb()));
+        converter.addKnowledgeFactory(Lamp::knowledge);
         converter.watch((models, at, nanos) -> new Alarm("Nobody plays with the light", "switch"));
         converter.addLink(this);
         converter.build();
     }
 
-    private static final class Knowledge extends StateKnowledge {
-        Knowledge(ModelPair models) {
-            super(models);
-        }
-
-        @Override
-        protected void registerNewFunctions() {
-            timer("wait", "timeout", Duration.ofSeconds(2));
-            function("incandescentOn", visit -> visit.progress("warming up", List.of(Reading.of("warm", 40, "%"))));
-        }
+    private static LightBulb knowledge(ModelPair models) {
+        return new LightBulb(
+                models,
+                Duration.ofSeconds(2),
+                visit -> visit.progress("warming up", List.of(Reading.of("warm", 40, "%"))));
     }
 
     /** The new model, or one that has the lamp go off at once. */

@@ -6,13 +6,11 @@ import static org.awaitility.Awaitility.await;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Map;
-import org.evoloop.PaperModels;
-import org.evoloop.converter.StateKnowledge;
+import org.evoloop.LightBulb;
 import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Source;
 import org.evoloop.evolution.Values;
-import org.evoloop.function.NewFunction;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.statemachine.Event;
 import org.evoloop.time.ManualClock;
@@ -36,13 +34,7 @@ class MqttPartsTest {
                     .device("lamp/own", Map.of("toggled", "switch")));
             converter.addExecute(
                     new MqttExecute("Lamp", connection, Map.of("switch", Message.command("lamp/set", "TOGGLE"))));
-            converter.addKnowledge(new StateKnowledge(PaperModels.lightBulb()) {
-                @Override
-                protected void registerNewFunctions() {
-                    timer("wait", "timeout", Duration.ofSeconds(2));
-                    function("incandescentOn", NewFunction.none());
-                }
-            });
+            converter.addKnowledge(new LightBulb());
             converter.addLink(connection);
             converter.build();
             converter.start();

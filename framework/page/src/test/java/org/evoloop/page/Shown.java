@@ -8,10 +8,10 @@ import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
-import java.util.Set;
 import java.util.concurrent.atomic.AtomicLong;
 import org.evoloop.Alarm;
 import org.evoloop.Machines;
+import org.evoloop.NotingDevice;
 import org.evoloop.PaperModels;
 import org.evoloop.console.Console;
 import org.evoloop.console.ConsoleCommand;
@@ -24,7 +24,6 @@ import org.evoloop.converter.PushMonitor;
 import org.evoloop.converter.StateKnowledge;
 import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.evolution.ModelPair;
-import org.evoloop.evolution.Step;
 import org.evoloop.function.Reading;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.statemachine.StateMachine;
@@ -135,15 +134,7 @@ final class Shown implements AutoCloseable {
     }
 
     private static EventExecute execute() {
-        return new EventExecute("Robot") {
-            @Override
-            protected Set<String> sendableEvents() {
-                return Set.of("Clean", "Spot");
-            }
-
-            @Override
-            protected void send(Step step) {}
-        };
+        return new NotingDevice("Robot", "Clean", "Spot");
     }
 
     String address() {

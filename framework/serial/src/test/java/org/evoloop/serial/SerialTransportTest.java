@@ -10,10 +10,8 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Map;
 import java.util.regex.Pattern;
-import org.evoloop.PaperModels;
-import org.evoloop.converter.StateKnowledge;
+import org.evoloop.LightBulb;
 import org.evoloop.converter.SystemEventConverter;
-import org.evoloop.function.NewFunction;
 import org.evoloop.line.LineConnection;
 import org.evoloop.line.LineExecute;
 import org.evoloop.line.LineMonitor;
@@ -65,13 +63,7 @@ class SerialTransportTest {
         SystemEventConverter converter = new SystemEventConverter(LoopConfig.defaults("lamp", clock));
         converter.addMonitor(new LineMonitor("Wall", connection).controller(Map.of("click", "switch")));
         converter.addExecute(new LineExecute("Lamp", connection, Map.of("switch", "SW")));
-        converter.addKnowledge(new StateKnowledge(PaperModels.lightBulb()) {
-            @Override
-            protected void registerNewFunctions() {
-                timer("wait", "timeout", Duration.ofDays(1));
-                function("incandescentOn", NewFunction.none());
-            }
-        });
+        converter.addKnowledge(LightBulb.waiting(LightBulb.LONG));
         converter.addLink(connection);
         converter.build();
         return converter;

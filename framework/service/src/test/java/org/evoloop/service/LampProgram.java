@@ -2,18 +2,14 @@ package org.evoloop.service;
 
 import java.time.Duration;
 import java.util.List;
-import java.util.Set;
 import java.util.concurrent.CountDownLatch;
-import org.evoloop.PaperModels;
+import org.evoloop.LightBulb;
+import org.evoloop.NotingDevice;
 import org.evoloop.config.Settings;
 import org.evoloop.console.Console;
 import org.evoloop.console.ConsoleCommand;
-import org.evoloop.converter.EventExecute;
 import org.evoloop.converter.PushMonitor;
-import org.evoloop.converter.StateKnowledge;
 import org.evoloop.converter.SystemEventConverter;
-import org.evoloop.evolution.Step;
-import org.evoloop.function.NewFunction;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.time.Clock;
 import org.evoloop.time.SystemClock;
@@ -46,8 +42,8 @@ final class LampProgram {
     static SystemEventConverter converter(PushMonitor wallSwitch, Clock clock) {
         SystemEventConverter converter = new SystemEventConverter(LoopConfig.defaults("lamp", clock));
         converter.addMonitor(wallSwitch);
-        converter.addExecute(new Lamp());
-        converter.addKnowledge(new LampKnowledge());
+        converter.addExecute(new NotingDevice("Lamp", "switch"));
+        converter.addKnowledge(new LightBulb());
         converter.build();
         return converter;
     }
@@ -57,28 +53,6 @@ final class LampProgram {
             new CountDownLatch(1).await();
         } catch (InterruptedException end) {
             Thread.currentThread().interrupt();
-        }
-    }
-
-    private static final class Lamp extends EventExecute {
-        @Override
-        protected Set<String> sendableEvents() {
-            return Set.of("switch");
-        }
-
-        @Override
-        protected void send(Step step) {}
-    }
-
-    private static final class LampKnowledge extends StateKnowledge {
-        LampKnowledge() {
-            super(PaperModels.lightBulb());
-        }
-
-        @Override
-        protected void registerNewFunctions() {
-            timer("wait", "timeout", Duration.ofSeconds(2));
-            function("incandescentOn", NewFunction.none());
         }
     }
 }

@@ -4,6 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.time.Duration;
+import org.evoloop.LightBulb;
+import org.evoloop.NotingDevice;
+import org.evoloop.PaperModels;
 import org.evoloop.converter.HistoryEntry;
 import org.evoloop.converter.PushMonitor;
 import org.evoloop.converter.StateKnowledge;
@@ -17,9 +20,9 @@ import org.junit.jupiter.api.Test;
 /** What a test sees of a converter, and what it is told when that is not what it wants. */
 class ConverterHarnessTest {
     private final SimulatedDevice device =
-            SimulatedDevice.of(Models.lightBulb().original()).build();
+            SimulatedDevice.of(PaperModels.lightBulb().original()).build();
     private final ConverterHarness lamp =
-            ConverterHarness.of(new LampKnowledge()).with(device).start();
+            ConverterHarness.of(new LightBulb()).with(device).start();
 
     @AfterEach
     void close() {
@@ -99,8 +102,8 @@ class ConverterHarnessTest {
 
     @Test
     void theTranscriptIsThatOfThisConverterAlone() {
-        try (ConverterHarness other = ConverterHarness.of(new LampKnowledge())
-                .with(SimulatedDevice.of(Models.lightBulb().original()).build())
+        try (ConverterHarness other = ConverterHarness.of(new LightBulb())
+                .with(SimulatedDevice.of(PaperModels.lightBulb().original()).build())
                 .start()) {
             other.press("switch");
             assertThat(lamp.transcript()).isEmpty();
@@ -122,9 +125,9 @@ class ConverterHarnessTest {
     @Test
     void eventsWithoutEndAreAnErrorAndNoEndlessTest() {
         PushMonitor restless = new PushMonitor("Restless") {};
-        StateKnowledge knowledge = new LampKnowledge();
+        StateKnowledge knowledge = new LightBulb();
         try (ConverterHarness busy = ConverterHarness.of(knowledge)
-                .with(SimulatedDevice.of(Models.lightBulb().original()).build())
+                .with(SimulatedDevice.of(PaperModels.lightBulb().original()).build())
                 .with(restless)
                 .start()) {
             busy.converter().addListener(new org.evoloop.converter.ConverterListener() {
@@ -176,7 +179,7 @@ class ConverterHarnessTest {
     @Test
     void withoutASimulatedDeviceTheHarnessTellsWhatItDoes() {
         try (ConverterHarness robot = ConverterHarness.of(new StateKnowledge(Models.player()))
-                .with(new NotingExecute("play", "pause", "stop"))
+                .with(new NotingDevice("Device", "play", "pause", "stop"))
                 .start()) {
             robot.press("play").deviceDoes("ended").expect("Stopped", "Stopped");
             robot.found("Paused").expect("Paused", "Paused");

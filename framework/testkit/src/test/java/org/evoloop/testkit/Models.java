@@ -1,9 +1,7 @@
 package org.evoloop.testkit;
 
-import java.nio.file.Path;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.statemachine.StateMachine;
-import org.evoloop.xmi.XmiFile;
 
 /** The models that these tests are about. */
 final class Models {
@@ -21,21 +19,8 @@ final class Models {
 
     private Models() {}
 
-    static ModelPair lightBulb() {
-        return read("light-bulb.xml");
-    }
-
-    static ModelPair cleaningRobot() {
-        return read("cleaning-robot.xml");
-    }
-
     /** The player as it is: the new model is the original one. */
     static ModelPair player() {
         return new ModelPair(PLAYER, PLAYER.withName("new"));
-    }
-
-    private static ModelPair read(String file) {
-        XmiFile machines = XmiFile.read(Path.of(System.getProperty("evoloop.root"), "models", file));
-        return new ModelPair(machines.pick("original"), machines.pick("new"));
     }
 }

@@ -6,6 +6,9 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import org.evoloop.LightBulb;
+import org.evoloop.NotingDevice;
+import org.evoloop.PaperModels;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.journal.Journal;
 import org.evoloop.journal.JournalException;
@@ -28,8 +31,8 @@ class RecordingTest {
     @BeforeEach
     void aDayOfTheLamp() {
         sunday = folder.resolve("sunday");
-        try (ConverterHarness lamp = ConverterHarness.of(new LampKnowledge())
-                .with(new NotingExecute("switch"))
+        try (ConverterHarness lamp = ConverterHarness.of(new LightBulb())
+                .with(new NotingDevice("Device", "switch"))
                 .with(Journal.in(sunday))
                 .start()) {
             lamp.press("switch").press("switch").until("off");
@@ -55,7 +58,7 @@ class RecordingTest {
                 .transition("on", "switch", "wait")
                 .transition("wait", "timeout", "off")
                 .transition("wait", "switch", "off");
-        return new ModelPair(Models.lightBulb().original(), evolved.build());
+        return new ModelPair(PaperModels.lightBulb().original(), evolved.build());
     }
 
     @Test
@@ -78,7 +81,7 @@ class RecordingTest {
                 folder.resolve("lamp.txt"), "never dark: never (off and event timeout)\nalways can on\n");
         Recording.Replay replay = Recording.in(sunday)
                 .withProperties(file)
-                .replay(Models.lightBulb())
+                .replay(PaperModels.lightBulb())
                 .expectSameDecisions();
         assertThat(replay.broken()).hasSize(1);
         assertThatThrownBy(replay::expectPropertiesKept)
@@ -89,11 +92,11 @@ class RecordingTest {
 
     @Test
     void whatIsNotThereIsNamed() {
-        assertThatThrownBy(() -> Recording.in(folder).replay(Models.lightBulb()))
+        assertThatThrownBy(() -> Recording.in(folder).replay(PaperModels.lightBulb()))
                 .isInstanceOf(JournalException.class)
                 .hasMessageContaining(folder + " is no journal");
         Path none = folder.resolve("none.txt");
-        assertThatThrownBy(() -> Recording.in(sunday).withProperties(none).replay(Models.lightBulb()))
+        assertThatThrownBy(() -> Recording.in(sunday).withProperties(none).replay(PaperModels.lightBulb()))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageStartingWith(none + " cannot be read as text");
     }
