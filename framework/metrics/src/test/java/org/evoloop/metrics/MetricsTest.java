@@ -12,7 +12,6 @@ import java.net.http.HttpRequest;
 import java.net.http.HttpResponse;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import org.evoloop.LightBulb;
@@ -20,13 +19,11 @@ import org.evoloop.NotingDevice;
 import org.evoloop.PaperModels;
 import org.evoloop.console.Console;
 import org.evoloop.converter.DeviceLink;
-import org.evoloop.converter.PushMonitor;
-import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.function.Reading;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.page.Page;
 import org.evoloop.page.PageOptions;
-import org.evoloop.time.ManualClock;
+import org.evoloop.testkit.ConverterHarness;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -35,26 +32,21 @@ import org.junit.jupiter.api.Timeout;
 /** What Prometheus is told of the paper's light bulb at its page. */
 @Timeout(60)
 class MetricsTest {
-    private final List<PushMonitor> switches = new ArrayList<>();
-    private final SystemEventConverter lamp = lamp("lamp");
-    private final SystemEventConverter other = lamp("other \"lamp\"");
+    private final ConverterHarness lamp = lamp("lamp");
+    private final ConverterHarness other = lamp("other \"lamp\"");
     private final Cable cable = new Cable();
     private final ByteArrayOutputStream announced = new ByteArrayOutputStream();
     private Page page;
 
-    private SystemEventConverter lamp(String name) {
-        SystemEventConverter converter = new SystemEventConverter(
-                LoopConfig.defaults(name, new ManualClock()).withoutThreads());
-        PushMonitor wallSwitch = new PushMonitor("WallSwitch");
-        switches.add(wallSwitch);
-        converter.addMonitor(wallSwitch);
-        converter.addExecute(new NotingDevice("Lamp", "switch"));
-        converter.addKnowledge(new LightBulb(
+    private static ConverterHarness lamp(String name) {
+        LightBulb warm = new LightBulb(
                 PaperModels.lightBulb(),
                 Duration.ofSeconds(2),
-                visit -> visit.progress("warming up", List.of(Reading.of("warmth", 0.5, "")))));
-        converter.build();
-        return converter;
+                visit -> visit.progress("warming up", List.of(Reading.of("warmth", 0.5, ""))));
+        return ConverterHarness.of(warm)
+                .with(new NotingDevice("Lamp", "switch"))
+                .options(config -> LoopConfig.defaults(name, config.clock()))
+                .start();
     }
 
     private static final class Cable implements DeviceLink {
@@ -78,9 +70,10 @@ class MetricsTest {
 
     @BeforeEach
     void open() throws IOException {
-        lamp.addLink(cable);
-        Console console = new Console(lamp, InputStream.nullInputStream(), System.out, System.err);
-        console.addConverter(other);
+        lamp.converter().addLink(cable);
+        other.converter().stop();
+        Console console = new Console(lamp.converter(), InputStream.nullInputStream(), System.out, System.err);
+        console.addConverter(other.converter());
         page = Page.open(PageOptions.at("0"), console, new PrintStream(announced, true, StandardCharsets.UTF_8));
     }
 
@@ -104,16 +97,9 @@ class MetricsTest {
         return Scrape.read(answer.body());
     }
 
-    private void press() throws InterruptedException {
-        switches.get(0).press("switch");
-        lamp.observe(switches.get(0));
-        lamp.step();
-    }
-
     @Test
     void eventsQueueAndStatesAreTold() throws Exception {
-        lamp.start();
-        press();
+        lamp.press("switch");
 
         assertThat(scrape())
                 .containsEntry("evoloop_events_total{converter=\"lamp\",outcome=\"handled\"}", 1.0)
@@ -125,16 +111,14 @@ class MetricsTest {
                 .containsEntry("evoloop_failures{component=\"Lamp\",converter=\"lamp\"}", 0.0)
                 .containsKey("jvm_threads_live_threads");
 
-        press();
+        lamp.press("switch");
         assertThat(scrape()).containsEntry("evoloop_events_total{converter=\"lamp\",outcome=\"handled\"}", 2.0);
     }
 
     @Test
     void conversionTimesAreAHistogramFromTheFirstQuestionOn() throws Exception {
-        lamp.start();
         scrape();
-        press();
-        press();
+        lamp.press("switch").press("switch");
 
         assertThat(get("/metrics").body()).contains("# TYPE evoloop_conversion_time_seconds histogram");
         Map<String, Double> told = scrape();
@@ -158,10 +142,7 @@ class MetricsTest {
                 .doesNotContainKey(warmth)
                 .doesNotContainKey("evoloop_link_up{converter=\"other \\\"lamp\\\"\"}");
 
-        lamp.start();
-        press();
-        press();
-        press();
+        lamp.press("switch").press("switch").press("switch");
         cable.up = false;
 
         assertThat(scrape()).containsEntry(warmth, 0.5).containsEntry(link, 0.0).doesNotContainKey(battery);

@@ -10,20 +10,14 @@ import java.sql.ResultSet;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Set;
-import org.evoloop.converter.EventExecute;
 import org.evoloop.converter.StateKnowledge;
-import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.evolution.ModelPair;
-import org.evoloop.evolution.Occurrence;
-import org.evoloop.evolution.Source;
-import org.evoloop.evolution.Step;
 import org.evoloop.evolution.Values;
 import org.evoloop.function.NewFunction;
 import org.evoloop.journal.Journal;
-import org.evoloop.loop.LoopConfig;
-import org.evoloop.statemachine.Event;
-import org.evoloop.time.ManualClock;
+import org.evoloop.statemachine.StateMachine;
+import org.evoloop.testkit.ConverterHarness;
+import org.evoloop.testkit.SimulatedDevice;
 import org.evoloop.xmi.XmiFile;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -37,41 +31,24 @@ class JournalCommandTest {
     @TempDir
     private Path folder;
 
-    private SystemEventConverter converter;
+    private ConverterHarness converter;
 
     @BeforeEach
-    void keepAJournal() throws Exception {
+    void keepAJournal() {
         XmiFile lamp = XmiFile.read(Path.of(System.getProperty("evoloop.root"), "models", "light-bulb.xml"));
-        converter = new SystemEventConverter(
-                LoopConfig.defaults("lamp", new ManualClock()).withoutThreads());
-        converter.addExecute(new EventExecute("Lamp") {
-            @Override
-            protected Set<String> sendableEvents() {
-                return Set.of("switch");
-            }
-
-            @Override
-            protected void send(Step step) {}
-        });
-        converter.addKnowledge(new StateKnowledge(new ModelPair(lamp.pick("original"), lamp.pick("new"))) {
+        StateMachine original = lamp.pick("original");
+        StateKnowledge knowledge = new StateKnowledge(new ModelPair(original, lamp.pick("new"))) {
             @Override
             protected void registerNewFunctions() {
                 function("wait", NewFunction.none());
                 function("incandescentOn", NewFunction.none());
             }
-        });
-        converter.journal(Journal.in(folder.resolve("journal")));
-        converter.build();
-        converter.start();
-        converter.offer(new Occurrence.Heard(
-                new Event("switch"),
-                Values.of("by", "a \"visitor\""),
-                Source.CONTROLLER,
-                Occurrence.ANY_VISIT,
-                converter.clock().nanoTime()));
-        while (converter.step()) {
-            // All that waits.
-        }
+        };
+        converter = ConverterHarness.of(knowledge)
+                .with(SimulatedDevice.of(original).build())
+                .with(Journal.in(folder.resolve("journal")))
+                .start()
+                .press("switch", Values.of("by", "a \"visitor\""));
     }
 
     @AfterEach

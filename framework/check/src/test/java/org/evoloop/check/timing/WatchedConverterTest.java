@@ -5,10 +5,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Set;
+import org.evoloop.NotingDevice;
 import org.evoloop.check.properties.PropertyFile;
 import org.evoloop.converter.ConverterListener;
-import org.evoloop.converter.EventExecute;
 import org.evoloop.converter.Evolution;
 import org.evoloop.converter.HistoryEntry;
 import org.evoloop.converter.Probation;
@@ -18,7 +17,6 @@ import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.core.Outcome;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.evolution.Occurrence;
-import org.evoloop.evolution.Step;
 import org.evoloop.function.NewFunction;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.statemachine.State;
@@ -57,16 +55,6 @@ class WatchedConverterTest {
         }
     }
 
-    private static final class Lamp extends EventExecute {
-        @Override
-        protected Set<String> sendableEvents() {
-            return Set.of("press");
-        }
-
-        @Override
-        protected void send(Step step) {}
-    }
-
     private static final class Known extends StateKnowledge {
         Known(ModelPair models) {
             super(models);
@@ -86,7 +74,7 @@ class WatchedConverterTest {
         TimeRules rules =
                 PropertyFile.parse("lamp.txt", String.join("\n", lines), LAMP).time();
         converter.addMonitor(panel);
-        converter.addExecute(new Lamp());
+        converter.addExecute(new NotingDevice("Lamp", "press"));
         converter.addKnowledge(new Known(LAMP));
         converter.watch((models, at, nanos) -> new TimeWatch(rules, models, at, nanos));
         converter.addListener(new ConverterListener() {
