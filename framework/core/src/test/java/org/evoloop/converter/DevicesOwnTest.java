@@ -4,11 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.evoloop.Machines.machine;
 
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Set;
+import org.evoloop.NotingDevice;
 import org.evoloop.evolution.ModelPair;
-import org.evoloop.evolution.Step;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.statemachine.ModelException;
 import org.evoloop.statemachine.StateMachine;
@@ -26,7 +24,7 @@ class DevicesOwnTest {
             "event %s of the original model can be sent by no execute component and is not "
                     + "declared to be the device's own; name it in sendableEvents, or in spontaneousEvents of a monitor";
 
-    private final List<String> sent = new ArrayList<>();
+    private final NotingDevice infrared = new NotingDevice("Infrared", "power", "temp-up");
     private final SystemEventConverter converter = new SystemEventConverter(
             LoopConfig.defaults("air", new ManualClock()).withoutThreads());
     private final Remote remote = new Remote("Remote", "cooled");
@@ -49,26 +47,7 @@ class DevicesOwnTest {
         }
     }
 
-    private final class Sender extends EventExecute {
-        private final Set<String> sendable;
-
-        Sender(String name, String... sendable) {
-            super(name);
-            this.sendable = Set.of(sendable);
-        }
-
-        @Override
-        protected Set<String> sendableEvents() {
-            return sendable;
-        }
-
-        @Override
-        protected void send(Step step) {
-            sent.add(step.trigger().name());
-        }
-    }
-
-    private void build(StateMachine device, PushMonitor monitor, Sender sender) {
+    private void build(StateMachine device, PushMonitor monitor, NotingDevice sender) {
         converter.addMonitor(monitor);
         converter.addExecute(sender);
         converter.addKnowledge(new StateKnowledge(new ModelPair(device, machine("new", LINES))));
@@ -83,7 +62,7 @@ class DevicesOwnTest {
 
     @Test
     void anEventThatNobodySendsAndNobodyDeclaresIsRefusedOnceByBuild() {
-        assertThatThrownBy(() -> build(DEVICE, new Remote("Remote"), new Sender("Infrared", "power")))
+        assertThatThrownBy(() -> build(DEVICE, new Remote("Remote"), new NotingDevice("Infrared", "power")))
                 .isInstanceOf(ModelException.class)
                 .hasMessage("the model 'new' cannot be carried out:\n  " + NOBODYS.formatted("temp-up") + "\n  "
                         + NOBODYS.formatted("cooled"));
@@ -91,8 +70,8 @@ class DevicesOwnTest {
 
     @Test
     void byRemoveAndExchangeTooAndEverythingStaysAsItWas() throws InterruptedException {
-        build(DEVICE, remote, new Sender("Infrared", "power", "temp-up"));
-        assertThatThrownBy(() -> converter.exchange("Infrared", new Sender("Weak", "power")))
+        build(DEVICE, remote, infrared);
+        assertThatThrownBy(() -> converter.exchange("Infrared", new NotingDevice("Weak", "power")))
                 .isInstanceOf(ModelException.class)
                 .hasMessageContaining(NOBODYS.formatted("temp-up"));
         assertThatThrownBy(() -> converter.exchange("Remote", new Remote("Other")))
@@ -103,18 +82,18 @@ class DevicesOwnTest {
                 .hasMessageContaining(NOBODYS.formatted("cooled"));
         press("power");
         press("temp-up");
-        assertThat(sent).containsExactly("power", "temp-up");
+        assertThat(infrared.sent()).containsExactly("power", "temp-up");
     }
 
     @Test
     void whatAMonitorDeclaresIsTakenForDoneAndNothingIsSent() throws InterruptedException {
-        build(DEVICE, remote, new Sender("Infrared", "power", "temp-up"));
+        build(DEVICE, remote, infrared);
         press("power");
         press("temp-up");
         remote.done("cooled");
         convert();
         assertThat(converter.knowledge().configuration()).isEqualTo(Robot.at("Cool", "Cool"));
-        assertThat(sent).containsExactly("power", "temp-up");
+        assertThat(infrared.sent()).containsExactly("power", "temp-up");
     }
 
     @Test
@@ -129,7 +108,7 @@ class DevicesOwnTest {
                 .spontaneous("cooled")
                 .build();
         Remote plain = new Remote("Remote");
-        build(declaring, plain, new Sender("Infrared", "power", "temp-up"));
+        build(declaring, plain, infrared);
         plain.press("power");
         plain.press("temp-up");
         plain.done("cooled");
@@ -143,7 +122,7 @@ class DevicesOwnTest {
     @Test
     void anEventMayBeTheDevicesOwnAndBeSentAsWell() throws InterruptedException {
         Remote buttons = new Remote("Buttons", "power", "cooled");
-        build(DEVICE, buttons, new Sender("Infrared", "power", "temp-up"));
+        build(DEVICE, buttons, infrared);
         buttons.press("power");
         converter.observe(buttons);
         converter.step();
@@ -151,7 +130,7 @@ class DevicesOwnTest {
         converter.observe(buttons);
         converter.step();
         assertThat(converter.knowledge().configuration()).isEqualTo(Robot.at("Off", "Off"));
-        assertThat(sent).containsExactly("power");
+        assertThat(infrared.sent()).containsExactly("power");
     }
 
     private void press(String event) throws InterruptedException {
