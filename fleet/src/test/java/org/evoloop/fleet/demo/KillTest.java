@@ -5,8 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.File;
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.net.InetAddress;
-import java.net.ServerSocket;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -18,6 +16,7 @@ import org.apache.kafka.clients.admin.Admin;
 import org.evoloop.fleet.BrokerProcess;
 import org.evoloop.fleet.Main;
 import org.evoloop.fleet.Models;
+import org.evoloop.mqtt.Mosquitto;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -38,8 +37,8 @@ class KillTest {
     @Test
     void nothingIsLostAndNothingIsDoneTwiceWhenInstancesAndTheBrokerAreKilled() throws Exception {
         int kills = Integer.getInteger("kills", 100);
-        int port = freePort();
-        int controller = freePort();
+        int port = Mosquitto.freePort();
+        int controller = Mosquitto.freePort();
         String bootstrap = "localhost:" + port;
         Process broker = broker(port, controller, bootstrap);
         try (PressedLamps lamps = new PressedLamps(bootstrap, FLEET, 60, Models.LAMP)) {
@@ -141,11 +140,5 @@ class KillTest {
 
     private static void end(Process process) throws InterruptedException {
         process.destroyForcibly().waitFor();
-    }
-
-    private static int freePort() throws IOException {
-        try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-            return socket.getLocalPort();
-        }
     }
 }

@@ -2,9 +2,6 @@ package org.evoloop.fleet.gateway;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.io.IOException;
-import java.net.InetAddress;
-import java.net.ServerSocket;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
@@ -38,8 +35,8 @@ class GatewayTest {
 
     @Test
     void whatTheLampTellsWhileKafkaIsAwayIsKeptAndComesInOrder() throws Exception {
-        int port = freePort();
-        int controller = freePort();
+        int port = Mosquitto.freePort();
+        int controller = Mosquitto.freePort();
         Path kafka = directory.resolve("kafka");
         LocalBroker broker = LocalBroker.start(kafka, port, controller);
         String bootstrap = broker.bootstrap();
@@ -101,11 +98,5 @@ class GatewayTest {
 
     private static void press(BrokerConnection lamp) {
         lamp.publish(Message.event("evoloop/lamp/occurrence", "{\"schema\":1,\"event\":\"switch\"}"));
-    }
-
-    private static int freePort() throws IOException {
-        try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-            return socket.getLocalPort();
-        }
     }
 }
