@@ -27,24 +27,26 @@ class MainTest {
     private @Nullable Process program;
 
     private Process program(File directory, String... options) throws IOException {
+        Process started =
+                new ProcessBuilder(command(options)).directory(directory).start();
+        program = started;
+        return started;
+    }
+
+    /** Starts the program without the tests, which silence the log. */
+    static List<String> command(String... options) {
+        String classPath = Arrays.stream(System.getProperty("java.class.path").split(File.pathSeparator))
+                .filter(entry -> !entry.endsWith("test-classes"))
+                .collect(Collectors.joining(File.pathSeparator));
         List<String> command = new ArrayList<>(List.of(
                 System.getProperty("java.home") + "/bin/java",
                 "-XX:+UseSerialGC",
                 "-XX:TieredStopAtLevel=1",
                 "-cp",
-                classPath(),
+                classPath,
                 Main.class.getName()));
         command.addAll(List.of(options));
-        Process started = new ProcessBuilder(command).directory(directory).start();
-        program = started;
-        return started;
-    }
-
-    /** Without the tests, which silence the log. */
-    private static String classPath() {
-        return Arrays.stream(System.getProperty("java.class.path").split(File.pathSeparator))
-                .filter(entry -> !entry.endsWith("test-classes"))
-                .collect(Collectors.joining(File.pathSeparator));
+        return command;
     }
 
     @AfterEach

@@ -4,15 +4,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
 import java.io.BufferedReader;
-import java.io.File;
 import java.io.IOException;
 import java.io.Writer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Arrays;
 import java.util.concurrent.TimeUnit;
-import java.util.stream.Collectors;
+import org.evoloop.OtherJava;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -29,16 +27,8 @@ class ConsoleProcessTest {
     private final BufferedReader screen;
 
     ConsoleProcessTest() throws IOException {
-        String classPath = Arrays.stream(System.getProperty("java.class.path").split(File.pathSeparator))
-                .filter(entry -> !new File(entry).getName().startsWith("jline"))
-                .collect(Collectors.joining(File.pathSeparator));
         program = new ProcessBuilder(
-                        System.getProperty("java.home") + "/bin/java",
-                        "-XX:+UseSerialGC",
-                        "-XX:TieredStopAtLevel=1",
-                        "-cp",
-                        classPath,
-                        ConsoleProgram.class.getName())
+                        OtherJava.command(entry -> !entry.getName().startsWith("jline"), ConsoleProgram.class))
                 .redirectErrorStream(true)
                 .start();
         keyboard = program.outputWriter(StandardCharsets.UTF_8);

@@ -11,6 +11,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
+import org.evoloop.OtherJava;
 import org.evoloop.time.Threads;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -63,14 +64,7 @@ class MqttBypassTest {
         final Process process;
 
         Converter() throws IOException {
-            process = new ProcessBuilder(
-                            System.getProperty("java.home") + "/bin/java",
-                            "-XX:+UseSerialGC",
-                            "-XX:TieredStopAtLevel=1",
-                            "-cp",
-                            System.getProperty("java.class.path"),
-                            RingProgram.class.getName(),
-                            broker.url())
+            process = new ProcessBuilder(OtherJava.command(RingProgram.class, broker.url()))
                     .redirectErrorStream(true)
                     .start();
             processes.add(process);

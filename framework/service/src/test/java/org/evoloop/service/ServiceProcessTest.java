@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import org.awaitility.Awaitility;
+import org.evoloop.OtherJava;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -40,15 +41,9 @@ class ServiceProcessTest {
     }
 
     private Process start(String input, String... options) throws IOException {
-        ProcessBuilder builder = new ProcessBuilder(
-                        "sh",
-                        "-c",
-                        "exec \"$0\" -XX:+UseSerialGC -XX:TieredStopAtLevel=1 -cp \"$CP\" "
-                                + LampProgram.class.getName() + " \"$@\" " + input,
-                        System.getProperty("java.home") + "/bin/java")
-                .redirectErrorStream(true);
-        builder.command().addAll(List.of(options));
-        builder.environment().put("CP", System.getProperty("java.class.path"));
+        ProcessBuilder builder =
+                new ProcessBuilder("sh", "-c", "exec \"$0\" \"$@\" " + input).redirectErrorStream(true);
+        builder.command().addAll(OtherJava.command(LampProgram.class, options));
         builder.environment().put("XDG_RUNTIME_DIR", runtime.toString());
         Process process = builder.start();
         processes.add(process);
