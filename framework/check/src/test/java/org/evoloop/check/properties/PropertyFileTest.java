@@ -2,6 +2,7 @@ package org.evoloop.check.properties;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.evoloop.check.Lamp.lamp;
 
 import java.util.List;
 import org.evoloop.check.Check;
@@ -11,8 +12,6 @@ import org.evoloop.check.RuleSwitches;
 import org.evoloop.check.temporal.Property;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.statemachine.ModelException;
-import org.evoloop.statemachine.StateMachine;
-import org.evoloop.statemachine.StateMachineBuilder;
 import org.junit.jupiter.api.Test;
 
 /** What an author may write beside the models, and what is said of mistakes. */
@@ -23,13 +22,6 @@ class PropertyFileTest {
                     .transition("On", "warm", "Warm")
                     .transition("On", "hot", "Hot")
                     .build());
-
-    private static StateMachineBuilder lamp(String name) {
-        return StateMachine.named(name)
-                .initial("Off")
-                .transition("Off", "press", "On")
-                .transition("On", "press", "Off");
-    }
 
     @Test
     void propertiesHaveNamesAndLines() {

@@ -2,6 +2,7 @@ package org.evoloop.check.properties;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.evoloop.check.Lamp.lamp;
 
 import java.util.List;
 import java.util.stream.Stream;
@@ -11,8 +12,6 @@ import org.evoloop.check.timing.TimeProperty;
 import org.evoloop.check.timing.TimeRules;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.statemachine.ModelException;
-import org.evoloop.statemachine.StateMachine;
-import org.evoloop.statemachine.StateMachineBuilder;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
@@ -27,13 +26,6 @@ class TimeLinesTest {
                     .transition("Warm", "cool", "On")
                     .transition("Off", "after 3 s", "3")
                     .build());
-
-    private static StateMachineBuilder lamp(String name) {
-        return StateMachine.named(name)
-                .initial("Off")
-                .transition("Off", "press", "On")
-                .transition("On", "press", "Off");
-    }
 
     private static TimeRules read(String... lines) {
         return PropertyFile.parse("lamp.txt", String.join("\n", lines), LAMP).time();

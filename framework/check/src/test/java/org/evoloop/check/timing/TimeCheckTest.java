@@ -1,6 +1,7 @@
 package org.evoloop.check.timing;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.evoloop.check.Lamp.lamp;
 
 import java.util.List;
 import java.util.Set;
@@ -15,7 +16,6 @@ import org.evoloop.evolution.ModelPair;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
-import org.evoloop.statemachine.StateMachineBuilder;
 import org.evoloop.statemachine.Transition;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -25,13 +25,6 @@ import org.junit.jupiter.params.provider.MethodSource;
 /** What is decided of time before anything runs. */
 class TimeCheckTest {
     /** A lamp that goes off by itself 5 s after it was turned down, and whose new model turns it down. */
-    private static StateMachineBuilder lamp(String name) {
-        return StateMachine.named(name)
-                .initial("Off")
-                .transition("Off", "press", "On")
-                .transition("On", "press", "Off");
-    }
-
     private static final ModelPair LAMP = new ModelPair(
             lamp("original").build(),
             lamp("new")

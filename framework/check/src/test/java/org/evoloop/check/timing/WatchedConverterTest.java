@@ -1,6 +1,7 @@
 package org.evoloop.check.timing;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.evoloop.check.Lamp.lamp;
 
 import java.time.Duration;
 import java.util.ArrayList;
@@ -20,8 +21,6 @@ import org.evoloop.evolution.Occurrence;
 import org.evoloop.function.NewFunction;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.statemachine.State;
-import org.evoloop.statemachine.StateMachine;
-import org.evoloop.statemachine.StateMachineBuilder;
 import org.evoloop.time.ManualClock;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -41,13 +40,6 @@ class WatchedConverterTest {
     private final List<HistoryEntry> heard = new ArrayList<>();
     private final SystemEventConverter converter =
             new SystemEventConverter(LoopConfig.defaults("lamp", clock).withoutThreads());
-
-    private static StateMachineBuilder lamp(String name) {
-        return StateMachine.named(name)
-                .initial("Off")
-                .transition("Off", "press", "On")
-                .transition("On", "press", "Off");
-    }
 
     private static final class Panel extends PushMonitor {
         void pressed(String event) {
