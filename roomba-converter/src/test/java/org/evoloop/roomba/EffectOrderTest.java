@@ -3,7 +3,6 @@ package org.evoloop.roomba;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.awaitility.Awaitility.await;
 
-import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Locale;
 import java.util.Optional;
@@ -15,9 +14,8 @@ import org.evoloop.roomba.oi.Button;
 import org.evoloop.roomba.oi.OiMode;
 import org.evoloop.roomba.oi.Opcode;
 import org.evoloop.roomba.session.SessionOptions;
-import org.evoloop.roomba.simulator.SimulatorServer;
 import org.evoloop.roomba.simulator.robot.RobotActivity;
-import org.evoloop.roomba.simulator.robot.RobotOptions;
+import org.evoloop.roomba.testkit.SimulatedRoombaExtension;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.time.Clock;
 import org.evoloop.time.SystemClock;
@@ -27,7 +25,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
-import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.extension.RegisterExtension;
 
 /** Effects and what the robot does by itself, in the order in which they happen at a robot on a real serial port. */
 @EnabledOnOs(OS.LINUX)
@@ -37,21 +35,19 @@ class EffectOrderTest {
     private static final Duration STEP_LIMIT = Duration.ofSeconds(8);
     private static final Duration PATIENCE = Duration.ofSeconds(30);
 
-    @TempDir
-    Path folder;
+    @RegisterExtension
+    final SimulatedRoombaExtension robot =
+            SimulatedRoombaExtension.create().speed(SPEED).patience(PATIENCE);
 
     private final HeldLink.Hold hold = new HeldLink.Hold();
     private final Clock clock = new SystemClock(SPEED);
-    private SimulatorServer robot;
     private RoombaConverter roomba;
 
     @BeforeEach
-    void connect() throws Exception {
-        Path port = folder.resolve("roomba");
+    void connect() throws InterruptedException {
         StateMachine device = PaperPair.cleaningRobot().original();
-        robot = SimulatorServer.start(port, RobotOptions.defaults(), clock, 1);
         roomba = RoombaConverter.connect(
-                hold.on(RoombaCommand.cable(port.toString())),
+                hold.on(RoombaCommand.cable(robot.port().toString())),
                 LoopConfig.defaults("roomba", clock).withStepLimit(STEP_LIMIT),
                 SessionOptions.defaults().withSilenceLimit(Duration.ofSeconds(20)),
                 RoombaOptions.of(
@@ -63,12 +59,11 @@ class EffectOrderTest {
     void close() {
         hold.release();
         roomba.close();
-        robot.close();
         clock.close();
     }
 
     private RobotActivity truth() {
-        return robot.robot().state().activity();
+        return robot.state().activity();
     }
 
     private String record() {
@@ -91,10 +86,10 @@ class EffectOrderTest {
                         doubt().isEmpty() && record().toUpperCase(Locale.ROOT).equals(truth().name()));
     }
 
-    private void startCleaning() {
+    private void startCleaning() throws InterruptedException {
         roomba.controller().press(RobotEvents.CLEAN);
         awaitBoth(RobotActivity.ON);
-        await().atMost(PATIENCE).until(() -> robot.robot().state().oiMode() == OiMode.SAFE);
+        robot.until(state -> state.oiMode() == OiMode.SAFE);
         roomba.controller().press(RobotEvents.CLEAN);
         awaitBoth(RobotActivity.CLEAN);
     }
@@ -134,7 +129,7 @@ class EffectOrderTest {
         hold.before(Opcode.CLEAN.code());
         roomba.controller().press(RobotEvents.CLEAN);
         hold.await();
-        robot.robot().press(Button.CLEAN);
+        robot.press(Button.CLEAN);
         awaitBoth(RobotActivity.ON);
         hold.release();
         await().atMost(PATIENCE).until(() -> roomba.converter().status().queue().depth() == 0);
@@ -152,10 +147,10 @@ class EffectOrderTest {
         robot.robot().lift();
         await().atMost(PATIENCE).until(() -> !roomba.session().isUnderControl());
         robot.robot().setDown();
-        robot.robot().press(Button.SPOT);
+        robot.press(Button.SPOT);
         awaitBoth(RobotActivity.SPOT);
         hold.release();
-        await().atMost(PATIENCE).until(() -> truth() == RobotActivity.ON);
+        robot.until(state -> state.activity() == RobotActivity.ON);
         awaitAgreement();
     }
 
