@@ -33,7 +33,7 @@ class MainTest {
         return started;
     }
 
-    /** Starts the program without the tests, which silence the log. */
+    /** The command line of the program, without the test classes, which silence the log. */
     static List<String> command(String... options) {
         String classPath = Arrays.stream(System.getProperty("java.class.path").split(File.pathSeparator))
                 .filter(entry -> !entry.endsWith("test-classes"))

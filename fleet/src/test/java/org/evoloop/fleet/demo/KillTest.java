@@ -16,7 +16,7 @@ import org.apache.kafka.clients.admin.Admin;
 import org.evoloop.fleet.BrokerProcess;
 import org.evoloop.fleet.Main;
 import org.evoloop.fleet.Models;
-import org.evoloop.mqtt.Mosquitto;
+import org.evoloop.fleet.broker.LocalBroker;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -37,8 +37,8 @@ class KillTest {
     @Test
     void nothingIsLostAndNothingIsDoneTwiceWhenInstancesAndTheBrokerAreKilled() throws Exception {
         int kills = Integer.getInteger("kills", 100);
-        int port = Mosquitto.freePort();
-        int controller = Mosquitto.freePort();
+        int port = LocalBroker.freePort();
+        int controller = LocalBroker.freePort();
         String bootstrap = "localhost:" + port;
         Process broker = broker(port, controller, bootstrap);
         try (PressedLamps lamps = new PressedLamps(bootstrap, FLEET, 60, Models.LAMP)) {

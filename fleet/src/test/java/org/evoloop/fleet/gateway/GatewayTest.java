@@ -35,8 +35,8 @@ class GatewayTest {
 
     @Test
     void whatTheLampTellsWhileKafkaIsAwayIsKeptAndComesInOrder() throws Exception {
-        int port = Mosquitto.freePort();
-        int controller = Mosquitto.freePort();
+        int port = LocalBroker.freePort();
+        int controller = LocalBroker.freePort();
         Path kafka = directory.resolve("kafka");
         LocalBroker broker = LocalBroker.start(kafka, port, controller);
         String bootstrap = broker.bootstrap();

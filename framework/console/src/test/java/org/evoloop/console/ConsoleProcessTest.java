@@ -10,12 +10,10 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.concurrent.TimeUnit;
-import org.evoloop.OtherJava;
+import org.evoloop.JavaProcess;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.api.condition.DisabledOnOs;
-import org.junit.jupiter.api.condition.OS;
 
 /** The console in a process of its own, at the other end of pipes. */
 @Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD) // nothing interrupts who reads a pipe
@@ -28,7 +26,7 @@ class ConsoleProcessTest {
 
     ConsoleProcessTest() throws IOException {
         program = new ProcessBuilder(
-                        OtherJava.command(entry -> !entry.getName().startsWith("jline"), ConsoleProgram.class))
+                        JavaProcess.command(entry -> !entry.getName().startsWith("jline"), ConsoleProgram.class))
                 .redirectErrorStream(true)
                 .start();
         keyboard = program.outputWriter(StandardCharsets.UTF_8);
@@ -69,7 +67,6 @@ class ConsoleProcessTest {
     }
 
     @Test
-    @DisabledOnOs(OS.WINDOWS)
     void theSignalTermIsAnExit() throws Exception {
         type("start");
         assertThat(screen.readLine()).isEqualTo("running: original off, new off");
@@ -82,7 +79,6 @@ class ConsoleProcessTest {
     }
 
     @Test
-    @DisabledOnOs(OS.WINDOWS)
     void theSignalOfControlCIsAnExit() throws Exception {
         assumeFalse(ignoresControlC(), "a shell started the tests in the background, where programs ignore Control-C");
         type("jline");

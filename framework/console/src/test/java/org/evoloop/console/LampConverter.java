@@ -1,7 +1,7 @@
 package org.evoloop.console;
 
 import org.evoloop.LightBulb;
-import org.evoloop.NotingDevice;
+import org.evoloop.RecordingExecute;
 import org.evoloop.converter.PushMonitor;
 import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.loop.LoopConfig;
@@ -14,7 +14,7 @@ final class LampConverter {
     LampConverter(LoopConfig config) {
         converter = new SystemEventConverter(config);
         converter.addMonitor(wallSwitch);
-        converter.addExecute(new NotingDevice("Lamp", "switch"));
+        converter.addExecute(new RecordingExecute("Lamp", "switch"));
         converter.addKnowledge(new LightBulb());
         converter.addKnowledgeFactory(LightBulb::new);
         converter.addSpare("spareSwitch", () -> new PushMonitor("SpareSwitch"));

@@ -10,7 +10,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
-import org.evoloop.NotingDevice;
+import org.evoloop.RecordingExecute;
 import org.evoloop.converter.ConverterListener;
 import org.evoloop.converter.EventExecute;
 import org.evoloop.converter.HistoryEntry;
@@ -47,7 +47,7 @@ class TwoConvertersTest {
             "Warm boost -> Blinking",
             "Blinking switch -> Off");
 
-    private final NotingDevice lamp = new NotingDevice("Lamp", "switch");
+    private final RecordingExecute lamp = new RecordingExecute("Lamp", "switch");
     private final PushMonitor lowerEvents = new PushMonitor("LowerEvents");
     private final PushMonitor remote = new PushMonitor("Remote");
     private final SystemClock lowerClock = new SystemClock();

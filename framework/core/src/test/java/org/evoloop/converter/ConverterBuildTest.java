@@ -6,8 +6,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.time.Duration;
 import java.util.List;
 import java.util.Set;
-import org.evoloop.NotingDevice;
 import org.evoloop.PaperModels;
+import org.evoloop.RecordingExecute;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.function.NewFunction;
 import org.evoloop.loop.LoopConfig;
@@ -40,7 +40,7 @@ class ConverterBuildTest {
         assertThatThrownBy(converter::build)
                 .isInstanceOf(IllegalStateException.class)
                 .hasMessage("converter robot: no execute component, call addExecute");
-        converter.addExecute(new NotingDevice("Device", "Clean", "Spot"));
+        converter.addExecute(new RecordingExecute("Device", "Clean", "Spot"));
         converter.build();
         assertThat(converter.status().loop()).isEqualTo(LoopState.STOPPED);
         assertThatThrownBy(converter::build)
@@ -65,7 +65,7 @@ class ConverterBuildTest {
                 .withQueueCapacity(-1)
                 .withJoinLimit(Duration.ZERO));
         wrong.addKnowledge(complete(PaperModels.cleaningRobot()));
-        wrong.addExecute(new NotingDevice("Device", "Clean", "Spot"));
+        wrong.addExecute(new RecordingExecute("Device", "Clean", "Spot"));
         assertThatThrownBy(wrong::build)
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessage(
@@ -78,8 +78,8 @@ class ConverterBuildTest {
         assertThatThrownBy(() -> converter.addKnowledge(complete(PaperModels.cleaningRobot())))
                 .isInstanceOf(IllegalStateException.class)
                 .hasMessage("there is knowledge already, StateKnowledge");
-        converter.addExecute(new NotingDevice("Device", "Clean"));
-        assertThatThrownBy(() -> converter.addExecute(new NotingDevice("Device", "Spot")))
+        converter.addExecute(new RecordingExecute("Device", "Clean"));
+        assertThatThrownBy(() -> converter.addExecute(new RecordingExecute("Device", "Spot")))
                 .isInstanceOf(IllegalStateException.class)
                 .hasMessage("there is a component named Device already; give one of them another name");
     }
@@ -123,7 +123,7 @@ class ConverterBuildTest {
                 return Set.of("Dock");
             }
         });
-        converter.addExecute(new NotingDevice("Device", "Clean", "Max"));
+        converter.addExecute(new RecordingExecute("Device", "Clean", "Max"));
 
         assertThatThrownBy(converter::build)
                 .isInstanceOf(ModelException.class)
@@ -157,7 +157,7 @@ class ConverterBuildTest {
         StateKnowledge knowledge = new StateKnowledge(PaperModels.cleaningRobot());
         knowledge.function("Move", NewFunction.none());
         converter.addKnowledge(knowledge);
-        converter.addExecute(new NotingDevice("Device", "Clean", "Spot"));
+        converter.addExecute(new RecordingExecute("Device", "Clean", "Spot"));
         assertThatThrownBy(converter::build).hasMessageContaining("new state SpotWait has no function");
         knowledge.function("SpotWait", NewFunction.none());
         converter.build();
@@ -172,7 +172,7 @@ class ConverterBuildTest {
         knowledge.timer("SpotWait", "timeout", Duration.ofSeconds(5));
         knowledge.putTransition("On", "Move", NewFunction.none(), "Spot");
         converter.addKnowledge(knowledge);
-        converter.addExecute(new NotingDevice("Device", "Clean", "Spot"));
+        converter.addExecute(new RecordingExecute("Device", "Clean", "Spot"));
         converter.build();
         assertThat(converter
                         .knowledge()

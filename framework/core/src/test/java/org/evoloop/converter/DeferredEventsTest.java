@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.List;
-import org.evoloop.NotingDevice;
+import org.evoloop.RecordingExecute;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.function.NewFunction;
 import org.evoloop.loop.LoopConfig;
@@ -24,7 +24,7 @@ class DeferredEventsTest {
             .transition("Grinding", "stop", "Idle")
             .build();
 
-    private final NotingDevice mill = new NotingDevice("Mill", "grind", "stop");
+    private final RecordingExecute mill = new RecordingExecute("Mill", "grind", "stop");
     private final PushMonitor panel = new PushMonitor("Panel");
     private final SystemEventConverter converter = new SystemEventConverter(
             LoopConfig.defaults("mill", new ManualClock()).withoutThreads());

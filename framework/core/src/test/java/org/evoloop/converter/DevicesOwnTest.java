@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.evoloop.Machines.machine;
 
 import java.util.Set;
-import org.evoloop.NotingDevice;
+import org.evoloop.RecordingExecute;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.statemachine.ModelException;
@@ -24,7 +24,7 @@ class DevicesOwnTest {
             "event %s of the original model can be sent by no execute component and is not "
                     + "declared to be the device's own; name it in sendableEvents, or in spontaneousEvents of a monitor";
 
-    private final NotingDevice infrared = new NotingDevice("Infrared", "power", "temp-up");
+    private final RecordingExecute infrared = new RecordingExecute("Infrared", "power", "temp-up");
     private final SystemEventConverter converter = new SystemEventConverter(
             LoopConfig.defaults("air", new ManualClock()).withoutThreads());
     private final Remote remote = new Remote("Remote", "cooled");
@@ -47,7 +47,7 @@ class DevicesOwnTest {
         }
     }
 
-    private void build(StateMachine device, PushMonitor monitor, NotingDevice sender) {
+    private void build(StateMachine device, PushMonitor monitor, RecordingExecute sender) {
         converter.addMonitor(monitor);
         converter.addExecute(sender);
         converter.addKnowledge(new StateKnowledge(new ModelPair(device, machine("new", LINES))));
@@ -62,7 +62,7 @@ class DevicesOwnTest {
 
     @Test
     void anEventThatNobodySendsAndNobodyDeclaresIsRefusedOnceByBuild() {
-        assertThatThrownBy(() -> build(DEVICE, new Remote("Remote"), new NotingDevice("Infrared", "power")))
+        assertThatThrownBy(() -> build(DEVICE, new Remote("Remote"), new RecordingExecute("Infrared", "power")))
                 .isInstanceOf(ModelException.class)
                 .hasMessage("the model 'new' cannot be carried out:\n  " + NOBODYS.formatted("temp-up") + "\n  "
                         + NOBODYS.formatted("cooled"));
@@ -71,7 +71,7 @@ class DevicesOwnTest {
     @Test
     void byRemoveAndExchangeTooAndEverythingStaysAsItWas() throws InterruptedException {
         build(DEVICE, remote, infrared);
-        assertThatThrownBy(() -> converter.exchange("Infrared", new NotingDevice("Weak", "power")))
+        assertThatThrownBy(() -> converter.exchange("Infrared", new RecordingExecute("Weak", "power")))
                 .isInstanceOf(ModelException.class)
                 .hasMessageContaining(NOBODYS.formatted("temp-up"));
         assertThatThrownBy(() -> converter.exchange("Remote", new Remote("Other")))

@@ -9,7 +9,7 @@ import jdk.jfr.Recording;
 import jdk.jfr.consumer.RecordedEvent;
 import jdk.jfr.consumer.RecordingFile;
 import org.evoloop.LightBulb;
-import org.evoloop.NotingDevice;
+import org.evoloop.RecordingExecute;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.time.ManualClock;
 import org.junit.jupiter.api.Test;
@@ -27,7 +27,7 @@ class FlightLogTest {
 
     FlightLogTest() {
         converter.addMonitor(wallSwitch);
-        converter.addExecute(new NotingDevice("Lamp", "switch"));
+        converter.addExecute(new RecordingExecute("Lamp", "switch"));
         converter.addKnowledge(new LightBulb());
         converter.build();
         converter.start();

@@ -6,7 +6,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Set;
 import org.evoloop.Machines;
-import org.evoloop.NotingDevice;
+import org.evoloop.RecordingExecute;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.function.NewFunction;
 import org.evoloop.loop.LoopConfig;
@@ -47,7 +47,7 @@ class KeptTimersTest {
                     }
                 });
         converter.addMonitor(panel);
-        converter.addExecute(new NotingDevice("Device", "press"));
+        converter.addExecute(new RecordingExecute("Device", "press"));
         converter.build();
         converter.start();
     }

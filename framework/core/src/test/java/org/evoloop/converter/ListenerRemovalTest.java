@@ -7,7 +7,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import org.evoloop.LightBulb;
-import org.evoloop.NotingDevice;
+import org.evoloop.RecordingExecute;
 import org.evoloop.evolution.Decision;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.time.SystemClock;
@@ -40,7 +40,7 @@ class ListenerRemovalTest {
 
     private void build() {
         converter.addMonitor(wallSwitch);
-        converter.addExecute(new NotingDevice("Lamp", "switch"));
+        converter.addExecute(new RecordingExecute("Lamp", "switch"));
         converter.addKnowledge(new LightBulb());
         converter.build();
         converter.start();

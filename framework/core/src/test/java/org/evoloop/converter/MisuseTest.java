@@ -6,8 +6,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.time.Duration;
 import java.util.Set;
 import org.assertj.core.api.AbstractThrowableAssert;
-import org.evoloop.NotingDevice;
 import org.evoloop.PaperModels;
+import org.evoloop.RecordingExecute;
 import org.evoloop.function.NewFunction;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.statemachine.ModelException;
@@ -17,7 +17,7 @@ import org.junit.jupiter.api.Test;
 
 /** What is put together wrongly is refused when it is registered or built, and can be put right after. */
 class MisuseTest {
-    private final NotingDevice device = new NotingDevice("Device", "Clean", "Spot");
+    private final RecordingExecute device = new RecordingExecute("Device", "Clean", "Spot");
     private final PushMonitor panel = new PushMonitor("Panel");
     private final StateKnowledge knowledge = knowledge();
 
@@ -67,7 +67,7 @@ class MisuseTest {
     void aComponentIsFreeWhenItWasRemovedExchangedOrItsConverterClosed() {
         try (SystemEventConverter second = converter("second", new ManualClock())) {
             second.addKnowledge(knowledge());
-            second.addExecute(new NotingDevice("Device", "Clean", "Spot"));
+            second.addExecute(new RecordingExecute("Device", "Clean", "Spot"));
             second.build();
             try (SystemEventConverter first = first(new ManualClock())) {
                 assertThatThrownBy(() -> second.addMonitor(panel))
@@ -91,7 +91,7 @@ class MisuseTest {
         SystemEventConverter converter = converter("robot", new ManualClock());
         converter.addKnowledge(knowledge);
         converter.addExecute(device);
-        converter.addExecute(new NotingDevice("Other", "Spot"));
+        converter.addExecute(new RecordingExecute("Other", "Spot"));
         assertThatThrownBy(converter::build)
                 .isInstanceOf(ModelException.class)
                 .hasMessageContaining("Device and Other can both send Spot; let one of them do it");

@@ -9,7 +9,7 @@ import java.time.Duration;
 import java.util.ArrayDeque;
 import java.util.Queue;
 import java.util.Set;
-import org.evoloop.NotingDevice;
+import org.evoloop.RecordingExecute;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.loop.LoopConfig;
@@ -20,7 +20,7 @@ import org.junit.jupiter.api.Test;
 class PollingMonitorTest {
     private final Queue<String> events = new ArrayDeque<>();
 
-    private final NotingDevice device = new NotingDevice("Device", "play");
+    private final RecordingExecute device = new RecordingExecute("Device", "play");
 
     /** A music player whose events come from {@code monitor}, which has seen {@code event}. */
     private Configuration after(String event, PollingMonitor monitor) throws InterruptedException {

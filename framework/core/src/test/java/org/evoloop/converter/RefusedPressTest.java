@@ -7,8 +7,8 @@ import static org.evoloop.converter.Robot.at;
 
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
-import org.evoloop.NotingDevice;
 import org.evoloop.PaperModels;
+import org.evoloop.RecordingExecute;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.function.NewFunction;
 import org.evoloop.loop.LoopConfig;
@@ -31,7 +31,7 @@ class RefusedPressTest {
                 return fromController(socket.take());
             }
         });
-        converter.addExecute(new NotingDevice("Device", "Clean", "Spot"));
+        converter.addExecute(new RecordingExecute("Device", "Clean", "Spot"));
         StateKnowledge knowledge = new StateKnowledge(PaperModels.cleaningRobot());
         knowledge.function("Move", NewFunction.none());
         knowledge.function("SpotWait", NewFunction.none());

@@ -3,8 +3,8 @@ package org.evoloop.converter;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.time.Duration;
-import org.evoloop.NotingDevice;
 import org.evoloop.PaperModels;
+import org.evoloop.RecordingExecute;
 import org.evoloop.function.NewFunction;
 import org.evoloop.loop.LoopConfig;
 import org.evoloop.time.Clock;
@@ -29,7 +29,7 @@ class ReportsTest {
     private SystemEventConverter robot(LoopConfig config, NewFunction move) {
         SystemEventConverter converter = new SystemEventConverter(config);
         converter.addMonitor(panel);
-        converter.addExecute(new NotingDevice("Device", "Clean", "Spot"));
+        converter.addExecute(new RecordingExecute("Device", "Clean", "Spot"));
         StateKnowledge knowledge = new StateKnowledge(PaperModels.cleaningRobot());
         knowledge.function("Move", move);
         knowledge.function("SpotWait", NewFunction.none());

@@ -10,7 +10,7 @@ import java.time.Duration;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicReference;
-import org.evoloop.NotingDevice;
+import org.evoloop.RecordingExecute;
 import org.evoloop.core.Outcome;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.evolution.Occurrence;
@@ -145,7 +145,7 @@ class TimersTest {
         PushMonitor wall = new PushMonitor("Wall");
         converter.addMonitor(wall);
         converter.addKnowledge(new StateKnowledge(LAMP));
-        converter.addExecute(new NotingDevice("Lamp", "switch"));
+        converter.addExecute(new RecordingExecute("Lamp", "switch"));
         converter.build();
         converter.start();
         wall.press("switch");

@@ -63,7 +63,7 @@ class GpioPartsTest {
             relay.addListener(change -> levels.add(change.state().name()));
             converter.addMonitor(monitor);
             converter.addExecute(execute);
-            converter.addKnowledge(LightBulb.waiting(LightBulb.LONG));
+            converter.addKnowledge(LightBulb.withoutTimeout());
             converter.build();
             converter.start();
 

@@ -12,7 +12,7 @@ import java.net.InetAddress;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
-import org.evoloop.NotingDevice;
+import org.evoloop.RecordingExecute;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.provider.MethodSource;
 
@@ -33,7 +33,7 @@ class HttpFuzzTest {
                         .device("POST /by-hand", "switch")
                         .found("POST /is-off", "off")
                         .open();
-                Lamp lamp = new Lamp(monitor, new NotingDevice("Bulb", "switch"));
+                Lamp lamp = new Lamp(monitor, new RecordingExecute("Bulb", "switch"));
                 Runtime.getRuntime().addShutdownHook(new Thread(() -> {
                     monitor.close();
                     lamp.close();

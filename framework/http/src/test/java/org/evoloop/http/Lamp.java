@@ -21,7 +21,7 @@ final class Lamp implements AutoCloseable {
     Lamp(EventMonitor monitor, EventExecute execute) {
         converter.addMonitor(monitor);
         converter.addExecute(execute);
-        converter.addKnowledge(LightBulb.waiting(LightBulb.LONG));
+        converter.addKnowledge(LightBulb.withoutTimeout());
         converter.build();
         converter.start();
     }

@@ -16,7 +16,7 @@ import java.util.Random;
 import java.util.TreeMap;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
-import org.evoloop.OtherJava;
+import org.evoloop.JavaProcess;
 
 /**
  * The lives of one converter, each a process of its own, and the device that outlives them: this process. It takes
@@ -45,7 +45,7 @@ final class Lives {
     }
 
     private Process begin() throws IOException {
-        return new ProcessBuilder(OtherJava.command(KilledConverter.class, journal.toString(), forcing.name()))
+        return new ProcessBuilder(JavaProcess.command(KilledConverter.class, journal.toString(), forcing.name()))
                 .redirectError(
                         journal.resolveSibling(journal.getFileName() + ".log").toFile())
                 .start();

@@ -40,7 +40,7 @@ class LinePartsTest {
                 .device(Map.of("by hand", "switch"))
                 .found(Map.of("is off", "off", "is on", "on")));
         converter.addExecute(lamp);
-        converter.addKnowledge(LightBulb.waiting(LightBulb.LONG));
+        converter.addKnowledge(LightBulb.withoutTimeout());
         converter.addLink(connection);
     }
 

@@ -15,8 +15,8 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import org.evoloop.LightBulb;
-import org.evoloop.NotingDevice;
 import org.evoloop.PaperModels;
+import org.evoloop.RecordingExecute;
 import org.evoloop.console.Console;
 import org.evoloop.converter.DeviceLink;
 import org.evoloop.function.Reading;
@@ -44,7 +44,7 @@ class MetricsTest {
                 Duration.ofSeconds(2),
                 visit -> visit.progress("warming up", List.of(Reading.of("warmth", 0.5, ""))));
         return ConverterHarness.of(warm)
-                .with(new NotingDevice("Lamp", "switch"))
+                .with(new RecordingExecute("Lamp", "switch"))
                 .options(config -> LoopConfig.defaults(name, config.clock()))
                 .start();
     }

@@ -5,8 +5,8 @@ import java.util.List;
 import org.evoloop.Alarm;
 import org.evoloop.LightBulb;
 import org.evoloop.Machines;
-import org.evoloop.NotingDevice;
 import org.evoloop.PaperModels;
+import org.evoloop.RecordingExecute;
 import org.evoloop.converter.DeviceLink;
 import org.evoloop.converter.Evolution;
 import org.evoloop.converter.PushMonitor;
@@ -22,7 +22,7 @@ final class Lamp implements DeviceLink, AutoCloseable {
     final PushMonitor wallSwitch = new PushMonitor("WallSwitch");
     final ManualClock clock = new ManualClock();
     final SystemEventConverter converter = new SystemEventConverter(LoopConfig.defaults("lamp", clock));
-    final NotingDevice bulb = new NotingDevice("Bulb", "switch");
+    final RecordingExecute bulb = new RecordingExecute("Bulb", "switch");
     volatile boolean up = true;
     volatile long battery = 93;
 

@@ -11,7 +11,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
-import org.evoloop.OtherJava;
+import org.evoloop.JavaProcess;
 import org.evoloop.time.Threads;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -64,7 +64,7 @@ class MqttBypassTest {
         final Process process;
 
         Converter() throws IOException {
-            process = new ProcessBuilder(OtherJava.command(RingProgram.class, broker.url()))
+            process = new ProcessBuilder(JavaProcess.command(RingProgram.class, broker.url()))
                     .redirectErrorStream(true)
                     .start();
             processes.add(process);

@@ -11,8 +11,8 @@ import java.util.Optional;
 import java.util.concurrent.atomic.AtomicLong;
 import org.evoloop.Alarm;
 import org.evoloop.Machines;
-import org.evoloop.NotingDevice;
 import org.evoloop.PaperModels;
+import org.evoloop.RecordingExecute;
 import org.evoloop.console.Console;
 import org.evoloop.console.ConsoleCommand;
 import org.evoloop.console.NewModels;
@@ -134,7 +134,7 @@ final class Shown implements AutoCloseable {
     }
 
     private static EventExecute execute() {
-        return new NotingDevice("Robot", "Clean", "Spot");
+        return new RecordingExecute("Robot", "Clean", "Spot");
     }
 
     String address() {

@@ -63,7 +63,7 @@ class SerialTransportTest {
         SystemEventConverter converter = new SystemEventConverter(LoopConfig.defaults("lamp", clock));
         converter.addMonitor(new LineMonitor("Wall", connection).controller(Map.of("click", "switch")));
         converter.addExecute(new LineExecute("Lamp", connection, Map.of("switch", "SW")));
-        converter.addKnowledge(LightBulb.waiting(LightBulb.LONG));
+        converter.addKnowledge(LightBulb.withoutTimeout());
         converter.addLink(connection);
         converter.build();
         return converter;

@@ -4,7 +4,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import org.evoloop.LightBulb;
-import org.evoloop.NotingDevice;
+import org.evoloop.RecordingExecute;
 import org.evoloop.config.Settings;
 import org.evoloop.console.Console;
 import org.evoloop.console.ConsoleCommand;
@@ -42,7 +42,7 @@ final class LampProgram {
     static SystemEventConverter converter(PushMonitor wallSwitch, Clock clock) {
         SystemEventConverter converter = new SystemEventConverter(LoopConfig.defaults("lamp", clock));
         converter.addMonitor(wallSwitch);
-        converter.addExecute(new NotingDevice("Lamp", "switch"));
+        converter.addExecute(new RecordingExecute("Lamp", "switch"));
         converter.addKnowledge(new LightBulb());
         converter.build();
         return converter;

@@ -9,7 +9,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Map;
-import org.evoloop.OtherJava;
+import org.evoloop.JavaProcess;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -74,7 +74,7 @@ class NotifyTest {
     }
 
     private void startLamp(String address, String watchdogMicros) throws IOException {
-        ProcessBuilder builder = new ProcessBuilder(OtherJava.command(LampProgram.class, "--start", "--name", "lamp"))
+        ProcessBuilder builder = new ProcessBuilder(JavaProcess.command(LampProgram.class, "--start", "--name", "lamp"))
                 .redirectOutput(ProcessBuilder.Redirect.DISCARD)
                 .redirectError(ProcessBuilder.Redirect.DISCARD);
         builder.environment()

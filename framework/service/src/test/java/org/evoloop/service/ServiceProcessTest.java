@@ -13,7 +13,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import org.awaitility.Awaitility;
-import org.evoloop.OtherJava;
+import org.evoloop.JavaProcess;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -43,7 +43,7 @@ class ServiceProcessTest {
     private Process start(String input, String... options) throws IOException {
         ProcessBuilder builder =
                 new ProcessBuilder("sh", "-c", "exec \"$0\" \"$@\" " + input).redirectErrorStream(true);
-        builder.command().addAll(OtherJava.command(LampProgram.class, options));
+        builder.command().addAll(JavaProcess.command(LampProgram.class, options));
         builder.environment().put("XDG_RUNTIME_DIR", runtime.toString());
         Process process = builder.start();
         processes.add(process);

@@ -5,8 +5,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.time.Duration;
 import org.evoloop.LightBulb;
-import org.evoloop.NotingDevice;
 import org.evoloop.PaperModels;
+import org.evoloop.RecordingExecute;
 import org.evoloop.converter.HistoryEntry;
 import org.evoloop.converter.PushMonitor;
 import org.evoloop.converter.StateKnowledge;
@@ -179,7 +179,7 @@ class ConverterHarnessTest {
     @Test
     void withoutASimulatedDeviceTheHarnessTellsWhatItDoes() {
         try (ConverterHarness robot = ConverterHarness.of(new StateKnowledge(Models.player()))
-                .with(new NotingDevice("Device", "play", "pause", "stop"))
+                .with(new RecordingExecute("Device", "play", "pause", "stop"))
                 .start()) {
             robot.press("play").deviceDoes("ended").expect("Stopped", "Stopped");
             robot.found("Paused").expect("Paused", "Paused");

@@ -7,8 +7,8 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.evoloop.LightBulb;
-import org.evoloop.NotingDevice;
 import org.evoloop.PaperModels;
+import org.evoloop.RecordingExecute;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.journal.Journal;
 import org.evoloop.journal.JournalException;
@@ -32,7 +32,7 @@ class RecordingTest {
     void aDayOfTheLamp() {
         sunday = folder.resolve("sunday");
         try (ConverterHarness lamp = ConverterHarness.of(new LightBulb())
-                .with(new NotingDevice("Device", "switch"))
+                .with(new RecordingExecute("Device", "switch"))
                 .with(Journal.in(sunday))
                 .start()) {
             lamp.press("switch").press("switch").until("off");

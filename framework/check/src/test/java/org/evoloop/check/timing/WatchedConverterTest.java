@@ -6,7 +6,7 @@ import static org.evoloop.check.Lamp.lamp;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
-import org.evoloop.NotingDevice;
+import org.evoloop.RecordingExecute;
 import org.evoloop.check.properties.PropertyFile;
 import org.evoloop.converter.ConverterListener;
 import org.evoloop.converter.Evolution;
@@ -66,7 +66,7 @@ class WatchedConverterTest {
         TimeRules rules =
                 PropertyFile.parse("lamp.txt", String.join("\n", lines), LAMP).time();
         converter.addMonitor(panel);
-        converter.addExecute(new NotingDevice("Lamp", "press"));
+        converter.addExecute(new RecordingExecute("Lamp", "press"));
         converter.addKnowledge(new Known(LAMP));
         converter.watch((models, at, nanos) -> new TimeWatch(rules, models, at, nanos));
         converter.addListener(new ConverterListener() {
