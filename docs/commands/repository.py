@@ -7,6 +7,9 @@ from pathlib import Path
 
 from test_commands import LIMIT_S, ROOT
 
+SCAFFOLDED = ("bom", "core", "xmi", "config", "console", "journal", "service", "page", "metrics", "mqtt", "testkit")
+"""What a scaffolded project depends on."""
+
 
 class Repository:
     def __init__(self, folder: Path) -> None:

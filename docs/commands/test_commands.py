@@ -15,6 +15,7 @@ from markdown import commands
 
 ROOT = Path(__file__).resolve().parents[2]
 SLOW = os.environ.get("EVOLOOP_COMMANDS") == "slow"
+BUILDS_PROJECTS = SLOW or os.environ.get("EVOLOOP_COMMANDS") == "ci"
 DUE = [entry for entry in KNOWN if entry.run and entry.slow == SLOW]
 LIMIT_S = 3_600 if SLOW else 300
 NOT_COPIED = (".git", "surefire-reports", "interop-venv", "oracles-venv", "home-assistant-root", "package-roots", "__pycache__", *(() if SLOW else (".venv",)))

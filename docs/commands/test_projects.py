@@ -6,17 +6,20 @@ import re
 import shutil
 import subprocess
 import tempfile
+import threading
 import unittest
+import zipfile
 from pathlib import Path
+from subprocess import PIPE, STDOUT
 
-from repository import Repository
-from test_commands import LIMIT_S, ROOT, SLOW
+from repository import SCAFFOLDED, Repository
+from test_commands import BUILDS_PROJECTS, LIMIT_S, ROOT
 
 PROJECTS = ("maven", "kotlin")
-ARTIFACTS = ("bom", "core", "testkit")
+TOOL = ROOT / "framework" / "models" / "target" / "evoloop-models.jar"
 
 
-@unittest.skipUnless(SLOW, "slow: ./evoloop test --slow runs it")
+@unittest.skipUnless(BUILDS_PROJECTS, "slow: ./evoloop test --slow runs it")
 class ProjectsTest(unittest.TestCase):
     """In a local repository of their own, on top of what Maven has fetched for the project's own build."""
 
@@ -26,7 +29,7 @@ class ProjectsTest(unittest.TestCase):
         cls.addClassCleanup(folder.cleanup)
         cls.folder = Path(folder.name)
         cls.repository = Repository(cls.folder / "repository")
-        cls.repository.install(*ARTIFACTS)
+        cls.repository.install(*SCAFFOLDED)
 
     def test_each_builds_and_passes_its_test(self) -> None:
         for name in PROJECTS:
@@ -62,6 +65,46 @@ class ProjectsTest(unittest.TestCase):
             set(re.findall(r"^\[INFO\]    (\S+?:\S+?):jar", said, re.MULTILINE)),
             {"org.evoloop:evoloop-core", "org.slf4j:slf4j-api"},
         )
+
+    def test_a_scaffolded_project_becomes_one_jar_that_converts(self) -> None:
+        robot, project = "models/cleaning-robot.xml", self.folder / "made"
+        scaffold = ["scaffold", f"{robot}#original", f"{robot}#new", "--spontaneous", "endSpot", "--package", "com.example.made"]
+        subprocess.run(["java", "-jar", TOOL, *scaffold, "--out", project], cwd=ROOT, check=True, capture_output=True, timeout=LIMIT_S)
+        self.repository.maven(project / "pom.xml", "verify")
+        jar = project / "target" / "made.jar"
+        self.assertEqual(list(jar.parent.glob("*.jar")), [jar])
+
+        said = self.converted_by(jar)
+        for line in (" inputs Clean event.", "device in On"):
+            self.assertIn(line, said)
+
+        with zipfile.ZipFile(jar) as inside:
+            self.assertIn("Apache License", inside.read("META-INF/LICENSE").decode())
+            notice = inside.read("META-INF/NOTICE").decode()
+            licences = " ".join(name for name in inside.namelist() if name.startswith("META-INF/licenses/"))
+        for library in ("Evoloop", "ch.qos.logback"):
+            self.assertIn(library, notice)
+        for library in ("evoloop-core", "slf4j-api"):
+            self.assertIn(library, licences)
+
+    def converted_by(self, jar: Path) -> list[str]:
+        """What a scaffolded program says when its robot is on and is to Move, which its new model alone has."""
+        command = ["java", "-jar", str(jar)]
+        with subprocess.Popen(command, stdin=PIPE, stdout=PIPE, stderr=STDOUT, encoding="utf-8") as program:
+            assert program.stdin and program.stdout
+            watchdog = threading.Timer(LIMIT_S, program.kill)
+            watchdog.start()
+            program.stdin.write("start\npress Clean\npress Spot\n")
+            program.stdin.flush()
+            said = []
+            while not (said and "***  Move  ***" in said[-1]):
+                line = program.stdout.readline()
+                self.assertTrue(line, f"it ended after {said}")
+                said.append(line.rstrip("\n"))
+            rest, _ = program.communicate("exit\n")
+            watchdog.cancel()
+        self.assertEqual(program.returncode, 0, rest)
+        return said + rest.splitlines()
 
 
 if __name__ == "__main__":

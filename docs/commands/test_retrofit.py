@@ -14,11 +14,10 @@ import unittest
 from collections.abc import Callable
 from pathlib import Path
 
-from repository import Repository
-from test_commands import ROOT, SLOW
+from repository import SCAFFOLDED, Repository
+from test_commands import BUILDS_PROJECTS, ROOT
 
 GUIDE = (ROOT / "docs" / "retrofit.md").read_text(encoding="utf-8")
-ARTIFACTS = ("bom", "core", "xmi", "config", "console", "journal", "service", "page", "mqtt", "line", "testkit")
 PATIENCE_S = 60
 TOOL = ROOT / "framework" / "models" / "target" / "evoloop-models.jar"
 BROKER = shutil.which("mosquitto") or "/usr/sbin/mosquitto"
@@ -72,7 +71,7 @@ def until(what: str, holds: Callable[[], bool]) -> None:
         time.sleep(0.1)
 
 
-@unittest.skipUnless(SLOW, "slow: ./evoloop test --slow runs it")
+@unittest.skipUnless(BUILDS_PROJECTS, "slow: ./evoloop test --slow runs it")
 class RetrofitTest(unittest.TestCase):
     def setUp(self) -> None:
         folder = tempfile.TemporaryDirectory(prefix="evoloop-retrofit-")
@@ -153,7 +152,7 @@ class RetrofitTest(unittest.TestCase):
     def test_the_guide_leads_to_a_fan_in_home_assistant(self) -> None:
         self.make_project()
         repository = Repository(self.folder / "repository")
-        repository.install(*ARTIFACTS)
+        repository.install(*SCAFFOLDED, "line")
         said = repository.maven(self.project / "pom.xml", "verify")
         self.assertRegex(said, re.compile(r"Tests run: \d+, Failures: 0, Errors: 0, Skipped: 0$", re.MULTILINE))
 

@@ -3,21 +3,15 @@ package org.evoloop.models.scaffold;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.platform.engine.discovery.DiscoverySelectors.selectClass;
 
-import java.io.BufferedReader;
-import java.io.File;
 import java.io.IOException;
 import java.io.StringWriter;
-import java.io.Writer;
 import java.net.URL;
 import java.net.URLClassLoader;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.FileSystem;
-import java.nio.file.FileSystems;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import javax.tools.JavaCompiler;
 import javax.tools.StandardJavaFileManager;
@@ -29,9 +23,7 @@ import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.StateMachineBuilder;
 import org.evoloop.statemachine.Transition;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.platform.launcher.LauncherDiscoveryRequest;
 import org.junit.platform.launcher.core.LauncherDiscoveryRequestBuilder;
@@ -181,74 +173,5 @@ class ScaffoldTest {
         assertThat(names.free(JavaNames.camel("掃除中", "State"))).isEqualTo("State");
         assertThat(names.free(JavaNames.camel("待機中", "State"))).isEqualTo("State2");
         assertThat(JavaNames.camel("1st", "State")).isEqualTo("State1st");
-    }
-
-    /** What its owner does first. It takes Maven and what Maven has fetched for the framework's own build. */
-    @Test
-    @Tag("slow")
-    @Timeout(600)
-    void mavenBuildsItAndItsJarRuns() throws Exception {
-        Path project = scaffold(Tool.ROBOT + "#original", Tool.ROBOT + "#new", "--spontaneous", "endSpot");
-        String maven = System.getProperty("evoloop.root") + "/mvnw";
-
-        assertThat(run(project, maven, "-q", "-B", "verify")).isEmpty();
-        try (Stream<Path> built = Files.list(project.resolve("target"))) {
-            assertThat(built.filter(file -> file.toString().endsWith(".jar")))
-                    .containsExactly(project.resolve("target/made.jar"));
-        }
-        assertConverts(project.resolve("target/made.jar"));
-        assertCarriesLicences(project.resolve("target/made.jar"));
-    }
-
-    private static void assertCarriesLicences(Path jar) throws IOException {
-        try (FileSystem inside = FileSystems.newFileSystem(jar)) {
-            Path licences = inside.getPath("META-INF");
-            assertThat(licences.resolve("LICENSE")).content().contains("Apache License");
-            assertThat(licences.resolve("NOTICE")).content().contains("Evoloop", "ch.qos.logback");
-            try (Stream<Path> libraries = Files.list(licences.resolve("licenses"))) {
-                assertThat(libraries.map(Path::toString))
-                        .anyMatch(library -> library.contains("evoloop-core"))
-                        .anyMatch(library -> library.contains("slf4j-api"));
-            }
-        }
-    }
-
-    /** Presses buttons, reads until the new function runs, and leaves. */
-    private void assertConverts(Path jar) throws Exception {
-        Process program = new ProcessBuilder(System.getProperty("java.home") + "/bin/java", "-jar", jar.toString())
-                .directory(directory.toFile())
-                .redirectErrorStream(true)
-                .start();
-        List<String> said = new ArrayList<>();
-        try (BufferedReader screen = program.inputReader(StandardCharsets.UTF_8);
-                Writer keyboard = program.outputWriter(StandardCharsets.UTF_8)) {
-            keyboard.write("start\npress Clean\npress Spot\n");
-            keyboard.flush();
-            while (said.stream().noneMatch(line -> line.contains("***  Move  ***"))) {
-                String line = screen.readLine();
-                assertThat(line).as("the line after " + said).isNotNull();
-                said.add(line);
-            }
-            keyboard.write("exit\n");
-            keyboard.flush();
-            assertThat(program.waitFor(1, TimeUnit.MINUTES)).isTrue();
-            assertThat(program.exitValue()).isZero();
-        } finally {
-            program.destroyForcibly();
-        }
-        assertThat(said).contains(" inputs Clean event.", "device in On");
-    }
-
-    private String run(Path where, String... command) throws Exception {
-        File output = Files.createTempFile(directory, "output", ".txt").toFile();
-        Process process = new ProcessBuilder(command)
-                .directory(where.toFile())
-                .redirectErrorStream(true)
-                .redirectOutput(output)
-                .start();
-        assertThat(process.waitFor(5, TimeUnit.MINUTES)).as("it has ended").isTrue();
-        String said = Files.readString(output.toPath());
-        assertThat(process.exitValue()).as(said).isZero();
-        return said;
     }
 }
