@@ -1,5 +1,6 @@
 /**
- * Loads the native parts of JNA and jSerialComm from where nobody else can put a file, and creates pseudo-terminals.
+ * Loads the native parts of JNA and jSerialComm from a place where no other user can put a file, and creates
+ * pseudo-terminals.
  */
 module org.evoloop.natives {
     requires static org.jspecify;

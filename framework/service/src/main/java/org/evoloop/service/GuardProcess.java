@@ -47,7 +47,7 @@ final class GuardProcess {
                 answers.accept(line);
             }
         } catch (IOException ended) {
-            // {@link #isAlive} reports that.
+            // isAlive() reports that.
         }
     }
 
@@ -58,7 +58,7 @@ final class GuardProcess {
             to.write((word + "\n").getBytes(StandardCharsets.US_ASCII));
             to.flush();
         } catch (IOException ended) {
-            // {@link #isAlive} reports that.
+            // isAlive() reports that.
         }
     }
 

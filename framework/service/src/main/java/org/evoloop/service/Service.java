@@ -88,7 +88,7 @@ public final class Service implements AutoCloseable {
         Path own = socket;
         if (own != null) {
             server = new ControlServer(own, Commands.of(console), clock);
-            // In case the process ends without {@link #close}.
+            // In case the process ends without close().
             Runtime.getRuntime().addShutdownHook(new Thread(() -> remove(own), "evoloop-control-removal"));
         }
         try (ServiceManager manager = new ServiceManager(environment, console, clock, options.start())) {

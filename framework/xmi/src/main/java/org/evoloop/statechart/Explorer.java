@@ -26,8 +26,8 @@ final class Explorer {
     private static final int MAX_CASES = 4_096;
 
     /**
-     * The effort spent on a machine that may be too large, in active states looked at; about a second. Such a machine
-     * may still turn out small, if its regions change together.
+     * The effort spent on a machine that may be too large, counted in active states examined; about a second. Such a
+     * machine may still turn out small, if its regions change together.
      */
     private static final long TRIED = 1_000_000;
     /** The effort of a step that is not plain. */

@@ -74,7 +74,7 @@ final class NetBuilder {
         try {
             return new Event(trigger).timeTrigger().isPresent();
         } catch (ModelException malformed) {
-            // {@link Rules} reports what is wrong with it.
+            // Rules reports what is wrong with it.
             return true;
         }
     }

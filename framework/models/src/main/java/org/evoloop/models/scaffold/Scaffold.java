@@ -175,7 +175,7 @@ public final class Scaffold {
         values.put("originalMachine", machine(request.original()));
         values.put("evolvedMachine", machine(request.evolved()));
         if (request.properties() != null) {
-            // Named after the new model's file, so that {@code check} finds it.
+            // Named after the new model's file, so that the command check finds it.
             content.bytes("models/" + evolved + ".properties.txt", Files.readAllBytes(request.properties()));
         }
     }
