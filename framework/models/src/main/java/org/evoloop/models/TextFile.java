@@ -14,7 +14,7 @@ final class TextFile {
     /**
      * The text of a file.
      *
-     * @param what its content, for messages: {@code properties}
+     * @param what names the content in messages: {@code properties}
      * @throws ModelException if it is not a text file
      * @throws IOException if it cannot be read for another reason
      */

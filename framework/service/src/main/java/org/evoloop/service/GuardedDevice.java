@@ -16,8 +16,8 @@ public interface GuardedDevice {
     String makeSafeCommand();
 
     /**
-     * Whether the device would be unsafe if this process stopped running now. If it is true, or if the call does not
-     * return within {@link DeviceGuard#LIMIT}, the device is made safe when this process stops.
+     * Whether the device would be unsafe if this process stopped running now. While it is, the device is also made safe
+     * if a call of this method does not return within {@link DeviceGuard#LIMIT}.
      */
     boolean isActive();
 

@@ -97,8 +97,8 @@ public record ModelReference(Path file, Optional<String> machine, Optional<Chron
     }
 
     /**
-     * A file beside this one with the given ending. For the machine b of {@code a.xml} it is named {@code a.b} if such
-     * a file exists, else {@code a}. The returned path may not exist.
+     * A file beside this one with the given ending. For the machine b of {@code a.xml} that is {@code a.b} plus the
+     * ending if such a file exists, else {@code a} plus the ending, which may not exist.
      *
      * @param ending such as {@code .properties.txt}
      */

@@ -8,7 +8,7 @@ import java.util.List;
  * <p>Threading: immutable.
  *
  * @param title the heading above it
- * @param lifelines the names of what has states, from top to bottom
+ * @param lifelines the names of the lanes: a device, a model, or what is sent, from top to bottom
  * @param moments in order of time
  */
 public record Timing(String title, List<String> lifelines, List<Moment> moments) {

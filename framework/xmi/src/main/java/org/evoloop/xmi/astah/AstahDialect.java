@@ -9,7 +9,7 @@ import org.evoloop.xmi.dialect.XmiStream;
 
 /**
  * XMI 1.1 of a UML 1.4 model as written by Astah (formerly JUDE). Machines may be anywhere in the model. The names of
- * their diagrams follow after it in Astah's own extension, of which nothing else is needed.
+ * their diagrams come after the model, in Astah's own extension, of which nothing else is needed.
  */
 public final class AstahDialect implements XmiDialect {
     private static final String MENU = "Tools > XML Input & Output > Save as XML Project";
