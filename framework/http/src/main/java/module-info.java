@@ -1,4 +1,4 @@
-/** A controller that sends HTTP requests, and a device that takes them. */
+/** A controller that sends HTTP requests, and a device that accepts them. */
 module org.evoloop.http {
     requires static org.jspecify;
     requires transitive org.evoloop.core;

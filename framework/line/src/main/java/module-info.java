@@ -1,4 +1,4 @@
-/** A controller or a device that speaks in lines of text. */
+/** A controller or a device that exchanges lines of text. */
 module org.evoloop.line {
     requires static org.jspecify;
     requires transitive org.evoloop.core;

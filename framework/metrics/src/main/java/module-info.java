@@ -1,4 +1,4 @@
-/** Figures of a running converter for Prometheus. */
+/** Metrics of a running converter for Prometheus. */
 @SuppressWarnings("requires-automatic")
 module org.evoloop.metrics {
     requires static org.jspecify;

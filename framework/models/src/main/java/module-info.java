@@ -1,5 +1,6 @@
 /**
- * State machine models on the command line: shown, compared, checked, and made into projects; and converters' journals.
+ * The command line for state machine models: shows, compares and checks them, generates projects, and reads converters'
+ * journals.
  */
 @SuppressWarnings("requires-automatic")
 module org.evoloop.models {

@@ -1,8 +1,11 @@
-/** Loads the native parts of JNA and jSerialComm from where nobody else can put a file, and makes pseudo-terminals with them. */
+/**
+ * Loads the native parts of JNA and jSerialComm from a place where no other user can put a file, and creates
+ * pseudo-terminals.
+ */
 module org.evoloop.natives {
     requires static org.jspecify;
     requires com.sun.jna;
-    // Whoever has it loaded brings it.
+    // Provided by the module that loads jSerialComm.
     requires static com.fazecast.jSerialComm;
 
     exports org.evoloop.natives;

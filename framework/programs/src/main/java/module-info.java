@@ -1,4 +1,4 @@
-/** What Evoloop's own programs have in common: how they tell a mistake, and how they draw. */
+/** Shared by Evoloop's own programs: error messages, options and SVG. */
 module org.evoloop.program {
     requires static org.jspecify;
     requires transitive info.picocli;

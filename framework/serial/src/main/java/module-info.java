@@ -1,4 +1,4 @@
-/** A serial port for a controller or a device that speaks in lines of text. */
+/** A serial port for a controller or a device that exchanges lines of text. */
 module org.evoloop.serial {
     requires static org.jspecify;
     requires transitive org.evoloop.line;

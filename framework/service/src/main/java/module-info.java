@@ -1,7 +1,7 @@
-/** A converter that runs by itself: by name, under a service manager, controlled through a socket. */
+/** An unattended converter: it has a name, runs under a service manager, and is controlled through a socket. */
 module org.evoloop.service {
     requires static org.jspecify;
-    // Where the log goes, if it is there.
+    // Receives the log, if it is present.
     requires static ch.qos.logback.classic;
     requires static ch.qos.logback.core;
     requires transitive org.evoloop.config;

@@ -1,4 +1,4 @@
-/** Reads state machines from model files, and makes flat ones of those with composite states and regions. */
+/** Reads state machines from model files, and flattens machines with composite states and regions. */
 module org.evoloop.xmi {
     requires static org.jspecify;
     requires transitive org.evoloop.core;
@@ -8,7 +8,7 @@ module org.evoloop.xmi {
     exports org.evoloop.statechart;
     exports org.evoloop.xmi;
 
-    // The bindings of Astah's elements; the API opens it further, to its implementation.
+    // The bindings of Astah's elements; the API opens the package further, to its implementation.
     opens org.evoloop.xmi.astah to
             jakarta.xml.bind;
 }

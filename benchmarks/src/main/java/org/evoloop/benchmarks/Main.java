@@ -22,7 +22,7 @@ import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
-/** Runs the measurements, each in a JVM of its own: one table on stdout, progress on stderr. */
+/** Runs the measurements, each in a separate JVM. Prints one table to stdout, and progress to stderr. */
 @Command(
         name = "bench",
         description = "Measures Evoloop beside others, on this machine, in one run.",
@@ -49,7 +49,7 @@ public final class Main implements Callable<Integer> {
         System.exit(commandLine().execute(arguments));
     }
 
-    /** Its exit status: 0 all was measured, 1 a measurement failed, 2 wrong usage. */
+    /** Exit status: 0 everything was measured, 1 a measurement failed, 2 wrong usage. */
     static CommandLine commandLine() {
         return new CommandLine(new Main())
                 .setParameterExceptionHandler((mistake, given) -> {
@@ -100,7 +100,7 @@ public final class Main implements Callable<Integer> {
                 .toList();
     }
 
-    /** Found out now, not when all has been measured. */
+    /** Fails early, not after all measurements. */
     static void requireWritable(String option, Path file) {
         try {
             Files.newOutputStream(file, StandardOpenOption.CREATE, StandardOpenOption.APPEND)

@@ -10,7 +10,7 @@ import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Parameters;
 
-/** Draws the results of a run. */
+/** Plots the results of a run. */
 @Command(
         name = "plot",
         description = "Draws what a run has written with --json, as SVG.",

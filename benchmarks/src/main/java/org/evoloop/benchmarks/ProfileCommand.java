@@ -20,13 +20,13 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** Tells where time goes, each kind of work in a JVM of its own. */
+/** Profiles each kind of work in a separate JVM. */
 @Command(
         name = "profile",
         description = "Tells in which methods time goes and what is allocated, by the JDK's Flight Recorder.",
         mixinStandardHelpOptions = true)
 final class ProfileCommand implements Callable<Integer> {
-    /** Without them a method that was compiled into its caller would not be seen. */
+    /** Without these options, inlined methods would not appear. */
     private static final List<String> SEE_EVERYTHING =
             List.of("-XX:+UnlockDiagnosticVMOptions", "-XX:+DebugNonSafepoints");
 
@@ -46,7 +46,7 @@ final class ProfileCommand implements Callable<Integer> {
     @Option(names = "--flame-graphs", paramLabel = "FOLDER", description = "Draws flame-WORK.svg there as well.")
     private @Nullable Path folder;
 
-    /** What can be looked at. */
+    /** The kinds of work that can be profiled. */
     private enum Work {
         DECISION("A decision by the event's name", ProfiledDecisions.class),
         CONVERSION("A whole conversion without threads", ProfiledRobot.class),

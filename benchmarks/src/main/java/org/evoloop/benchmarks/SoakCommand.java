@@ -16,7 +16,7 @@ import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
-/** Runs a converter for long and looks whether it grows. */
+/** Runs a converter for a long time and checks whether its resource usage grows. */
 @Command(
         name = "soak",
         description = "Converts events with a journal for long; fails if heap, threads, files or disk grow.",

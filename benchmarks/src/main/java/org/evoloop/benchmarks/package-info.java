@@ -1,7 +1,8 @@
 /**
- * How fast the converter is, and what it allocates: JMH benchmarks and the program that runs them.
+ * How fast the converter is, and how much it allocates: JMH benchmarks and the program that runs them.
  *
- * <p>This room may use all others; none may use it. Alone beside {@code org.evoloop.time} it reads the machine's clock.
+ * <p>This package may use all others; none may use it. Apart from {@code org.evoloop.time}, only the benchmarks read
+ * the machine's clock.
  */
 @NullMarked
 package org.evoloop.benchmarks;

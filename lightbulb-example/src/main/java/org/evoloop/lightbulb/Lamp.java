@@ -2,7 +2,7 @@ package org.evoloop.lightbulb;
 
 import org.evoloop.console.Console;
 
-/** The device: its firmware knows nothing but {@code switch}. The filter in front of it is the converter's. */
+/** The device. Its firmware knows only {@code switch}; the filter in front of it belongs to the converter. */
 final class Lamp {
     private static final boolean COLOURS = Console.isOnTerminal();
 
@@ -10,29 +10,29 @@ final class Lamp {
     private boolean filtered;
     private Bulbs bulbs = (daylight, warm) -> {};
 
-    /** What gives its light, if it is more than a word on the screen. */
+    /** Real lamps that show the light, in addition to the text on the screen. */
     interface Bulbs {
         void show(boolean daylight, boolean warm);
     }
 
-    /** Has {@code real} give its light. */
+    /** Connects real lamps. */
     synchronized void shownBy(Bulbs real) {
         bulbs = real;
     }
 
-    /** The one thing that the lamp itself can do. */
+    /** Switches the lamp: the only thing that its firmware can do. */
     synchronized void toggle() {
         on = !on;
         show();
     }
 
-    /** Whether it is on, as a lamp remains while no converter runs. */
+    /** Sets the state in which the lamp was left while no converter was running. */
     synchronized void remains(boolean lit) {
         on = lit;
         bulbs.show(on && !filtered, on && filtered);
     }
 
-    /** Puts a filter in front of the lamp, or takes it away. */
+    /** Moves the filter in front of the lamp, or away from it. */
     synchronized void filter(boolean inPlace) {
         filtered = inPlace;
         show();
@@ -43,7 +43,7 @@ final class Lamp {
         System.out.println(this);
     }
 
-    /** What is to be seen. */
+    /** What a person sees. */
     @Override
     public synchronized String toString() {
         String light = !on ? "( ) dark" : filtered ? "(*) incandescent" : "(*) daylight";

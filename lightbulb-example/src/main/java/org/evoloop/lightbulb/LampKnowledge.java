@@ -4,7 +4,7 @@ import java.time.Duration;
 import org.evoloop.converter.StateKnowledge;
 import org.evoloop.evolution.ModelPair;
 
-/** Knows both models, and what the new states do. */
+/** Knows both models and the functions of the new states. */
 final class LampKnowledge extends StateKnowledge {
     private final Lamp lamp;
 

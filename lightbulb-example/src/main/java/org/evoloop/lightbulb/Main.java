@@ -34,7 +34,7 @@ import org.evoloop.xmi.ModelFiles;
 import org.evoloop.xmi.ModelReference;
 import org.evoloop.xmi.XmiFile;
 
-/** Puts the converter together and runs its console. */
+/** Builds the converter and runs its console. */
 public final class Main {
     private static final Option<Path> MODELS = Option.file(
             "models", "FILE", "A file with the machines 'original' and 'new' (default: models/light-bulb.xml).");
@@ -54,7 +54,7 @@ public final class Main {
         }
     }
 
-    /** What is written of time beside the models. */
+    /** The rules about time in the properties file beside the models. */
     private static TimeRules timeRules(Path models, ModelPair pair) throws IOException {
         Path file = new ModelReference(models, Optional.of("new")).beside(PropertyFile.ENDING);
         return Files.exists(file)

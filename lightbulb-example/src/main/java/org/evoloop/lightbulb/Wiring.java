@@ -13,7 +13,7 @@ import org.evoloop.gpio.Pins;
 import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 
-/** The pins of a Raspberry Pi at which a real switch and two real lamps are; without options none. */
+/** The pins of a Raspberry Pi with a real switch and two real lamps; no pins without these options. */
 final class Wiring implements AutoCloseable {
     private static final Option<List<Integer>> SWITCH_PIN = Option.value(
             "switch-pin",
@@ -27,7 +27,7 @@ final class Wiring implements AutoCloseable {
             "On a Raspberry Pi: lamps at GPIO A and GPIO B are the daylight and the warm light (default: no pin is touched).",
             text -> numbers(text, 2, "--lamp-pins takes two GPIO numbers, as in --lamp-pins 23,24"));
 
-    /** Its options. */
+    /** The options that name the pins. */
     static final Options OPTIONS = Options.of(SWITCH_PIN, LAMP_PINS);
 
     private static final Pattern NUMBER = Pattern.compile("[0-9]{1,2}");
@@ -36,7 +36,7 @@ final class Wiring implements AutoCloseable {
     private final List<Integer> lampPins;
     private @Nullable Pins pins;
 
-    /** The pins that the program was told. */
+    /** Takes the pins from the program's options. */
     Wiring(Settings settings) {
         switchPin = settings.get(SWITCH_PIN).orElse(List.of());
         lampPins = settings.get(LAMP_PINS).orElse(List.of());
@@ -51,7 +51,7 @@ final class Wiring implements AutoCloseable {
     }
 
     /**
-     * Has the switch tell {@code converter} when it closes, and the lamps show what {@code lamp} does.
+     * Makes the switch report to {@code converter} when it closes, and the lamps show what {@code lamp} does.
      *
      * @throws IOException if this computer has no pins
      */
@@ -77,7 +77,7 @@ final class Wiring implements AutoCloseable {
         }
     }
 
-    /** Both lamps are dark afterwards. */
+    /** Switches both lamps off and releases the pins. */
     @Override
     public void close() {
         if (pins != null) {

@@ -1,6 +1,6 @@
 /**
- * The smallest complete event converter, to be copied: it gives a lamp that can only be switched on and off a second
- * colour (the paper's running example, section III).
+ * The smallest complete event converter, meant to be copied. It gives a lamp that can only be switched on and off a
+ * second colour (the paper's running example, section III).
  */
 @NullMarked
 package org.evoloop.lightbulb;

@@ -4,7 +4,7 @@ import com.alibaba.cola.statemachine.StateMachine;
 import com.alibaba.cola.statemachine.builder.StateMachineBuilder;
 import com.alibaba.cola.statemachine.builder.StateMachineBuilderFactory;
 
-/** COLA's state machine component 5.0.0; it keeps no state, its caller does. */
+/** COLA's state machine component 5.0.0. It is stateless; its caller keeps the state. */
 final class ColaWalker extends Walker {
     private final StateMachine<String, String, ColaWalker> machine;
     private String state;
@@ -18,7 +18,7 @@ final class ColaWalker extends Walker {
                     .on(move.event())
                     .perform((from, to, event, walker) -> walker.act());
         }
-        // Machines are registered by their ids for good.
+        // Machines are registered permanently under their ids.
         machine = builder.build("walk-" + System.identityHashCode(this));
         state = walk.initial();
     }

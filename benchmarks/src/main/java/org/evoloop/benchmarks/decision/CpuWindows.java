@@ -15,8 +15,8 @@ import org.openjdk.jmh.results.ResultRole;
 import org.openjdk.jmh.util.SingletonStatistics;
 
 /**
- * The processor time of one operation: that of the quickest of many short windows. On a machine that does other things
- * as well this is what stays the same from run to run.
+ * The processor time of one operation, as the fastest of many short windows. On a machine with other load, this value
+ * varies least between runs.
  *
  * <p>Threading: written by the benchmark's only thread between two calls of the profiler.
  */
@@ -25,14 +25,14 @@ public final class CpuWindows implements InternalProfiler {
     static final String LABEL = "cpuMinimum";
 
     private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
-    /** Shorter windows would measure the clock. */
+    /** In shorter windows the cost of reading the clock would dominate. */
     private static final long WINDOW_NANOS = 10_000_000;
 
     private long begunNanos = -1;
     private long operations;
     private double minimum = Double.POSITIVE_INFINITY;
 
-    /** So many operations were done by the calling thread since the last call. */
+    /** Reports that the calling thread has done {@code more} operations since the last call. */
     void lap(long more) {
         long now = THREADS.getCurrentThreadCpuTime();
         operations += more;
@@ -64,7 +64,7 @@ public final class CpuWindows implements InternalProfiler {
         return Double.isInfinite(SHARED.minimum) ? List.of() : List.of(new Minimum(SHARED.minimum));
     }
 
-    /** A result of which the smallest counts. */
+    /** A result whose aggregate is the smallest value. */
     static final class Minimum extends Result<Minimum> {
         private static final long serialVersionUID = 1;
 

@@ -12,8 +12,9 @@ import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.TearDown;
 
 /**
- * One event, by its name, through the public interface of a library: ours decides what it means for a pair of models,
- * the others take a transition of one. What counts is what {@link CpuWindows} adds; JMH's own time is wall time.
+ * One event, by its name, through the public interface of a library. Ours decides what the event means for a pair of
+ * models, the others take a transition of one model. The relevant figure is that of {@link CpuWindows}; JMH's own is
+ * wall time.
  */
 @State(Scope.Benchmark)
 @BenchmarkMode(Mode.AverageTime)
@@ -51,7 +52,7 @@ public class DecisionBenchmark {
     }
 
     /**
-     * Fails if any event took no transition: its time would mean nothing.
+     * Fails if any event took no transition, since its time would be meaningless.
      *
      * @throws IllegalStateException if so
      */

@@ -14,7 +14,10 @@ import org.openjdk.jmh.runner.options.OptionsBuilder;
 import org.openjdk.jmh.runner.options.TimeValue;
 import org.openjdk.jmh.runner.options.VerboseMode;
 
-/** A decision by name and by number, beside the libraries and the limit; processor time, minimum over windows. */
+/**
+ * A decision by name and by number, compared with the libraries and with the lower limit; processor time, minimum over
+ * windows.
+ */
 public final class DecisionSuite implements Suite {
     private static final String BY_NAME = "byName";
     private static final String BYTES = "gc.alloc.rate.norm";

@@ -42,7 +42,7 @@ final class EvoloopWalker extends Walker {
                 StateMachine.named("walk").initial(walk.states().get(0));
         moves.forEach(move -> builder.transition(move.source(), move.event(), move.target()));
         if (walk.states().contains("Off") && moves.size() < walk.moves().size()) {
-            // What the device has, and the new model takes from it.
+            // Transitions of the device that the new model removes.
             builder.transition("On", "Spot", "Spot").transition("Clean", "Clean", "On");
         }
         return builder.build();

@@ -3,7 +3,7 @@ package org.evoloop.benchmarks.decision;
 import java.util.HashMap;
 import java.util.Map;
 
-/** The plainest thing that takes strings: a map of maps. */
+/** The simplest implementation with strings: a map of maps. */
 final class HashMapWalker extends Walker {
     private final Map<String, Map<String, String>> targets = new HashMap<>();
     private String state;

@@ -1,6 +1,6 @@
 package org.evoloop.benchmarks.decision;
 
-/** The libraries that are compared. */
+/** The libraries compared. */
 public enum Library {
     EVOLOOP("Evoloop") {
         @Override
@@ -51,18 +51,21 @@ public enum Library {
         this.label = label;
     }
 
-    /** As in the table. */
+    /** The name in the table. */
     String label() {
         return label;
     }
 
-    /** A machine of this library, at the beginning of the way. */
+    /** A machine of this library, in the walk's initial state. */
     abstract Walker walk(Walk walk);
 
-    /** After so many events of a quick library the processor time is read. */
+    /** The number of events between two readings of the processor time, for a fast library. */
     static final int QUICK_LAP = 1 << 14;
 
-    /** After so many events the processor time is read: as seldom as it costs nothing, as often as it takes no time. */
+    /**
+     * The number of events between two readings of the processor time: high enough to make their cost negligible, low
+     * enough to take little time.
+     */
     int lap() {
         return switch (this) {
             case SPRING -> 4;

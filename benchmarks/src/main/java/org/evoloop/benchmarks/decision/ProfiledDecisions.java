@@ -6,7 +6,7 @@ import java.time.Duration;
 import java.util.List;
 import org.evoloop.benchmarks.profile.Recorder;
 
-/** Decisions by the event's name, for Flight Recorder to look at. */
+/** Decisions by the event's name, to be recorded by Flight Recorder. */
 public final class ProfiledDecisions {
     private static final int ROUNDS_AT_ONCE = 10_000;
 
@@ -15,7 +15,7 @@ public final class ProfiledDecisions {
     /**
      * Writes a recording.
      *
-     * @param arguments the recording's file and how many seconds
+     * @param arguments the recording's file, and its length in seconds
      * @throws IllegalStateException if any event took no transition
      */
     public static void main(String[] arguments) throws IOException, InterruptedException {

@@ -19,7 +19,7 @@ import org.apache.commons.scxml.model.TransitionTarget;
 import org.jspecify.annotations.Nullable;
 import org.w3c.dom.Node;
 
-/** commons-scxml 0.9, its model made without a file. */
+/** commons-scxml 0.9, with a model built without a file. */
 final class ScxmlWalker extends Walker {
     private final SCXMLExecutor executor;
 

@@ -28,7 +28,7 @@ final class SpringWalker extends Walker {
     }
 
     @Override
-    @SuppressWarnings("deprecation") // the call that people use, and its cheapest
+    @SuppressWarnings("deprecation") // the usual call, and the cheapest
     void fire(String event) {
         machine.sendEvent(event);
     }

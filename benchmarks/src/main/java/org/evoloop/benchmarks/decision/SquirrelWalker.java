@@ -11,7 +11,7 @@ import org.squirrelframework.foundation.fsm.impl.AbstractUntypedStateMachine;
 final class SquirrelWalker extends Walker {
     private final UntypedStateMachine machine;
 
-    /** The library makes it by reflection. */
+    /** Created by the library through reflection. */
     @StateMachineParameters(stateType = String.class, eventType = String.class, contextType = Walker.class)
     public static class Machine extends AbstractUntypedStateMachine {}
 

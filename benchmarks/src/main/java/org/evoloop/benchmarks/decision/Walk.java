@@ -5,12 +5,12 @@ import java.util.List;
 import java.util.stream.IntStream;
 
 /**
- * A machine and a way through it that ends where it begins and is taken again and again.
+ * A machine and a closed path through it, which is repeated.
  *
  * <p>Threading: immutable.
  *
- * @param initial where the way begins
- * @param way the events, each of which is acceptable when it comes
+ * @param initial the state in which the path starts and ends
+ * @param way the events, each of which is acceptable when it occurs
  */
 record Walk(List<String> states, List<String> events, List<Move> moves, String initial, List<String> way) {
 
@@ -45,7 +45,7 @@ record Walk(List<String> states, List<String> events, List<Move> moves, String i
                         "timeout"));
     }
 
-    /** So many states in a circle, with a way forward and a way back from each; the way goes once round. */
+    /** A ring of {@code length} states, each with a transition forward and one back; the path goes round once. */
     static Walk chain(int length) {
         List<String> states =
                 IntStream.range(0, length).mapToObj(index -> "s" + index).toList();
@@ -57,7 +57,7 @@ record Walk(List<String> states, List<String> events, List<Move> moves, String i
         return new Walk(states, List.of("next", "back"), List.copyOf(moves), states.get(0), List.of("next"));
     }
 
-    /** The paper's machine for 6, else a chain of so many states. */
+    /** The paper's machine for 6, else a ring of {@code size} states. */
     static Walk of(int size) {
         return size == 6 ? robot() : chain(size);
     }

@@ -1,17 +1,17 @@
 package org.evoloop.benchmarks.decision;
 
 /**
- * A machine of one library on its way. Every transition that is really taken counts one action.
+ * A machine of one library, following its walk. Every transition that is actually taken counts one action.
  *
  * <p>Threading: one thread.
  */
 abstract class Walker {
     private long actions;
 
-    /** Has the machine take the event of this name. */
+    /** Makes the machine handle the event with this name. */
     abstract void fire(String event);
 
-    /** What a transition does. */
+    /** The action of every transition. */
     final void act() {
         actions++;
     }

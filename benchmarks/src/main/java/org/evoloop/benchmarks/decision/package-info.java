@@ -1,7 +1,7 @@
 /**
- * What one decision costs: ours beside the state machine libraries that people use, on the same machines.
+ * The cost of one decision: ours compared with popular state machine libraries, on the same machines.
  *
- * <p>This room may use the framework, the libraries, {@code org.evoloop.benchmarks.report} and {@code
+ * <p>This package may use the framework, the libraries, {@code org.evoloop.benchmarks.report} and {@code
  * org.evoloop.benchmarks.profile}.
  */
 @NullMarked

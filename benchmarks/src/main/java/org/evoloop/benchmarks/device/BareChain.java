@@ -12,9 +12,9 @@ import org.evoloop.link.SerialSettings;
 import org.evoloop.natives.Pty;
 
 /**
- * What a way from a byte read to a byte written costs at least on this computer: over the same serial link, in the
- * rhythm of the robot's frames, but with nothing on it than threads that sleep and wake each other. By turns with no
- * thread between, and with as many as a press goes through.
+ * The minimum latency from a byte read to a byte written on this computer: over the same serial link, at the rate of
+ * the robot's frames, but with only threads that sleep and wake each other. Alternates between no thread in between and
+ * as many as a button press passes through.
  */
 public final class BareChain {
     private static final int THREADS = 3;
@@ -28,7 +28,7 @@ public final class BareChain {
     /**
      * Prints the medians and the 99th percentiles in microseconds.
      *
-     * @param arguments how often each way is gone
+     * @param arguments how many times each path is measured
      */
     public static void main(String[] arguments) throws IOException, InterruptedException {
         int wanted = Integer.parseInt(arguments[0]);
@@ -49,7 +49,7 @@ public final class BareChain {
         }
     }
 
-    /** Frames without end, some of them with a mark. */
+    /** Sends frames endlessly, some of them with a mark. */
     private static void play(Pty pty) {
         byte[] taken = new byte[FRAME_BYTES];
         try {
@@ -72,7 +72,7 @@ public final class BareChain {
         return thread;
     }
 
-    /** Sends each mark on its way. */
+    /** Sends each mark along the next path. */
     private static void read(Link link, List<Way> ways) {
         byte[] buffer = new byte[1_024];
         int turn = 0;
@@ -86,7 +86,7 @@ public final class BareChain {
         }
     }
 
-    /** From the reader's thread over so many others to the link. */
+    /** A path from the reader's thread through a number of other threads to the link. */
     private static final class Way {
         private static final Object TOKEN = new Object();
         private static final byte[] ANSWER = {(byte) 135};

@@ -63,7 +63,8 @@ public final class DeviceSuite implements Suite {
     private record Started(double seconds, double megabytes) {}
 
     /**
-     * Starts the program on a simulated robot that runs already; a press of its controller's button is the first event.
+     * Starts the program with a simulated robot that is already running; a press of its controller's button is the
+     * first event.
      */
     private static Started start() throws IOException {
         Path folder = Files.createTempDirectory("evoloop");
@@ -95,7 +96,7 @@ public final class DeviceSuite implements Suite {
         }
     }
 
-    /** The transcript goes to one of the two streams, and both must be read. */
+    /** The transcript goes to only one of the two streams, but both must be read. */
     private static void awaitLine(BufferedReader output, BufferedReader other, String end) throws IOException {
         for (String line = output.readLine(); line != null; line = output.readLine()) {
             if (line.contains(end)) {

@@ -32,15 +32,15 @@ import org.evoloop.time.SystemClock;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a journal adds to a press: the same as {@link PressToCommand} without one, forced by batch and forced per
- * intent, in turns of {@value #TURN} presses in one process, so that whatever else the computer does concerns all
- * three.
+ * What a journal adds to a button press: the measurement of {@link PressToCommand} without a journal, with one forced
+ * per batch, and with one forced per intent. They alternate every {@value #TURN} presses in one process, so that other
+ * load on the computer affects all three.
  */
 public final class JournalCost {
     private static final double SPEED = 4;
     private static final int TURN = 10;
 
-    /** How the journal is kept. */
+    /** The kinds of journal. */
     enum Keeping {
         NONE(null),
         BY_BATCH(Forcing.BY_BATCH),
@@ -63,7 +63,7 @@ public final class JournalCost {
     /**
      * Prints the medians and the 99th percentiles in microseconds.
      *
-     * @param arguments how many commands of each kind at least
+     * @param arguments the minimum number of commands of each kind
      */
     public static void main(String[] arguments) throws IOException, InterruptedException {
         int wanted = Integer.parseInt(arguments[0]);
@@ -72,7 +72,7 @@ public final class JournalCost {
                 Clock robotClock = new SystemClock();
                 SimulatorServer robot = SimulatorServer.start(
                         folder.path().resolve("roomba"), RobotOptions.defaults(), robotClock, SPEED)) {
-            // What runs for the first time does not count.
+            // Warm-up, not counted.
             for (Keeping keeping : Keeping.values()) {
                 turn(keeping, folder.path(), robot, Latencies.histogram());
                 nanos.put(keeping, Latencies.histogram());
@@ -106,7 +106,7 @@ public final class JournalCost {
         }
     }
 
-    /** Its rows. */
+    /** The rows of the table. */
     static List<Row> rows(Figures measured) {
         double without = measured.get("NONE p50");
         return List.of(

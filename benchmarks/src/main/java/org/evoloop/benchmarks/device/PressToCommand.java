@@ -23,8 +23,9 @@ import org.evoloop.time.Clock;
 import org.evoloop.time.SystemClock;
 
 /**
- * Presses the robot's own CLEAN again and again: idle and on it only reports the press, and the converter sends the
- * command; at work it pauses by itself. The models are those of the device itself, so nothing else comes between.
+ * Presses the robot's own CLEAN button repeatedly. When the robot is idle and on, it only reports the press, and the
+ * converter sends the command; when it is cleaning, it pauses by itself. Both models are the device's own, so that
+ * nothing else adds to the latency.
  */
 public final class PressToCommand {
     private static final double SPEED = 4;
@@ -35,7 +36,7 @@ public final class PressToCommand {
     /**
      * Prints the median and the 99th percentile in microseconds.
      *
-     * @param arguments how many commands, and the name of the {@link PressWay}
+     * @param arguments the number of commands, and the name of the {@link PressWay}
      */
     public static void main(String[] arguments) throws IOException, InterruptedException {
         int wanted = Integer.parseInt(arguments[0]);
@@ -67,14 +68,14 @@ public final class PressToCommand {
         Latencies.print("press", nanos);
     }
 
-    /** Presses once, and waits until that has been dealt with. */
+    /** Presses once, and waits until the press has been handled. */
     static void press(WorldCommands world, RoombaConverter roomba, Clock clock) throws InterruptedException {
         long before = roomba.converter().status().events().handled();
         world.execute("press clean");
         while (roomba.converter().status().events().handled() == before) {
             clock.sleep(LOOK);
         }
-        // What it was told or did by itself takes a moment to come about.
+        // Commands and actions of its own take the robot a moment.
         clock.sleep(Duration.ofSeconds(2));
     }
 }

@@ -9,11 +9,11 @@ import org.evoloop.loop.LoopConfig;
 import org.evoloop.loop.ThreadingModel;
 
 /**
- * How a press goes through the loop's components, and what it may cost beside the bare way over the same link that is
- * most like it: ratios in one run, since the time itself is that of the machine's threads.
+ * A path of a button press through the loop's components, and its limits relative to the most similar bare path over
+ * the same link. The limits are ratios within one run, since absolute times depend on the machine's threads.
  */
 enum PressWay {
-    /** One thread takes it through all components. */
+    /** One thread runs all components. */
     CARRIER(
             "button to command, added by us, median",
             "button to command, added by us, 99th percentile",
@@ -21,7 +21,7 @@ enum PressWay {
             Bare.DIRECT,
             6,
             6),
-    /** A thread a component, as in the paper. */
+    /** One thread per component, as in the paper. */
     THREADS(
             "button to command, a thread a component, median",
             "button to command, a thread a component, 99th percentile",
@@ -37,7 +37,7 @@ enum PressWay {
     private final double mostAtMedian;
     private final double mostAtPercentile99;
 
-    /** @param median what its row is called, and so for the 99th percentile */
+    /** @param median the name of its row; likewise for the 99th percentile */
     PressWay(
             String median,
             String percentile99,
@@ -53,7 +53,7 @@ enum PressWay {
         this.mostAtPercentile99 = mostAtPercentile99;
     }
 
-    /** A way that {@link BareChain} measures. */
+    /** A path that {@link BareChain} measures. */
     enum Bare {
         DIRECT("direct", "a byte sent back by its reader"),
         THREADS("threads", "by way of 3 bare threads");
@@ -76,10 +76,10 @@ enum PressWay {
     }
 
     /**
-     * Its median and its 99th percentile.
+     * The rows for its median and its 99th percentile.
      *
-     * @param press what {@link PressToCommand} has told
-     * @param measured what {@link BareChain} has told
+     * @param press the output of {@link PressToCommand}
+     * @param measured the output of {@link BareChain}
      */
     List<Row> rows(Figures press, Figures measured) {
         return List.of(

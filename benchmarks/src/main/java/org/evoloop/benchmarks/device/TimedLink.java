@@ -5,8 +5,8 @@ import org.evoloop.link.ForwardingLink;
 import org.evoloop.link.Link;
 
 /**
- * A link that measures from when the byte that completes a frame was read to when the operating system has taken a
- * command that answers it.
+ * Measures the time from reading the byte that completes a frame until the operating system has accepted the command
+ * that answers it.
  *
  * <p>Threading: as {@link Link}.
  */

@@ -1,7 +1,7 @@
 /**
- * The Roomba converter as it is used: with a robot behind a pseudo-terminal, and as a program of its own.
+ * The Roomba converter as it is used: with a robot behind a pseudo-terminal, and as a separate program.
  *
- * <p>This room may use the Roomba converter, the framework and {@code org.evoloop.benchmarks.report}.
+ * <p>This package may use the Roomba converter, the framework and {@code org.evoloop.benchmarks.report}.
  */
 @NullMarked
 package org.evoloop.benchmarks.device;

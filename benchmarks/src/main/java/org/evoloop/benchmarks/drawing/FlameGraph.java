@@ -8,8 +8,8 @@ import org.evoloop.benchmarks.profile.Profile;
 import org.evoloop.program.Svg;
 
 /**
- * A flame graph that hangs from its top: a thread, and below each method those that it called, as wide as they were
- * seen often. Pointing at one tells its whole name and its share.
+ * A flame graph drawn from the top: a thread, and below each method the ones it called, with a width proportional to
+ * the number of samples. A tooltip shows the full name and the share.
  */
 public final class FlameGraph {
     private static final double WIDTH = 1200;
@@ -64,7 +64,7 @@ public final class FlameGraph {
         return graph.svg.toString();
     }
 
-    /** A method where it was called from, with what it called. */
+    /** A method at one place in the call tree, with the methods it called. */
     private static final class Frame {
         private final Map<String, Frame> called = new TreeMap<>();
         private long samples;
@@ -117,7 +117,7 @@ public final class FlameGraph {
         return name.startsWith("org.evoloop.") ? "ours" : "other";
     }
 
-    /** Class and method as far as there is room: of {@code org.evoloop.loop.Monitor.run} it is {@code Monitor.run}. */
+    /** Class and method, as far as they fit: {@code Monitor.run} for {@code org.evoloop.loop.Monitor.run}. */
     static String shorten(String name, int letters) {
         List<String> words = List.of(name.split("\\.", -1));
         String classAndMethod = String.join(".", words.subList(Math.max(0, words.size() - 2), words.size()));

@@ -10,13 +10,13 @@ import java.util.stream.IntStream;
  * <p>Threading: immutable.
  *
  * @param lowest the power of ten at its left end
- * @param decades how many there are
- * @param left where it begins, in pixels
+ * @param decades the number of decades
+ * @param left its left end, in pixels
  * @param width in pixels
  */
 record LogAxis(int lowest, int decades, double left, double width) {
 
-    /** The axis of whole decades on which these values, all above 0, lie. */
+    /** The shortest axis of whole decades that contains these values, all above 0. */
     static LogAxis over(DoubleStream values, double left, double width) {
         double[] logarithms = values.map(Math::log10).sorted().toArray();
         int lowest = (int) Math.floor(logarithms[0]);
@@ -24,12 +24,12 @@ record LogAxis(int lowest, int decades, double left, double width) {
         return new LogAxis(lowest, Math.max(1, highest - lowest), left, width);
     }
 
-    /** Where a value lies, in pixels. */
+    /** The position of a value, in pixels. */
     double x(double value) {
         return left + (Math.log10(value) - lowest) / decades * width;
     }
 
-    /** The values that have a line: the powers of ten. */
+    /** The values with grid lines: the powers of ten. */
     List<Double> marks() {
         return IntStream.rangeClosed(lowest, lowest + decades)
                 .mapToObj(power -> Math.pow(10, power))

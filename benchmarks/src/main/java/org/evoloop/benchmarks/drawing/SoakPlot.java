@@ -7,7 +7,7 @@ import org.evoloop.benchmarks.report.SoakSample;
 import org.evoloop.benchmarks.report.Table;
 import org.evoloop.program.Svg;
 
-/** The plot of a soak: one panel for each figure, from the first event to the last. */
+/** Plots a soak: one panel for each figure, from the first event to the last. */
 public final class SoakPlot {
     private static final double WIDTH = 860;
     private static final double LEFT = 250;
@@ -26,7 +26,7 @@ public final class SoakPlot {
             .curve { stroke: #0b62a8; stroke-width: 2 }
             """;
 
-    /** What is drawn, from zero to a little more than the most. */
+    /** One panel, from zero to slightly above the maximum. */
     private record Panel(String name, ToDoubleFunction<SoakSample> figure) {}
 
     private static final List<Panel> PANELS = List.of(

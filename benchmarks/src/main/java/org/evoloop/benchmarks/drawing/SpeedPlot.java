@@ -11,8 +11,8 @@ import org.evoloop.benchmarks.report.Table;
 import org.evoloop.program.Svg;
 
 /**
- * The plot of a run: how long a decision takes, ours and others', and how long the loop takes beside bare rings, each
- * with its goals. A line holds one contender, a full dot for its usual figure and a hollow one for the harder case.
+ * Plots a run: the time of a decision, ours and others', and the time of the loop compared with bare rings, each with
+ * its goals. Each line is one contender, with a full dot for the usual case and a hollow one for the harder case.
  */
 public final class SpeedPlot {
     private static final double WIDTH = 860;
@@ -57,7 +57,7 @@ public final class SpeedPlot {
     /**
      * The plot as an SVG document.
      *
-     * @throws IllegalArgumentException if the results have not all the rows that are drawn
+     * @throws IllegalArgumentException if the results lack a row that is drawn
      */
     public static String svg(Results results) {
         List<Panel> panels = List.of(
@@ -95,10 +95,10 @@ public final class SpeedPlot {
                         "the results have no row \"" + what + "\"; plot a run of the suites decision and ring"));
     }
 
-    /** Two rows of the same contenders. */
+    /** Two rows with the same contenders. */
     private record Panel(String title, String fullName, Row full, String hollowName, Row hollow) {
 
-        /** From the quickest to the slowest. */
+        /** From fastest to slowest. */
         List<Contender> contenders() {
             List<Contender> contenders = new ArrayList<>();
             contenders.add(new Contender("Evoloop", full.ours(), hollow.ours(), true));
@@ -148,7 +148,7 @@ public final class SpeedPlot {
         top += panel.height();
     }
 
-    /** Their names stand on either side, since they are close together. */
+    /** The labels are on opposite sides, since the goals are close together. */
     private void goals(Panel panel, LogAxis axis, double first, double bottom) {
         double full = panel.full.goal().limit();
         double hollow = panel.hollow.goal().limit();
@@ -178,13 +178,13 @@ public final class SpeedPlot {
         svg.text("value" + ours, HOLLOW_COLUMN, y + 5, duration(contender.hollow, unit));
     }
 
-    /** Above the columns of numbers. */
+    /** The headings of the number columns. */
     private void legend(Panel panel, double y) {
         svg.text("column", FULL_COLUMN, y, panel.fullName).circle("full", FULL_COLUMN - 6, y - 18, 5);
         svg.text("column", HOLLOW_COLUMN, y, panel.hollowName).circle("hollow", HOLLOW_COLUMN - 6, y - 18, 5);
     }
 
-    /** In the unit that leaves the number short. */
+    /** In the unit that gives the shortest number. */
     static String duration(double value, String unit) {
         double nanos = unit.equals("us") ? value * 1e3 : value;
         if (nanos < 1e3) {

@@ -1,7 +1,7 @@
 /**
- * Pictures of what was measured, as SVG: the figures of a run beside those of others, and where a profile's time goes.
+ * Pictures of the measurements, as SVG: our figures beside those of others, and a profile.
  *
- * <p>This room may use {@code org.evoloop.benchmarks.report} and {@code org.evoloop.benchmarks.profile}.
+ * <p>This package may use {@code org.evoloop.benchmarks.report} and {@code org.evoloop.benchmarks.profile}.
  */
 @NullMarked
 package org.evoloop.benchmarks.drawing;

@@ -12,8 +12,8 @@ import org.evoloop.benchmarks.report.Row;
 import org.evoloop.evolution.DecisionTable;
 
 /**
- * A pair of 10,000 states and 100,000 transitions, in SCXML: from the files to the decisions, again and again, by turns
- * with a StAX parse of the same two files.
+ * A pair of models with 10,000 states and 100,000 transitions, in SCXML. Repeatedly reads the files and compiles the
+ * decisions, alternating with a StAX parse of the same two files.
  */
 public final class LargePair {
     private static final int STATES = 10_000;
@@ -24,10 +24,10 @@ public final class LargePair {
     private LargePair() {}
 
     /**
-     * Prints, after as many turns to warm up, the least processor time of the thread in ms, of both, and the median of
-     * our time by the clock.
+     * Prints, after as many warm-up turns, the minimum processor time of the thread in ms, of both, and the median of
+     * our wall time.
      *
-     * @param arguments how many turns
+     * @param arguments the number of turns
      */
     public static void main(String[] arguments) throws IOException {
         int turns = Integer.parseInt(arguments[0]);
@@ -74,7 +74,7 @@ public final class LargePair {
         }
     }
 
-    /** @param found what was printed */
+    /** @param found the printed figures */
     static Row row(Figures found) {
         return new Row(
                 "10,000 states, 100,000 transitions, processor time",
@@ -84,7 +84,7 @@ public final class LargePair {
                 Map.of("by the clock, with the collector", found.get("large clock")));
     }
 
-    /** A state has five ways out, near and far. */
+    /** Each state has five outgoing transitions, to near and far states. */
     private static String chart() {
         StringBuilder text =
                 new StringBuilder("<scxml xmlns=\"http://www.w3.org/2005/07/scxml\" version=\"1.0\" initial=\"s0\">\n");

@@ -10,12 +10,12 @@ import org.evoloop.benchmarks.report.Row;
 import org.evoloop.benchmarks.report.Suite;
 import org.evoloop.xmi.ModelFiles;
 
-/** Reading and compiling in a process that has just begun and in one that is warm. */
+/** Reading and compiling models, in a new process and in a warm one. */
 public final class LoadingSuite implements Suite {
     /**
-     * All memory is handed out before the first time: on a virtual machine that takes longer than all the rest, and
-     * differs from run to run. The collector is the one that {@code ./evoloop} chooses; the compiler is the last one,
-     * for both.
+     * Allocates all memory before the first measurement: on a virtual machine that takes longer than everything else,
+     * and varies between runs. The garbage collector is the one that {@code ./evoloop} uses; the compiler is C2 for
+     * both.
      */
     private static final List<String> WARM_HEAP =
             List.of("-XX:+UseSerialGC", "-Xms1g", "-Xmx1g", "-XX:+AlwaysPreTouch");
@@ -36,7 +36,7 @@ public final class LoadingSuite implements Suite {
         double domSeconds = Double.POSITIVE_INFINITY;
         double readSeconds = Double.POSITIVE_INFINITY;
         double emptySeconds = Double.POSITIVE_INFINITY;
-        // By turns, so that a busy moment of the machine hits all of them.
+        // Alternating, so that other load on the machine affects all of them.
         for (int time = 0; time < times; time++) {
             domSeconds = Math.min(domSeconds, dom.cpuSeconds());
             readSeconds = Math.min(readSeconds, read.cpuSeconds());

@@ -4,12 +4,12 @@ import java.io.File;
 import javax.xml.parsers.DocumentBuilderFactory;
 import org.evoloop.benchmarks.report.ResidentMemory;
 
-/** Parses a file with the JDK's DOM parser and does nothing with it: the least that another reader could do. */
+/** Parses a file with the JDK's DOM parser and discards it: the minimum for any other reader. */
 public final class ParseDom {
     private ParseDom() {}
 
     /**
-     * Prints the process's greatest resident memory in MB.
+     * Prints the process's peak resident memory in MB.
      *
      * @param arguments the file
      */

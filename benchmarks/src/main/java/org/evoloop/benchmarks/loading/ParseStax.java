@@ -11,15 +11,15 @@ import javax.xml.stream.XMLStreamException;
 import javax.xml.stream.XMLStreamReader;
 
 /**
- * Reads every element and every attribute of a file with the JDK's StAX parser and keeps nothing: the least that
- * reading costs.
+ * Reads every element and attribute of a file with the JDK's StAX parser and keeps nothing: the minimum cost of
+ * reading.
  */
 final class ParseStax {
     private static final XMLInputFactory FACTORY = XMLInputFactory.newDefaultFactory();
 
     private ParseStax() {}
 
-    /** How many characters the names of all elements and attributes and the attributes' values have. */
+    /** The total length of all element names, attribute names and attribute values, in characters. */
     static long characters(Path file) throws IOException {
         try (InputStream bytes = new BufferedInputStream(Files.newInputStream(file))) {
             XMLStreamReader reader = FACTORY.createXMLStreamReader(bytes);

@@ -11,14 +11,14 @@ import org.evoloop.evolution.ModelPair;
 import org.evoloop.statemachine.Event;
 import org.evoloop.xmi.XmiFile;
 
-/** Reads a pair from a file and compiles its decisions. */
+/** Reads a pair of models from a file and compiles its decisions. */
 public final class ReadPair {
     private ReadPair() {}
 
     /**
-     * Prints the process's greatest resident memory in MB.
+     * Prints the process's peak resident memory in MB.
      *
-     * @param arguments the file; it holds "original" and "new"
+     * @param arguments the file; it contains "original" and "new"
      */
     public static void main(String[] arguments) throws IOException {
         DecisionTable table = compile(Path.of(arguments[0]));

@@ -1,7 +1,7 @@
 /**
- * What it costs to read models, to start, and to carry the framework along.
+ * The cost of reading models, of starting, and of depending on the framework.
  *
- * <p>This room may use the framework and {@code org.evoloop.benchmarks.report}.
+ * <p>This package may use the framework and {@code org.evoloop.benchmarks.report}.
  */
 @NullMarked
 package org.evoloop.benchmarks.loading;

@@ -16,14 +16,14 @@ import jdk.jfr.consumer.RecordedThread;
 import jdk.jfr.consumer.RecordingFile;
 
 /**
- * What Flight Recorder has seen: in which methods threads were when it looked, and what was allocated where. It sees
- * threads that run Java code; whoever sleeps, gives way to others or is in the kernel is not seen.
+ * What Flight Recorder has sampled: the methods that threads were in, and what was allocated where. It samples only
+ * threads that run Java code, not threads that sleep, yield or are in the kernel.
  *
  * <p>Threading: immutable.
  *
- * @param load how much of the machine's processors the process took
- * @param samples how often each way of calls was seen
- * @param allocations estimated bytes of each class, by where
+ * @param load how much of the machine's processors the process used
+ * @param samples the number of samples for each call stack
+ * @param allocations estimated bytes of each class, by place
  */
 public record Profile(Load load, Map<Stack, Long> samples, Map<Allocation, Long> allocations) {
     static final String SAMPLE = "jdk.ExecutionSample";
@@ -32,20 +32,22 @@ public record Profile(Load load, Map<Stack, Long> samples, Map<Allocation, Long>
     private static final String MEASURING = Recorder.class.getName() + ".repeat";
     private static final String RECORDING = Recorder.class.getName() + ".record";
 
-    /** As class files name them. */
+    /** The names in class files. */
     private static final Map<String, String> PRIMITIVES = Map.of(
             "Z", "boolean", "B", "byte", "C", "char", "S", "short", "I", "int", "J", "long", "F", "float", "D",
             "double");
 
-    /** Shares of all the machine's processors, from 0 to 1: in its own code, and in the kernel for it. */
+    /**
+     * Shares of all the machine's processors, from 0 to 1: in the process's own code, and in the kernel on its behalf.
+     */
     public record Load(double user, double kernel) {}
 
     /**
-     * A way of calls.
+     * A call stack.
      *
-     * @param thread by its name without a number
-     * @param methods as {@code org.evoloop.loop.Monitor.run}, from what was measured, or the thread's first, to the one
-     *     that it was in
+     * @param thread the thread's name without its number
+     * @param methods such as {@code org.evoloop.loop.Monitor.run}, from the measured work, or else the thread's first
+     *     method, to the innermost one
      */
     public record Stack(String thread, List<String> methods) {
         public Stack {
@@ -53,7 +55,7 @@ public record Profile(Load load, Map<Stack, Long> samples, Map<Allocation, Long>
         }
     }
 
-    /** Instances of {@code type} made in {@code method}, Evoloop's own where there is one. */
+    /** Instances of {@code type} created in {@code method}, which is Evoloop's own if there is one on the stack. */
     public record Allocation(String type, String method) {}
 
     public Profile {
@@ -61,7 +63,7 @@ public record Profile(Load load, Map<Stack, Long> samples, Map<Allocation, Long>
         allocations = Collections.unmodifiableMap(new LinkedHashMap<>(allocations));
     }
 
-    /** Reads what {@link Recorder} has written. */
+    /** Reads a recording of {@link Recorder}. */
     public static Profile read(Path recording) throws IOException {
         Map<Stack, Long> samples = new LinkedHashMap<>();
         Map<Allocation, Long> allocations = new LinkedHashMap<>();
@@ -85,7 +87,7 @@ public record Profile(Load load, Map<Stack, Long> samples, Map<Allocation, Long>
                         loads++;
                     }
                     default -> {
-                        // Flight Recorder tells of itself, too.
+                        // Events about Flight Recorder itself are ignored.
                     }
                 }
             }
@@ -107,7 +109,7 @@ public record Profile(Load load, Map<Stack, Long> samples, Map<Allocation, Long>
         return new Allocation(type(event.getClass("objectClass")), method);
     }
 
-    /** Those above what was measured are the same everywhere, and say nothing. */
+    /** Without the methods outside the measured work, which are always the same. */
     private static List<String> methods(RecordedEvent event) {
         List<String> methods = new ArrayList<>();
         RecordedStackTrace trace = event.getStackTrace();
@@ -137,12 +139,12 @@ public record Profile(Load load, Map<Stack, Long> samples, Map<Allocation, Long>
         return plain + "[]".repeat(dimensions);
     }
 
-    /** Without the numbers that classes which nobody wrote get by chance. */
+    /** Without the random numbers in the names of generated classes. */
     private static String plain(String className) {
         return className.replace('/', '.').replaceFirst("(?<=\\$\\$Lambda).*|[+.]0x.*", "");
     }
 
-    /** How many samples there are. */
+    /** The number of samples. */
     public long sampleCount() {
         return samples.values().stream().mapToLong(Long::longValue).sum();
     }

@@ -6,13 +6,13 @@ import java.util.HashSet;
 import java.util.Locale;
 import java.util.Map;
 
-/** A profile for people: which methods, which threads and which allocations it is that count. */
+/** A profile as text: the most important methods, threads and allocations. */
 public final class ProfileText {
     private static final int LINES = 12;
 
     private ProfileText() {}
 
-    /** The first few of each, with their share in percent. */
+    /** The top few of each, with their share in percent. */
     public static String of(Profile profile) {
         Map<String, Long> threads = new HashMap<>();
         Map<String, Long> self = new HashMap<>();
@@ -21,7 +21,7 @@ public final class ProfileText {
             threads.merge(stack.thread(), count, Long::sum);
             int last = stack.methods().size() - 1;
             self.merge(last < 0 ? "?" : stack.methods().get(last), count, Long::sum);
-            // Whoever calls itself is there once.
+            // A recursive method counts only once per stack.
             new HashSet<>(stack.methods()).forEach(method -> inclusive.merge(method, count, Long::sum));
         });
         Map<String, Long> allocated = new HashMap<>();

@@ -5,25 +5,25 @@ import java.nio.file.Path;
 import java.time.Duration;
 import jdk.jfr.Recording;
 
-/** Has Flight Recorder look at work that goes on and on. */
+/** Records repeated work with Flight Recorder. */
 public final class Recorder {
-    /** As often as Flight Recorder can look. */
+    /** The shortest period that Flight Recorder supports. */
     private static final Duration PERIOD = Duration.ofMillis(1);
 
     private static final Duration LOAD_PERIOD = Duration.ofMillis(200);
 
     private Recorder() {}
 
-    /** Something worth looking at, done a few thousand times: the clock is read between two calls. */
+    /** Work to record, repeated a few thousand times per call; the clock is read between two calls. */
     @FunctionalInterface
     public interface Work {
         void run() throws InterruptedException;
     }
 
     /**
-     * Does the work for as long without being looked at, so that it is compiled, and then while recorded.
+     * Repeats the work for {@code length} without a recording, so that it is compiled, and then for as long with one.
      *
-     * @param file what the recording is written to
+     * @param file the recording to write
      */
     public static void record(Path file, Duration length, Work work) throws IOException, InterruptedException {
         repeat(length, work);

@@ -1,8 +1,7 @@
 /**
- * Where a program's time and memory go: work that is recorded with the JDK's Flight Recorder, and the recording told as
- * text.
+ * Where a program's time and memory go: records work with the JDK's Flight Recorder, and shows the recording as text.
  *
- * <p>This room may use nothing of the other rooms.
+ * <p>This package may use no other package of the benchmarks.
  */
 @NullMarked
 package org.evoloop.benchmarks.profile;

@@ -4,14 +4,14 @@ import java.util.HashMap;
 import java.util.Map;
 
 /**
- * What a process has measured: figures by name.
+ * The figures that a process has measured, by name.
  *
  * <p>Threading: immutable.
  */
 public final class Figures {
     private final Map<String, Double> byName = new HashMap<>();
 
-    /** Reads lines of a name, a space and a number; lines of another form do not count. */
+    /** Reads lines of a name, a space and a number; ignores other lines. */
     public static Figures parse(String text) {
         Figures figures = new Figures();
         for (String line : text.lines().toList()) {
@@ -24,7 +24,7 @@ public final class Figures {
     }
 
     /**
-     * The figure of this name.
+     * The figure with this name.
      *
      * @throws IllegalStateException if there is none
      */

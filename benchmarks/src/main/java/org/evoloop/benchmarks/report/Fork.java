@@ -10,11 +10,11 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 
 /**
- * A JVM of its own to measure in, so that nothing that was measured before has warmed it up or filled its caches. What
- * it found it prints as lines of a name and a number.
+ * A separate JVM to measure in, so that earlier measurements have not warmed it up or filled its caches. It prints its
+ * results as lines of a name and a number.
  */
 public final class Fork {
-    /** As {@code ./evoloop} and the package start programs. */
+    /** The options with which {@code ./evoloop} and the package start programs. */
     public static final List<String> SHIPPED_OPTIONS = List.of("@"
             + Path.of(System.getProperty("evoloop.home", ""), "framework/package/root/usr/share/evoloop/jvm.options"));
 
@@ -39,13 +39,13 @@ public final class Fork {
      * A JVM that runs {@code main} as {@code ./evoloop} would: with an archive of the classes that a short run needs.
      *
      * @param shortRun the short run's arguments
-     * @throws IOException if that does not end well
+     * @throws IOException if the short run fails
      */
     public static Fork shipped(Class<?> main, List<String> shortRun, String... arguments)
             throws IOException, InterruptedException {
         Path folder = Files.createTempDirectory("evoloop");
         Path archive = folder.resolve("classes.jsa");
-        // The last one named is the first to go.
+        // The last one registered is deleted first.
         folder.toFile().deleteOnExit();
         archive.toFile().deleteOnExit();
         run(of(main, shippedWith("-XX:ArchiveClassesAtExit=" + archive), shortRun.toArray(String[]::new)).command);
@@ -54,12 +54,12 @@ public final class Fork {
 
     private static List<String> shippedWith(String archiveOption) {
         List<String> options = new ArrayList<>(SHIPPED_OPTIONS);
-        // What cannot be archived is nobody's concern here, and would stand among the figures.
+        // Warnings about classes that cannot be archived are irrelevant, and would be printed among the figures.
         options.addAll(List.of(archiveOption, "-Xlog:cds=off", "-Xlog:cds+dynamic=off"));
         return options;
     }
 
-    /** A JVM with these arguments alone. */
+    /** A JVM with only these arguments. */
     public static Fork java(String... arguments) {
         Fork fork = new Fork();
         fork.command.addAll(List.of(arguments));
@@ -70,19 +70,19 @@ public final class Fork {
      * Runs it to its end.
      *
      * @return the lines of a name and a number that it printed
-     * @throws IOException if it does not end well
+     * @throws IOException if it fails
      */
     public Figures figures() throws IOException, InterruptedException {
         return Figures.parse(run(command));
     }
 
-    /** The processor time of the whole process, from its start to its end, in seconds: what it and the kernel did. */
+    /** The processor time of the whole process from start to end, in seconds, including time in the kernel. */
     public double cpuSeconds() throws IOException, InterruptedException {
         double[] userAndSystem = times("%U %S");
         return userAndSystem[0] + userAndSystem[1];
     }
 
-    /** From start to end, in seconds. */
+    /** The wall time from start to end, in seconds. */
     public double wallSeconds() throws IOException, InterruptedException {
         return times("%R")[0];
     }

@@ -2,7 +2,7 @@ package org.evoloop.benchmarks.report;
 
 import org.HdrHistogram.Histogram;
 
-/** Times of many events, in nanoseconds, so that their percentiles can be told. */
+/** Latencies of many events, in nanoseconds, and their percentiles. */
 public final class Latencies {
     private static final long LONGEST_NANOS = 10_000_000_000L;
 

@@ -9,13 +9,13 @@ import java.time.ZoneOffset;
 import java.util.List;
 
 /**
- * Where figures come from.
+ * The origin of figures.
  *
  * <p>Threading: immutable.
  *
- * @param machine what they were measured on: JDK, processors and operating system
- * @param commit what was measured; {@code -dirty} at its end if that was changed since
- * @param day when, by UTC, as {@code 2026-11-21}
+ * @param machine where they were measured: JDK, processors and operating system
+ * @param commit what was measured; with {@code -dirty} at its end if there were uncommitted changes
+ * @param day when, in UTC, as {@code 2026-11-21}
  */
 public record Origin(String machine, String commit, String day) {
     private static final String UNKNOWN = "unknown";
@@ -32,7 +32,7 @@ public record Origin(String machine, String commit, String day) {
                 + System.getProperty("os.version") + " " + System.getProperty("os.arch");
     }
 
-    /** What the processor calls itself, and a comma; nothing where it does not tell. */
+    /** The processor's model name and a comma; empty if it is unknown. */
     private static String processor() {
         try (var lines = Files.lines(Path.of("/proc/cpuinfo"))) {
             return lines.filter(line -> line.startsWith("model name"))
@@ -44,7 +44,7 @@ public record Origin(String machine, String commit, String day) {
         }
     }
 
-    /** A copy of the project without its history has none. */
+    /** A copy of the project without its history has no commit. */
     private static String thisCommit() throws InterruptedException {
         List<String> command = List.of(
                 "git", "-C", System.getProperty("evoloop.home", "."), "describe", "--always", "--dirty", "--exclude=*");

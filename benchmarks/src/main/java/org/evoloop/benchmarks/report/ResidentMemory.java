@@ -4,16 +4,16 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 
-/** The most memory that a process has held so far, in MB. */
+/** The peak resident memory of a process so far, in MB. */
 public final class ResidentMemory {
     private ResidentMemory() {}
 
-    /** That of this process. */
+    /** The peak of this process. */
     public static double ofThisProcess() throws IOException {
         return megabytes("self");
     }
 
-    /** That of another one. */
+    /** The peak of another process. */
     public static double of(long pid) throws IOException {
         return megabytes(Long.toString(pid));
     }

@@ -14,8 +14,8 @@ import tools.jackson.databind.ObjectWriter;
 import tools.jackson.databind.json.JsonMapper;
 
 /**
- * What a run has found, as JSON for programs: an object with the origin and an array of rows, a line each, so that two
- * runs can be compared line by line.
+ * The results of a run as JSON: an object with the origin and an array of rows, one per line, so that two runs can be
+ * compared line by line.
  *
  * <p>Threading: immutable.
  */
@@ -34,7 +34,7 @@ public record Results(Origin origin, List<Row> rows) {
     /** The file. */
     record Document(String machine, String commit, String day, List<Line> rows) {}
 
-    /** A row of the file; what follows from the rest, as the ratio, is written as well. */
+    /** A row of the file. Derived values, such as the ratio, are also written. */
     record Line(
             String what,
             String unit,
@@ -71,9 +71,9 @@ public record Results(Origin origin, List<Row> rows) {
     }
 
     /**
-     * Reads what {@link #json} has written.
+     * Reads the output of {@link #json}.
      *
-     * @throws IllegalArgumentException if the file cannot be read or is something else
+     * @throws IllegalArgumentException if the file cannot be read or has other contents
      */
     public static Results read(Path file) {
         try {

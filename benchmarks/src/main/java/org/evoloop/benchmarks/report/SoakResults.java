@@ -8,17 +8,17 @@ import org.evoloop.journal.Journal;
 import tools.jackson.databind.json.JsonMapper;
 
 /**
- * What a soak has found.
+ * The results of a soak.
  *
  * <p>Threading: immutable.
  *
- * @param samples in the order of time, 8 or more
+ * @param samples in order of time, 8 or more
  */
 public record SoakResults(String machine, String commit, String day, List<SoakSample> samples) {
-    /** What a heap may differ by after one collection and another. */
+    /** How much the heap may vary from one collection to another. */
     private static final double SLACK_MEGABYTES = 2;
 
-    /** What a journal keeps by default, and the segment that is being written. */
+    /** The default size limit of a journal, plus the segment being written. */
     private static final double MOST_DISK_MEGABYTES =
             (Journal.DEFAULT_KEPT_BYTES + Journal.DEFAULT_SEGMENT_BYTES) / 1e6;
 
@@ -26,7 +26,7 @@ public record SoakResults(String machine, String commit, String day, List<SoakSa
         samples = List.copyOf(samples);
     }
 
-    /** What has grown from the first quarter to the last, a line each; times only tell how fast it was. */
+    /** What has grown from the first quarter to the last, one line each; times are not checked. */
     public List<String> grown() {
         List<String> grown = new ArrayList<>();
         requireFlat("heap after a collection, in MB", SoakSample::heapMegabytes, SLACK_MEGABYTES, grown);

@@ -3,16 +3,16 @@ package org.evoloop.benchmarks.report;
 import java.util.Locale;
 
 /**
- * What a converter holds after so many events.
+ * A converter's resource usage after a number of events.
  *
  * <p>Threading: immutable.
  *
  * @param seconds since the first event
- * @param heapMegabytes what is left of the heap after a collection
+ * @param heapMegabytes the heap in use after a collection
  * @param files open file descriptors
- * @param diskMegabytes what the journal takes
- * @param medianMicros from where a monitor has an event to where the execute component is called, of the events since
- *     the sample before
+ * @param diskMegabytes the size of the journal
+ * @param medianMicros from a monitor having an event to the call of the execute component, for the events since the
+ *     previous sample
  */
 public record SoakSample(
         long events,

@@ -2,15 +2,15 @@ package org.evoloop.benchmarks.report;
 
 import java.util.List;
 
-/** Measurements that belong together. */
+/** A group of related measurements. */
 public interface Suite {
-    /** As on the command line. */
+    /** The name on the command line. */
     String name();
 
     /**
-     * Measures.
+     * Runs the measurements.
      *
-     * @param quick whether rougher figures will do
+     * @param quick whether rougher figures suffice
      */
     List<Row> measure(boolean quick) throws Exception;
 }

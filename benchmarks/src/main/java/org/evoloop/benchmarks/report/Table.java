@@ -4,13 +4,13 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
 
-/** The rows as a table for people. */
+/** The rows as a text table. */
 public final class Table {
     private static final String LINE = "%-52s %12s %-28s %9s %-9s %s%n";
 
     private Table() {}
 
-    /** A line a row; below it what the peers took. */
+    /** One line per row; the figures of the peers are below it. */
     public static String text(List<Row> rows) {
         StringBuilder text = new StringBuilder(
                 String.format(Locale.ROOT, LINE, "what", "ours", "against", "ratio", "reach", "reached"));
@@ -36,7 +36,7 @@ public final class Table {
         return text.toString();
     }
 
-    /** Three digits that tell something. */
+    /** Rounded to three significant digits. */
     public static String number(double value) {
         String form = value >= 100 ? "%.0f" : value >= 10 ? "%.1f" : value >= 0.01 || value == 0 ? "%.2f" : "%.1e";
         return String.format(Locale.ROOT, form, value);

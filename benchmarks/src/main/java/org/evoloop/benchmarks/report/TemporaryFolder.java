@@ -7,12 +7,12 @@ import java.util.Comparator;
 import java.util.stream.Stream;
 
 /**
- * A folder for the files of one measurement, which is deleted with all that is in it.
+ * A folder for the files of one measurement; closing it deletes it with its contents.
  *
  * @param path where it is
  */
 public record TemporaryFolder(Path path) implements AutoCloseable {
-    /** A new one. */
+    /** Creates a folder. */
     public static TemporaryFolder create() throws IOException {
         return new TemporaryFolder(Files.createTempDirectory("evoloop"));
     }

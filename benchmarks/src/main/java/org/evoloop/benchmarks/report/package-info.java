@@ -1,8 +1,8 @@
 /**
- * What all measurements have in common: a row of the table, processes to measure in, what is measured of
- * them, the table itself and the results of a run.
+ * Shared by all measurements: the rows of the table, processes to measure in and what is measured of them, the table
+ * itself and the results of a run.
  *
- * <p>This room may use nothing of the other rooms.
+ * <p>This package may use no other package of the benchmarks.
  */
 @NullMarked
 package org.evoloop.benchmarks.report;

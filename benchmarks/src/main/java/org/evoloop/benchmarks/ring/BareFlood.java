@@ -9,15 +9,15 @@ import org.evoloop.benchmarks.running.Flood;
 import org.evoloop.time.SystemClock;
 
 /**
- * A ring of three threads in a {@link Flood}, and nothing else: monitors push into a bounded queue and drop what finds
- * it full; the first thread takes from it, the third executes and lets the first go on. As in the loop one occurrence
- * is under way at a time.
+ * Only a ring of three threads in a {@link Flood}. Monitors push into a bounded queue and drop events when it is full.
+ * The first thread takes an event from the queue; the third executes it and lets the first continue. As in the loop,
+ * one event is in progress at a time.
  */
 final class BareFlood {
     private static final int STAGES = 3;
 
     private final Flood flood = new Flood();
-    // Of the JDK's queues the one that refuses without a lock, as the loop's does.
+    // The JDK's queue that refuses without a lock, as the loop's queue does.
     private final BlockingQueue<Flood.Told> queue = new LinkedBlockingQueue<>(Flood.CAPACITY);
     private final HandOff[] hands = new HandOff[STAGES];
     private final List<Thread> threads = new ArrayList<>();
@@ -28,12 +28,12 @@ final class BareFlood {
         }
     }
 
-    /** A thread's work, which an interrupt ends. */
+    /** A thread's work, ended by an interrupt. */
     private interface Work {
         void run() throws InterruptedException;
     }
 
-    /** Events a second, after so long to warm up. */
+    /** Events per second, after a warm-up. */
     static double rate(HandOff.Kind kind, Duration warmUp, Duration watched) throws InterruptedException {
         BareFlood bare = new BareFlood(kind);
         bare.start();
@@ -55,7 +55,7 @@ final class BareFlood {
         }
     }
 
-    @SuppressWarnings("ThreadPriorityCheck") // else monitors would take all processors, and the ring would stand still
+    @SuppressWarnings("ThreadPriorityCheck") // else monitors would take all processors, and the ring would starve
     private void tell(Flood.Told told) {
         if (!queue.offer(told)) {
             Thread.yield();

@@ -3,14 +3,14 @@ package org.evoloop.benchmarks.ring;
 import org.HdrHistogram.Histogram;
 import org.evoloop.benchmarks.report.Latencies;
 
-/** Four threads that hand one object round and do nothing else: what a loop of four threads costs at least. */
+/** Four threads that only pass an object round: the lower limit for a loop of four threads. */
 final class BareRing {
     private static final Object TOKEN = new Object();
     private static final int THREADS = 4;
 
     private BareRing() {}
 
-    /** The times of {@code rounds} rounds, in nanoseconds, after as many as {@code warmUp}. */
+    /** The times of {@code rounds} rounds, in nanoseconds, after {@code warmUp} rounds. */
     static Histogram run(HandOff.Kind kind, int warmUp, int rounds) throws InterruptedException {
         HandOff[] hands = new HandOff[THREADS];
         for (int index = 0; index < THREADS; index++) {

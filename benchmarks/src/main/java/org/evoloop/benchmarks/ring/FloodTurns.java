@@ -11,7 +11,7 @@ import org.evoloop.benchmarks.report.Figures;
 import org.evoloop.benchmarks.report.Row;
 import org.evoloop.benchmarks.running.FloodedLoop;
 
-/** The loop with a thread a component and bare rings, each in a flood, by turns in one process. */
+/** The loop with a thread per component and bare rings, each in a flood, alternating in one process. */
 public final class FloodTurns {
     private static final double LEAST = 0.7;
     private static final Duration WARM_UP = Duration.ofMillis(500);
@@ -21,9 +21,9 @@ public final class FloodTurns {
     private FloodTurns() {}
 
     /**
-     * Prints the medians over the turns, in events a second.
+     * Prints the medians over the turns, in events per second.
      *
-     * @param arguments how many turns
+     * @param arguments the number of turns
      */
     public static void main(String[] arguments) throws InterruptedException {
         int turns = Integer.parseInt(arguments[0]);
@@ -45,7 +45,7 @@ public final class FloodTurns {
         return rates.stream().sorted(Comparator.naturalOrder()).toList().get(rates.size() / 2);
     }
 
-    /** @param found what was printed */
+    /** @param found the printed figures */
     static Row row(Figures found) {
         Map<String, Double> rings = new LinkedHashMap<>();
         for (HandOff.Kind kind : HandOff.Kind.values()) {

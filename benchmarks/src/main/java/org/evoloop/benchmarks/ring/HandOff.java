@@ -8,13 +8,13 @@ import java.util.concurrent.SynchronousQueue;
 import java.util.concurrent.locks.LockSupport;
 import org.jspecify.annotations.Nullable;
 
-/** How one thread hands an object to the next. */
+/** A way for one thread to hand an object to the next. */
 public interface HandOff {
     void give(Object token) throws InterruptedException;
 
     Object take() throws InterruptedException;
 
-    /** The hand-offs that the JDK offers, and the slot that the loop uses, without the loop. */
+    /** The hand-offs of the JDK, and the slot of the loop, without the loop. */
     enum Kind {
         SYNCHRONOUS_QUEUE {
             @Override
@@ -47,10 +47,10 @@ public interface HandOff {
             }
         };
 
-        /** A new place to hand over at. */
+        /** Creates a hand-off. */
         public abstract HandOff make();
 
-        /** For the table: {@code LinkedTransferQueue}. */
+        /** The name in the table: {@code LinkedTransferQueue}. */
         String label() {
             StringBuilder label = new StringBuilder();
             for (String word : name().split("_", -1)) {
@@ -74,7 +74,7 @@ public interface HandOff {
         }
     }
 
-    /** One place for one object; whoever waits for it yields a few times before it parks. */
+    /** A slot for one object. A waiting thread yields a few times before it parks. */
     final class Slot implements HandOff {
         private final int yields;
         private volatile @Nullable Object token;
@@ -94,7 +94,7 @@ public interface HandOff {
         }
 
         @Override
-        @SuppressWarnings("ThreadPriorityCheck") // what is compared
+        @SuppressWarnings("ThreadPriorityCheck") // yielding is what is compared
         public Object take() throws InterruptedException {
             for (int round = 0; token == null; round++) {
                 if (round < yields) {

@@ -14,8 +14,8 @@ import org.evoloop.time.SystemClock;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The framework's loop with components that do nothing: from where the monitor has an occurrence, through analyze, plan
- * and execute, to where the monitor knows that it is done. Four threads, four hand-offs, as in the bare rings.
+ * The framework's loop with components that do nothing. The time runs from a monitor having an event, through analyze,
+ * plan and execute, to the monitor learning that it is done. Four threads, four hand-offs, as in the bare rings.
  */
 final class LoopRing {
     private static final Object TOKEN = new Object();
@@ -32,10 +32,10 @@ final class LoopRing {
         this.rounds = rounds;
     }
 
-    /** What was measured: times in nanoseconds, and what all threads of the loop together allocated a round. */
+    /** The results: times in nanoseconds, and the allocation of all the loop's threads per round. */
     record Result(Histogram nanos, double bytesPerRound) {}
 
-    @SuppressWarnings("try") // it is open from the start; all that is left to do with it is to close it
+    @SuppressWarnings("try") // it only has to be closed
     static Result run(int warmUp, int rounds) throws InterruptedException {
         LoopRing ring = new LoopRing(warmUp, rounds);
         try (SystemClock clock = new SystemClock();

@@ -13,9 +13,9 @@ import org.evoloop.benchmarks.report.Row;
 import org.evoloop.benchmarks.report.Suite;
 
 /**
- * The loop with a thread a component, and bare rings, by turns in one process. Whether the scheduler puts the threads
- * of a ring on one processor or on two makes a difference of three, and changes by chance: what counts is the median of
- * several turns.
+ * The loop with a thread per component, and bare rings, alternating in one process. The result is the median of several
+ * turns: whether the scheduler puts the threads of a ring on one processor or on two changes the time by a factor of
+ * three, and varies randomly.
  */
 public final class RingSuite implements Suite {
     private static final int LOOP_WARM_UP = 30_000;
@@ -55,9 +55,9 @@ public final class RingSuite implements Suite {
     }
 
     /**
-     * Prints what it measured, in microseconds and bytes.
+     * Prints the results, in microseconds and bytes.
      *
-     * @param arguments how many turns, and how many rounds in each; a bare ring warms up in half as many
+     * @param arguments the number of turns, and the number of rounds in each; a bare ring warms up for half as many
      */
     public static void main(String[] arguments) throws InterruptedException {
         int turns = Integer.parseInt(arguments[0]);

@@ -19,9 +19,9 @@ import org.evoloop.time.Clock;
 import org.evoloop.time.SystemClock;
 
 /**
- * What a camera that is looked at costs the events of a converter in the same process: events at moments left to
- * chance, by turns without a camera and with one. The camera is {@link CameraPlayer}, a process of its own. A turn
- * during which other processes had part of the machine says nothing about the camera, and is repeated.
+ * How much a watched camera delays the events of a converter in the same process. Events occur at random moments,
+ * alternately without a camera and with one. The camera is {@link CameraPlayer}, a separate process. A turn disturbed
+ * by other processes says nothing about the camera, and is repeated.
  */
 public final class CameraCost {
     private static final int PAIRS = 30;
@@ -31,10 +31,10 @@ public final class CameraCost {
     private static final long LONGEST_PAUSE_NANOS = TimeUnit.MICROSECONDS.toNanos(3_500);
     private static final long SEED = 1;
 
-    /** While these are looked at, decoder and compiler get ready. */
+    /** Warm-up of decoder and compiler. */
     private static final int FIRST_FRAMES = 10;
 
-    /** Of all processors; the player takes 1 or 2 %, a compiler on one of four processors 25 %. */
+    /** Relative to all processors; the player uses 1 or 2 %, a compiler on one of four processors 25 %. */
     private static final double MOST_BY_OTHERS = 0.05;
 
     private static final long PROBE_NANOS = TimeUnit.MILLISECONDS.toNanos(200);
@@ -61,14 +61,14 @@ public final class CameraCost {
     }
 
     private interface Turn {
-        /** What the events of a turn took, in nanoseconds. */
+        /** The latencies of a turn's events, in nanoseconds. */
         Histogram take() throws InterruptedException;
     }
 
     /**
-     * Prints a table of percentiles, in at most two minutes.
+     * Prints a table of percentiles, within two minutes.
      *
-     * @param arguments a camera to watch instead of the player, as the option {@code --camera} takes it
+     * @param arguments a camera to watch instead of the player, in the form of the option {@code --camera}
      */
     public static void main(String[] arguments) throws Exception {
         if (arguments.length > 0) {
@@ -135,7 +135,8 @@ public final class CameraCost {
     }
 
     /**
-     * Waits until the machine is quiet, and repeats the turn until it was quiet all along; empty if there is no time.
+     * Waits until the machine is quiet, and repeats the turn until the machine stayed quiet throughout; empty if time
+     * runs out.
      */
     private Optional<Histogram> undisturbed(Turn turn) throws InterruptedException {
         boolean quiet = true;
@@ -182,7 +183,7 @@ public final class CameraCost {
         return timer.nanos().copy();
     }
 
-    /** What other processes have taken of all processors since it was asked last, 0 to 1. */
+    /** The share of all processors that other processes have used since the last call, 0 to 1. */
     private double shareOfOthers() {
         return machine.getCpuLoad() - machine.getProcessCpuLoad();
     }

@@ -19,9 +19,9 @@ import org.evoloop.roomba.simulator.room.Room;
 import org.evoloop.roomba.simulator.webcam.Jpeg;
 
 /**
- * A program that is a camera and, like one, costs next to nothing: pictures drawn before anybody looks, sent to one
- * client at a time over and over as Motion JPEG, 30 a second. They show a robot's way to its marker in a furnished
- * room.
+ * A program that acts as a camera and, like one, costs almost no processor time. It draws its pictures in advance, and
+ * sends them to one client at a time, repeatedly, as Motion JPEG at 30 frames/s. They show a robot driving to its
+ * marker in a furnished room.
  */
 final class CameraPlayer {
     private static final int PICTURES = 60;
@@ -32,7 +32,7 @@ final class CameraPlayer {
 
     private CameraPlayer() {}
 
-    /** Prints its address once it can be watched, and goes on until its standard input ends. */
+    /** Prints its address when it is ready, and runs until its standard input ends. */
     public static void main(String[] arguments) throws IOException {
         List<byte[]> pictures = pictures();
         try (ServerSocket server = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
@@ -66,12 +66,12 @@ final class CameraPlayer {
                 client.setTcpNoDelay(true);
                 send(client.getOutputStream(), pictures);
             } catch (IOException hungUp) {
-                // The next one is welcome.
+                // Serve the next client.
             }
         }
     }
 
-    /** Goes on until the client hangs up; asks nothing about what it wants, since there is one thing only. */
+    /** Sends pictures until the client hangs up. The request is ignored, since there is only one resource. */
     private static void send(OutputStream client, List<byte[]> pictures) throws IOException {
         client.write(ascii("HTTP/1.0 200 OK\r\nContent-Type: multipart/x-mixed-replace; boundary=picture\r\n\r\n"));
         long next = System.nanoTime();

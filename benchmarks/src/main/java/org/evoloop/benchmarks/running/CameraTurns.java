@@ -8,11 +8,11 @@ import java.util.SplittableRandom;
 import org.HdrHistogram.Histogram;
 
 /**
- * What was measured in pairs of turns, without and with, and whether the two differ by more than chance.
+ * Measurements in pairs of turns, without and with a camera, and whether the two differ significantly.
  *
- * <p>Turns of one kind differ by themselves. Pairs are therefore drawn again by chance, as many as there are and some
- * more than once, and the difference between all events with and all without is taken each time: 95 % of these
- * differences are in the interval. If it holds 0, no difference was measured.
+ * <p>Turns of one kind vary by themselves. Therefore the pairs are bootstrapped: as many pairs as there are, drawn at
+ * random with replacement, and each time the difference between all events with and all events without a camera. 95 %
+ * of these differences are in the interval. If it contains 0, no difference was measured.
  *
  * <p>Threading: for one thread.
  */
@@ -26,7 +26,7 @@ final class CameraTurns {
     private final List<Histogram> without = new ArrayList<>();
     private final List<Histogram> with = new ArrayList<>();
 
-    /** Takes what was measured in a pair of turns, in nanoseconds. */
+    /** Adds the latencies of a pair of turns, in nanoseconds. */
     void add(Histogram nanosWithout, Histogram nanosWith) {
         without.add(nanosWithout);
         with.add(nanosWith);
@@ -57,7 +57,7 @@ final class CameraTurns {
         return table.toString();
     }
 
-    /** Of all events, and in brackets the least and the greatest of a turn. */
+    /** The percentile of all events, and in brackets the minimum and maximum over the turns. */
     private static String figures(List<Histogram> turns, double percentile) {
         double[] each = turns.stream()
                 .mapToDouble(turn -> micros(turn, percentile))
@@ -67,7 +67,7 @@ final class CameraTurns {
                 Locale.ROOT, "%.1f (%.1f-%.1f)", micros(sum(turns), percentile), each[0], each[each.length - 1]);
     }
 
-    /** For each percentile, in rising order. */
+    /** For each percentile, in ascending order. */
     private double[][] drawnDifferences() {
         SplittableRandom random = new SplittableRandom(SEED);
         double[][] drawn = new double[PERCENTILES.length][DRAWS];

@@ -18,12 +18,12 @@ import org.evoloop.time.SystemClock;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A converter for the paper's cleaning robot whose device costs nothing, so that what is left is the converter.
+ * A converter for the paper's cleaning robot whose device costs nothing, so that only the converter is measured.
  *
  * <p>Threading: one thread drives it.
  */
 final class CleaningRobot implements AutoCloseable {
-    /** Switched on once; then round after round, through every kind of decision that can be carried out. */
+    /** Switched on once; then it repeats a round with every kind of decision that can be executed. */
     static final List<String> STORY =
             List.of("Clean", "Clean", "Clean", "Clean", "endSpot", "Spot", "arriveSpot", "endSpot");
 
@@ -39,7 +39,7 @@ final class CleaningRobot implements AutoCloseable {
         this(timer, threads, null);
     }
 
-    /** @param journal null if it keeps none */
+    /** @param journal null for none */
     CleaningRobot(PathTimer timer, boolean threads, @Nullable Journal journal) {
         this.timer = timer;
         this.threads = threads;
@@ -55,7 +55,7 @@ final class CleaningRobot implements AutoCloseable {
         converter.start();
     }
 
-    /** Has the monitor tell the next event of the story, and waits until it is converted. */
+    /** Makes the monitor report the next event of the story, and waits until it is converted. */
     void next() throws InterruptedException {
         if (threads) {
             converted.clear();
@@ -75,7 +75,7 @@ final class CleaningRobot implements AutoCloseable {
         return converter.knowledge().configuration();
     }
 
-    /** @throws IllegalStateException if any event came to no good end: its time would mean nothing */
+    /** @throws IllegalStateException if any event was not handled, since its time would be meaningless */
     void requireAllHandled() {
         ConverterStatus status = converter.status();
         ConverterStatus.EventCounts events = status.events();
@@ -125,7 +125,7 @@ final class CleaningRobot implements AutoCloseable {
         @Override
         protected void send(Step step) {}
 
-        /** The first call for an event that has nothing to send, the last for any other. */
+        /** The first callback for an event that sends nothing, the last one for any other event. */
         @Override
         protected void settled(Configuration now) {
             timer.stop();
@@ -135,9 +135,9 @@ final class CleaningRobot implements AutoCloseable {
         }
     }
 
-    /** Its functions run for a moment only; they say when, so that their start does not delay the next event. */
+    /** Its functions run only briefly and signal their end, so that their start does not delay the next event. */
     private final class Knowledge extends StateKnowledge {
-        // The story goes on long before, so that this timer is started and called off each time.
+        // Far longer than the story's steps, so that this timer is started and cancelled each time.
         private static final Duration LONG = Duration.ofHours(1);
 
         Knowledge() {

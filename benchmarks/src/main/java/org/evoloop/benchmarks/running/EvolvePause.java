@@ -23,8 +23,8 @@ import org.evoloop.time.SystemClock;
 import org.jspecify.annotations.Nullable;
 
 /**
- * How long no event can begin while other models of {@value #STATES} states take over, to and fro, from a converter
- * that is at work; without a journal and with one.
+ * How long no event can start while a converter at work swaps between two models of {@value #STATES} states; without a
+ * journal and with one.
  */
 public final class EvolvePause {
     private static final int STATES = 10_000;
@@ -58,7 +58,7 @@ public final class EvolvePause {
     /**
      * Prints medians and 99th percentiles in microseconds.
      *
-     * @param arguments how many times other models take over
+     * @param arguments the number of swaps
      */
     public static void main(String[] arguments) throws IOException {
         int times = Integer.parseInt(arguments[0]);

@@ -5,38 +5,38 @@ import java.util.concurrent.atomic.AtomicLong;
 import org.evoloop.time.Clock;
 
 /**
- * What monitors tell as fast as they can, counted where it is executed, by one thread at a time; each monitor's must
- * come in order. What found the queue full is lost.
+ * Events that monitors report as fast as they can, counted when they are executed, by one thread at a time. The events
+ * of each monitor must stay in order. Events that find the queue full are lost.
  */
 public final class Flood {
-    /** How many monitors there are. */
+    /** The number of monitors. */
     public static final int MONITORS = 4;
-    /** How much may wait. */
+    /** The capacity of the queue. */
     public static final int CAPACITY = 1024;
 
     private final long[] last = new long[MONITORS];
     private final AtomicLong executed = new AtomicLong();
     private volatile boolean broken;
 
-    /** The {@code number}th that a monitor tells, from 1. */
+    /** The {@code number}th event of a monitor, counted from 1. */
     public record Told(int monitor, long number) {}
 
-    /** {@code told} has come to its end. */
+    /** Counts {@code told} as executed. */
     public void execute(Told told) {
         if (told.number <= last[told.monitor]) {
             broken = true;
         }
         last[told.monitor] = told.number;
-        // Only one thread writes, so that no fence is needed.
+        // Only one thread writes, so no fence is needed.
         executed.lazySet(executed.getPlain() + 1);
     }
 
-    /** How many have come to their end. */
+    /** The number of executed events. */
     public long executed() {
         return executed.get();
     }
 
-    /** Events a second that come to their end, after so long to warm up. */
+    /** Executed events per second, after a warm-up. */
     public double rate(Clock clock, Duration warmUp, Duration watched) throws InterruptedException {
         clock.sleep(warmUp);
         long before = executed();
@@ -48,9 +48,9 @@ public final class Flood {
     }
 
     /**
-     * Ends the measurement if order was lost.
+     * Checks the order of the events.
      *
-     * @throws IllegalStateException if occurrences of a monitor came out of order
+     * @throws IllegalStateException if events of a monitor came out of order
      */
     public void requireOrder() {
         if (broken) {

@@ -24,12 +24,14 @@ public final class FloodedLoop implements AutoCloseable {
         loop = PlainLoop.build(threads ? config : config.withoutThreads(), true, tellers, new Count());
     }
 
-    /** Events a second, by threads, after so long to warm up. */
+    /** Events per second with threads, after a warm-up. */
     public double byThreads(Duration warmUp, Duration watched) throws InterruptedException {
         return flood.rate(clock, warmUp, watched);
     }
 
-    /** Events a second, in steps, over so many events: each monitor is asked once, then four steps are taken. */
+    /**
+     * Events per second in steps, over {@code wanted} events: each monitor is asked once, then four steps are taken.
+     */
     double inSteps(long wanted) throws InterruptedException {
         long begun = System.nanoTime();
         while (flood.executed() < wanted) {

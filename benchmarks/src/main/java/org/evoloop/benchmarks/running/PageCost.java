@@ -19,16 +19,16 @@ import org.evoloop.page.PageOptions;
 import org.evoloop.time.Threads;
 
 /**
- * What those who look at the live page add to a conversion: the same events without a page, and with {@value #VIEWERS}
- * who read and {@value #SLOW} who never do, in turns in one process, so that whatever else the computer does concerns
- * both.
+ * How much viewers of the live page delay a conversion. The same events without a page, and with {@value #VIEWERS}
+ * viewers who read and {@value #SLOW} who never do, alternating in one process, so that other load on the computer
+ * affects both.
  */
 public final class PageCost {
     private static final int VIEWERS = 5;
     private static final int SLOW = 2;
     private static final int EVENTS = 500;
 
-    /** Far more often than anybody presses a button, and time for the viewers to be told each event. */
+    /** Far more often than anybody presses a button, and long enough to send each event to the viewers. */
     private static final long PAUSE_NANOS = 2_000_000;
 
     private PageCost() {}
@@ -36,7 +36,7 @@ public final class PageCost {
     /**
      * Prints medians and 99th percentiles in microseconds, without and with viewers.
      *
-     * @param arguments how many turns of each
+     * @param arguments the number of turns of each kind
      */
     public static void main(String[] arguments) throws IOException, InterruptedException {
         int turns = Integer.parseInt(arguments[0]);
@@ -44,7 +44,7 @@ public final class PageCost {
         Histogram with = Latencies.histogram();
         PathTimer timer = new PathTimer();
         try (CleaningRobot robot = new CleaningRobot(timer, true)) {
-            // What runs for the first time does not count.
+            // Warm-up, not counted.
             turn(robot, timer, Latencies.histogram());
             watched(robot, timer, Latencies.histogram());
             for (int turn = 0; turn < turns; turn++) {
@@ -66,7 +66,7 @@ public final class PageCost {
         nanos.add(timer.nanos());
     }
 
-    /** The viewers hang up without a word; the page is closed after them. */
+    /** The viewers hang up first; then the page is closed. */
     private static void watched(CleaningRobot robot, PathTimer timer, Histogram nanos)
             throws IOException, InterruptedException {
         ByteArrayOutputStream said = new ByteArrayOutputStream();
@@ -88,7 +88,7 @@ public final class PageCost {
         }
     }
 
-    /** Looks, from the first byte of the answer on. */
+    /** Opens a viewer; returns when the answer begins. */
     private static Socket look(int port, boolean reads) throws IOException {
         Socket viewer = new Socket(InetAddress.getLoopbackAddress(), port);
         viewer.getOutputStream()
@@ -102,7 +102,7 @@ public final class PageCost {
                 try {
                     viewer.getInputStream().transferTo(PrintStream.nullOutputStream());
                 } catch (IOException hungUp) {
-                    // So does every viewer.
+                    // Every viewer hangs up in the end.
                 }
             });
         }

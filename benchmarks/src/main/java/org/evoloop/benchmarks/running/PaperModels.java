@@ -3,11 +3,11 @@ package org.evoloop.benchmarks.running;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.statemachine.StateMachine;
 
-/** The paper's cleaning robot, the same as {@code models/cleaning-robot.xml}: a forked JVM needs no file. */
+/** The paper's cleaning robot, equal to {@code models/cleaning-robot.xml}, so that a forked JVM needs no file. */
 public final class PaperModels {
     private PaperModels() {}
 
-    /** The pair, without its file. */
+    /** The pair of models. */
     public static ModelPair cleaningRobot() {
         return new ModelPair(
                 StateMachine.named("original")

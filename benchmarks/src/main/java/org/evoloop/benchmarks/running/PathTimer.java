@@ -4,12 +4,12 @@ import org.HdrHistogram.Histogram;
 import org.evoloop.benchmarks.report.Latencies;
 
 /**
- * Measures one event after the other: from where a monitor has it to where the execute component is called.
+ * Measures events one at a time: from a monitor having the event to the call of the execute component.
  *
- * <p>Threading: one event at a time; whoever starts, stops and reads it is ordered by the loop.
+ * <p>Threading: one event at a time; the loop orders the calls.
  */
 final class PathTimer {
-    // Made beforehand: allocation is measured, too.
+    // Created in advance, since allocation is measured, too.
     private final Histogram nanos = Latencies.histogram();
     private long startNanos;
     private boolean running;
@@ -19,7 +19,7 @@ final class PathTimer {
         startNanos = System.nanoTime();
     }
 
-    /** Only the first call for an event counts. */
+    /** Only the first call for an event has an effect. */
     void stop() {
         long now = System.nanoTime();
         if (running) {
@@ -32,7 +32,7 @@ final class PathTimer {
         nanos.reset();
     }
 
-    /** What was measured since the last {@link #clear}, in nanoseconds. */
+    /** The measurements since the last {@link #clear}, in nanoseconds. */
     Histogram nanos() {
         return nanos;
     }

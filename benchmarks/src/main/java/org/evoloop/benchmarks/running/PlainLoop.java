@@ -12,20 +12,22 @@ import org.evoloop.loop.Plan;
 import org.evoloop.loop.ThreadingModel;
 import org.evoloop.time.Clock;
 
-/** The framework's loop whose analyze and plan hand on what they are given: what is left is the loop. */
+/**
+ * The framework's loop with analyze and plan components that pass their input on, so that only the loop is measured.
+ */
 public final class PlainLoop {
     private PlainLoop() {}
 
-    /** The configuration of a loop with a thread a component, which is what bare rings of threads are held against. */
+    /** The configuration of a loop with a thread per component, which is compared with bare rings of threads. */
     public static LoopConfig threads(String name, Clock clock) {
         return LoopConfig.defaults(name, clock).withThreading(ThreadingModel.THREAD_PER_COMPONENT);
     }
 
     /**
-     * Such a loop, which is open before a monitor is asked: one that waits for its event to come round would wait for
-     * ever if that were refused.
+     * Builds such a loop, and opens it before a monitor is asked. If the loop refused an event, a monitor that waits
+     * for its event to come round would wait forever.
      *
-     * @param mayLose whether an occurrence that finds the queue full is no failure of the measurement
+     * @param mayLose whether the measurement tolerates events that find the queue full
      */
     public static <T> MapeLoop<T, T, T> build(
             LoopConfig config, boolean mayLose, List<? extends Monitor<T>> monitors, Execute<T> execute) {

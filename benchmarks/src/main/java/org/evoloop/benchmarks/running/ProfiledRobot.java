@@ -5,7 +5,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import org.evoloop.benchmarks.profile.Recorder;
 
-/** Whole conversions of the paper's robot, for Flight Recorder to look at. */
+/** Whole conversions of the paper's robot, to be recorded by Flight Recorder. */
 public final class ProfiledRobot {
     private static final int AT_ONCE = 1000;
 
@@ -14,7 +14,7 @@ public final class ProfiledRobot {
     /**
      * Writes a recording.
      *
-     * @param arguments the recording's file, how many seconds, and {@code threads} for a converter with threads
+     * @param arguments the recording's file, its length in seconds, and {@code threads} for a converter with threads
      */
     public static void main(String[] arguments) throws IOException, InterruptedException {
         try (CleaningRobot robot = new CleaningRobot(new PathTimer(), arguments[2].equals("threads"))) {

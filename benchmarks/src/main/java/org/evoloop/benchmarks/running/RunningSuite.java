@@ -66,9 +66,9 @@ public final class RunningSuite implements Suite {
     }
 
     /**
-     * Prints what it measured.
+     * Prints the results.
      *
-     * @param arguments how many times ten seconds the idle converter is watched
+     * @param arguments how long the idle converter is watched, in units of ten seconds
      */
     public static void main(String[] arguments) throws InterruptedException {
         steps();
@@ -86,7 +86,7 @@ public final class RunningSuite implements Suite {
         void run() throws InterruptedException;
     }
 
-    /** Microseconds of processor time and bytes of one piece of work, of the quickest of many windows. */
+    /** The processor time in microseconds and the bytes of one piece of work, from the fastest of many windows. */
     private static void measure(String name, Work work, int pieces) throws InterruptedException {
         double best = Double.POSITIVE_INFINITY;
         double bytes = 0;
@@ -132,8 +132,8 @@ public final class RunningSuite implements Suite {
     }
 
     /**
-     * The processor time of all Java threads in a minute in which a converter with threads waits for events. What the
-     * virtual machine does by itself, with or without a program, is not in it.
+     * The processor time of all Java threads per minute in which a converter with threads waits for events. The virtual
+     * machine's own work, which does not depend on the program, is not included.
      */
     private static void idle(int tenSeconds) throws InterruptedException {
         try (CleaningRobot robot = new CleaningRobot(new PathTimer(), true);

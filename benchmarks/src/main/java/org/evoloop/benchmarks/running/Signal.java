@@ -4,7 +4,7 @@ import java.util.concurrent.locks.LockSupport;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Lets one thread wait for another. Unlike those of the JDK it allocates nothing: allocation is measured here.
+ * Lets one thread wait for another. Unlike the JDK's classes it allocates nothing, since allocation is measured here.
  *
  * <p>Threading: one thread waits, any thread sets.
  */

@@ -12,7 +12,7 @@ import org.HdrHistogram.Histogram;
 import org.evoloop.benchmarks.report.SoakSample;
 import org.evoloop.journal.Journal;
 
-/** Has a converter with a journal convert events for a long time, and looks now and then at what it holds. */
+/** Makes a converter with a journal convert events for a long time, and samples its resource usage. */
 public final class Soak {
     private final Path journal;
     private final boolean threads;
@@ -20,7 +20,7 @@ public final class Soak {
 
     /**
      * @param journal an empty directory for the journal
-     * @param threads whether events go from thread to thread, and functions have threads of their own
+     * @param threads whether each component and each function has a thread
      */
     public Soak(Path journal, boolean threads) {
         this.journal = journal;
@@ -28,9 +28,9 @@ public final class Soak {
     }
 
     /**
-     * Converts {@code events} events, one after the other, and takes {@code looks} samples on the way.
+     * Converts {@code events} events, one at a time, and takes {@code looks} samples on the way.
      *
-     * @throws IllegalStateException if an event came to no good end
+     * @throws IllegalStateException if an event was not handled
      */
     public List<SoakSample> run(long events, int looks) throws InterruptedException, IOException {
         PathTimer timer = new PathTimer();
@@ -50,7 +50,7 @@ public final class Soak {
         return List.copyOf(samples);
     }
 
-    @SuppressWarnings("ExplicitGC") // what is left after it is what is measured
+    @SuppressWarnings("ExplicitGC") // the heap in use after a collection is measured
     private SoakSample sample(long events, double seconds, Histogram nanos) throws IOException {
         System.gc();
         Runtime runtime = Runtime.getRuntime();

@@ -1,7 +1,7 @@
 /**
  * How the loop and a whole converter run: in steps, flooded, with threads, idle, and beside a camera.
  *
- * <p>This room may use the framework, {@code org.evoloop.benchmarks.profile}, {@code org.evoloop.benchmarks.report},
+ * <p>This package may use the framework, {@code org.evoloop.benchmarks.profile}, {@code org.evoloop.benchmarks.report},
  * and of the Roomba converter its camera and the simulated robot.
  */
 @NullMarked

@@ -49,7 +49,7 @@ public final class Console {
     private final PrintStream err;
     private final CommandSet commands = new CommandSet();
 
-    /** The terminal, while a thread uses one; else null. */
+    /** The terminal while a thread uses one, else null. */
     private volatile @Nullable Person person;
 
     private final List<ConsoleCommand> added = new CopyOnWriteArrayList<>();
@@ -243,7 +243,7 @@ public final class Console {
     }
 
     /** Whether this process shows its output on a terminal that can move its cursor and show colours. */
-    @SuppressWarnings("SystemConsoleNull") // since JDK 22 never null, but from then on it can be asked
+    @SuppressWarnings("SystemConsoleNull") // never null since JDK 22, which has isTerminal instead
     public static boolean isOnTerminal() {
         java.io.Console console = System.console();
         if (console == null || "dumb".equals(System.getenv("TERM"))) {

@@ -39,7 +39,7 @@ final class EvolveCommands {
     }
 
     /**
-     * All of them.
+     * All of these commands.
      *
      * @param models reads the models that the commands name
      * @param offered the models that completion shows

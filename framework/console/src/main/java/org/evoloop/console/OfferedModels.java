@@ -13,21 +13,21 @@ import org.evoloop.statemachine.StateMachine;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The new models that a converter's owner may choose from: those that {@link NewModels#offered} names, as far as they are
- * evolutions of the device's model. They are read once, when they are asked for.
+ * The new models that a converter's owner may choose from: those of {@link NewModels#offered} that are evolutions of
+ * the device's model. They are read once, on first use.
  *
  * <p>Threading: thread-safe.
  *
  * @since 0.1
  */
 public final class OfferedModels {
-    /** Whoever chooses on a page or at home waits no longer. */
+    /** The longest wait for a choice made on a web page or in Home Assistant. */
     private static final Duration PATIENCE = Duration.ofSeconds(10);
 
     private final SystemEventConverter converter;
     private final NewModels models;
 
-    /** What the machines are called, by reference. */
+    /** The machines' names, by reference. */
     private @Nullable Map<String, String> names;
 
     OfferedModels(SystemEventConverter converter, NewModels models) {
@@ -35,7 +35,7 @@ public final class OfferedModels {
         this.models = models;
     }
 
-    /** Each as {@code FILE#NAME}, in the program's order; empty if none is offered. */
+    /** The models as {@code FILE#NAME}, in the program's order; empty if none is offered. */
     public List<String> references() {
         return List.copyOf(names().keySet());
     }
@@ -53,8 +53,8 @@ public final class OfferedModels {
      * Evolves to one of them, if that is possible within 10 s.
      *
      * @throws IllegalArgumentException if it is not offered
-     * @throws ModelException as {@link SystemEventConverter#evolve} does
-     * @throws org.evoloop.converter.EvolutionException the same
+     * @throws ModelException as in {@link SystemEventConverter#evolve}
+     * @throws org.evoloop.converter.EvolutionException as in {@link SystemEventConverter#evolve}
      */
     public void choose(String reference) {
         if (!names().containsKey(reference)) {
@@ -83,7 +83,9 @@ public final class OfferedModels {
         return known;
     }
 
-    /** Null if it is none, or the device as it is, which would be one, too, but nothing that anybody wants. */
+    /**
+     * The machine to offer; null if it is not an evolution, or is the device's own model, which nobody would choose.
+     */
     private @Nullable StateMachine evolution(String reference) {
         try {
             ModelPair pair = pair(reference);

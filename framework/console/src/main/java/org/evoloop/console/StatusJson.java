@@ -20,14 +20,14 @@ import org.jspecify.annotations.Nullable;
  *   <li>{@code conversionTime}: {@code events}, {@code lastNanos}, {@code medianNanos}, {@code percentile99Nanos}
  *   <li>{@code components}, a list: {@code name}, {@code role} (monitor, analyze, plan, execute), {@code thread},
  *   {@code activity} (waiting, working, stuck, ended), {@code failures}, {@code lastFailure}
- *   <li>{@code evolution}: which models took over from which, as long as there is a way back; else empty
+ *   <li>{@code evolution}: which models took over from which, as long as a rollback is possible; else empty
  *   <li>{@code shadow}: the report of the shadow, as text; empty if there is none
  *   <li>{@code doubt}: why the original state may be wrong, empty if it is certain
  *   <li>{@code function}: {@code state}, {@code thread}, {@code progress} in words, {@code readings} as below; all
  *   empty if no new function runs
- *   <li>{@code faults}, a list of what is no component and has failed, such as a guard or a function: {@code part},
+ *   <li>{@code faults}, a list of failed parts other than components, such as a guard or a function: {@code part},
  *   {@code failures}, {@code lastFailure}
- *   <li>{@code link}: {@code up}, {@code text}, {@code readings}, an object with a member for each thing that is known
+ *   <li>{@code link}: {@code up}, {@code text}, {@code readings}, an object with a member for each thing known
  *   of the device, such as {@code "battery":93}; {@code null} if no link was registered
  * </ul>
  *

@@ -25,7 +25,7 @@ final class StreamIo implements ConsoleIo {
         this.err = err;
     }
 
-    /** Reads on a thread of its own, since nothing can interrupt the read of a pipe. */
+    /** Reads on a separate thread, since nothing can interrupt the read of a pipe. */
     @Override
     public @Nullable String readLine() throws IOException, InterruptedException {
         FutureTask<@Nullable String> reading = new FutureTask<>(lines::readLine);

@@ -181,7 +181,7 @@ final class TerminalIo implements ConsoleIo {
             if (terminal.reader().read(period.toMillis()) == NonBlockingReader.READ_EXPIRED) {
                 return false;
             }
-            // An arrow is several characters.
+            // An arrow key sends several characters.
             while (terminal.reader().read(KEYS_APART_MILLIS) >= 0) {}
             return true;
         } catch (InterruptedIOException interrupt) {

@@ -4,7 +4,7 @@ import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A contact that bounces, of which only what lasts counts.
+ * Debounces a contact: reports only states that last.
  *
  * <p>Threading: thread-safe; {@code whenClosed} is called on the clock's thread.
  */

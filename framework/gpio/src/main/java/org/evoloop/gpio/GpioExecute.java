@@ -17,8 +17,8 @@ import org.evoloop.time.Clock;
  * new GpioExecute("Coffee", pins, clock, Map.of("power", 23, "brew", 24), Duration.ofMillis(200))
  * }</pre>
  *
- * <p>A step is carried out when the pin has been high for as long as a press lasts, and low for as long again, so that
- * two presses are not one. The pin is low afterwards, whatever happens.
+ * <p>A step has been executed when the pin has been high for the duration of a press and then low for as long, so that
+ * two presses do not merge into one. Afterwards the pin is low, even after a failure.
  *
  * <p>Threading: as {@link EventExecute}.
  *
@@ -32,10 +32,10 @@ public class GpioExecute extends EventExecute {
     /**
      * A component that sends these events.
      *
-     * @param name what the console calls it, unique within a converter
+     * @param name its name in the console, unique within a converter
      * @param outputs GPIO numbers, by event
-     * @param press how long a press lasts
-     * @throws IllegalArgumentException if a pin cannot be had
+     * @param press the duration of a press
+     * @throws IllegalArgumentException if a pin cannot be used
      */
     public GpioExecute(String name, Pins pins, Clock clock, Map<String, Integer> outputs, Duration press) {
         super(name);

@@ -15,21 +15,22 @@ import org.evoloop.time.Clock;
  * new GpioMonitor("WallSwitch", pins, clock).controller(17, "switch").device(27, "doorOpened")
  * }</pre>
  *
- * <p>An event comes when a switch closes. A contact that bounces counts once: it must have stood for {@link #SETTLED}.
+ * <p>An event occurs when a switch closes. Contacts are debounced: a state counts only after it has lasted for {@link
+ * #SETTLED}.
  *
  * <p>Threading: as {@link PushMonitor}.
  *
  * @since 0.1
  */
 public class GpioMonitor extends PushMonitor {
-    /** How long a contact must have stood. */
+    /** How long a state of a contact must last to count. */
     public static final Duration SETTLED = Duration.ofMillis(20);
 
     private final Pins pins;
     private final Clock clock;
     private final Set<String> devicesOwn = new LinkedHashSet<>();
 
-    /** @param name what the console calls it, unique within a converter */
+    /** @param name its name in the console, unique within a converter */
     public GpioMonitor(String name, Pins pins, Clock clock) {
         super(name);
         this.pins = pins;
@@ -37,16 +38,16 @@ public class GpioMonitor extends PushMonitor {
     }
 
     /**
-     * A switch that somebody operates.
+     * Adds a switch that a person operates.
      *
      * @param pin its GPIO number
-     * @throws IllegalArgumentException if the pin cannot be had
+     * @throws IllegalArgumentException if the pin cannot be used
      */
     public final GpioMonitor controller(int pin, String event) {
         return on(pin, () -> push(fromController(event)));
     }
 
-    /** A contact with which the device tells that it has done something by itself; see {@link #controller}. */
+    /** Adds a contact that closes when the device has done something by itself; see {@link #controller}. */
     public final GpioMonitor device(int pin, String event) {
         devicesOwn.add(event);
         return on(pin, () -> push(fromDevice(event)));

@@ -3,7 +3,7 @@ package org.evoloop.gpio;
 import com.pi4j.io.gpio.digital.DigitalOutput;
 
 /**
- * What hangs on a pin, such as a lamp or a relay.
+ * An output pin that drives something such as a lamp or a relay.
  *
  * <p>Threading: thread-safe.
  *
@@ -12,7 +12,7 @@ import com.pi4j.io.gpio.digital.DigitalOutput;
 public final class OutputPin {
     private final DigitalOutput pin;
 
-    /** @throws IllegalArgumentException if the pin cannot be had */
+    /** @throws IllegalArgumentException if the pin cannot be used */
     public OutputPin(Pins pins, int pin) {
         this.pin = pins.outputAt(pin);
     }

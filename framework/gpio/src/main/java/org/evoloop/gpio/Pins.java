@@ -20,7 +20,7 @@ import java.util.Set;
 /**
  * The pins of a Raspberry Pi's header, by their GPIO numbers: GPIO 17 is pin 11 of the header.
  *
- * <p>Lifecycle: {@link #open}; {@link #close} gives all pins back, the outputs low.
+ * <p>Lifecycle: {@link #open}; {@link #close} releases all pins and sets the outputs low.
  *
  * <p>Threading: all methods may be called from any thread.
  *
@@ -42,7 +42,7 @@ public final class Pins implements AutoCloseable {
         this.context = context;
     }
 
-    /** The pins of another context of Pi4J's, such as one with its mock in tests; {@link #close} shuts it down. */
+    /** The pins of another Pi4J context, such as one with its mock in tests; {@link #close} shuts it down. */
     public static Pins of(Context context) {
         return new Pins(context);
     }
@@ -77,7 +77,7 @@ public final class Pins implements AutoCloseable {
         }
     }
 
-    /** A switch between the pin and ground; the Pi's own resistor pulls the pin up. */
+    /** A switch between the pin and ground; the Pi's internal pull-up resistor is on. */
     DigitalInput switchAt(int pin) {
         return use(
                 pin,
@@ -90,7 +90,7 @@ public final class Pins implements AutoCloseable {
                         DigitalInput.class));
     }
 
-    /** An output, which is low at first and when the pins are closed. */
+    /** An output, which is low initially and after the pins are closed. */
     DigitalOutput outputAt(int pin) {
         return use(
                 pin,

@@ -1,6 +1,6 @@
 /**
- * Pins of a Raspberry Pi: {@link org.evoloop.gpio.GpioMonitor} makes events of switches, {@link
- * org.evoloop.gpio.GpioExecute} operates what hangs on a pin, and {@link org.evoloop.gpio.Pins} has both.
+ * The pins of a Raspberry Pi: {@link org.evoloop.gpio.GpioMonitor} turns switches into events, {@link
+ * org.evoloop.gpio.GpioExecute} operates what is connected to a pin, and both use {@link org.evoloop.gpio.Pins}.
  *
  * <p>It uses the core and Pi4J.
  */

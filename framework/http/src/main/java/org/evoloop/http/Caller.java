@@ -10,8 +10,8 @@ import javax.net.ssl.SSLSocket;
 import javax.net.ssl.SSLSocketFactory;
 
 /**
- * Sends requests and waits for their answers. Each has a connection of its own, so none meets one that the device is
- * just closing.
+ * Sends requests and waits for their answers. Each request has a new connection, so that none is sent on a connection
+ * that the device is just closing.
  *
  * <p>Threading: thread-safe.
  */
@@ -30,7 +30,7 @@ final class Caller {
         this.limit = limit;
     }
 
-    /** What is made of an answer. */
+    /** Extracts a value from an answer. */
     interface Use<T> {
         T of(Reply reply) throws IOException;
     }
@@ -38,8 +38,8 @@ final class Caller {
     /**
      * Sends a request.
      *
-     * @throws UnansweredException if there is no answer, or not all of what is used
-     * @throws IOException if the device cannot be reached, or answers with another status than 200 to 299
+     * @throws UnansweredException if there is no answer, or the part that is used is incomplete
+     * @throws IOException if the device cannot be reached, or answers with a status other than 200 to 299
      */
     <T> T call(HttpCall call, Use<T> use) throws IOException, InterruptedException {
         for (int attempt = 1; ; attempt++) {
@@ -78,8 +78,8 @@ final class Caller {
         }
     }
 
-    /** A channel's socket, which an interrupt closes, whatever it is waiting for. */
-    @SuppressWarnings("AddressSelection") // Whoever names a host by name has one address of it.
+    /** Connects a channel's socket, which an interrupt closes during any blocking call. */
+    @SuppressWarnings("AddressSelection") // the first address of a host name is good enough
     private static Socket connected(SocketChannel channel, HttpCall call, Limit left)
             throws IOException, InterruptedException {
         String host = call.address().getHost();

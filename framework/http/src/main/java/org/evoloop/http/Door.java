@@ -6,13 +6,13 @@ import java.security.MessageDigest;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Who is let in. A browser says which page a request is from; a page of another site must not operate a device, whoever
- * looks at it, and what a person types into the address line may.
+ * Decides which requests are accepted. A browser sends the origin of a request. Pages of other sites must not operate a
+ * device, even in a trusted user's browser; an address that a person types is accepted.
  *
  * <p>Threading: immutable.
  *
  * @param host to listen on
- * @param token that is needed; null if none is
+ * @param token the required token; null for none
  */
 record Door(String host, @Nullable String token) {
     private static final int SHORTEST_TOKEN = 16;

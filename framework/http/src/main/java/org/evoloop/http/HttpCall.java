@@ -15,7 +15,7 @@ import java.util.TreeMap;
  * @param address with {@code http://} or {@code https://}
  * @param headers by name
  * @param body as text in UTF-8; empty for none
- * @param repeatable whether the device may get it twice without harm, such as "on" but not "toggle"
+ * @param repeatable whether the device may receive it twice without harm, such as "on" but not "toggle"
  * @since 0.1
  */
 public record HttpCall(String method, URI address, Map<String, String> headers, String body, boolean repeatable) {
@@ -61,7 +61,7 @@ public record HttpCall(String method, URI address, Map<String, String> headers, 
         return new HttpCall(method, address, more, body, repeatable);
     }
 
-    /** A copy that the device may get twice without harm, so it is repeated if it is not answered. */
+    /** A copy that the device may receive twice without harm, so that it is repeated if it is not answered. */
     public HttpCall canBeRepeated() {
         return new HttpCall(method, address, headers, body, true);
     }
@@ -74,7 +74,7 @@ public record HttpCall(String method, URI address, Map<String, String> headers, 
         return address.getPort() > 0 ? address.getPort() : isSecure() ? 443 : 80;
     }
 
-    /** As it is sent (RFC 9112). */
+    /** The bytes that are sent (RFC 9112). */
     byte[] bytes() {
         String path = address.getRawPath().isEmpty() ? "/" : address.getRawPath();
         String query = address.getRawQuery() == null ? "" : "?" + address.getRawQuery();
@@ -89,7 +89,7 @@ public record HttpCall(String method, URI address, Map<String, String> headers, 
         return (text + "Connection: close\r\n\r\n" + body).getBytes(StandardCharsets.UTF_8);
     }
 
-    /** For messages: {@code POST http://lamp.local/toggle}, without what may be secret. */
+    /** For messages: {@code POST http://lamp.local/toggle}, without parts that may be secret. */
     @Override
     public String toString() {
         return method + " " + address.getScheme() + "://" + address.getHost()

@@ -20,12 +20,12 @@ import org.jspecify.annotations.Nullable;
  *         .asking(HttpCall.get("http://lamp.local/state"), answer -> answer.contains("on") ? "on" : "off");
  * }</pre>
  *
- * <p>A step is carried out when the device answers with a status of 200 to 299. Else it fails, and so does one that is
- * not answered in time. Whether such a request has arrived is not known: it is never sent again, unless it {@linkplain
- * HttpCall#canBeRepeated() can be}; a device that can be asked where it is, is asked instead. Redirections are not
- * followed.
+ * <p>A step has been executed when the device answers with a status of 200 to 299. It fails if the answer has another
+ * status or does not come in time. In the latter case the request may or may not have arrived: it is never sent again,
+ * unless it {@linkplain HttpCall#canBeRepeated() can be}. If the device's state can be asked for, it is asked instead.
+ * Redirects are not followed.
  *
- * <p>Threading: as {@link EventExecute}. As a {@link DeviceLink} it tells how the last request went.
+ * <p>Threading: as {@link EventExecute}. As a {@link DeviceLink} it reports how the last request went.
  *
  * @since 0.1
  */
@@ -54,8 +54,8 @@ public class HttpExecute extends EventExecute implements DeviceLink {
      * Sets a question for the device's state, asked when a request may not have arrived and whenever the converter is
      * in doubt.
      *
-     * @param call the question, which may be asked again
-     * @param state the state of the original model that an answer's body means
+     * @param call the question, which may be repeated
+     * @param state maps an answer's body to a state of the original model
      */
     public final HttpExecute asking(HttpCall call, Function<String, String> state) {
         question = call.canBeRepeated();

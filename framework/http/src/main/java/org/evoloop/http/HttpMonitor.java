@@ -20,12 +20,13 @@ import org.jspecify.annotations.Nullable;
  *         .open();
  * }</pre>
  *
- * <p>Only this machine reaches it, unless {@link #listenOn} says otherwise. Parameters of the query are the event's
- * values, numbers where they look so, and so is the body, as a text named {@code body}; it may have 4096 bytes. The
- * answer is 204, or 409 with the reason while the converter is stopped. Eight requests are dealt with at a time; who
- * comes when there is no room, or has not sent all within 10 s, is hung up on. Pages of other sites are turned away.
+ * <p>It accepts requests only from this machine, unless {@link #listenOn} is used. Query parameters are the event's
+ * values, as numbers if they look like numbers. So is the body, as a text named {@code body}, of at most 4096 bytes.
+ * The answer is 204, or 409 with the reason while the converter is stopped. At most eight requests are handled at a
+ * time; further ones are disconnected, and so are clients that have not sent everything within 10 s. Requests from
+ * pages of other sites are refused.
  *
- * <p>Lifecycle: say everything, then {@link #open}; {@link #close}.
+ * <p>Lifecycle: set all requests, then {@link #open}; {@link #close}.
  *
  * <p>Threading: as {@link PushMonitor}.
  *
@@ -50,7 +51,7 @@ public class HttpMonitor extends PushMonitor implements AutoCloseable {
     }
 
     /**
-     * Lets other machines in, if they know the token: they send it as {@code Authorization: Bearer TOKEN}.
+     * Also accepts requests from other machines that send the token as {@code Authorization: Bearer TOKEN}.
      *
      * @param host the address to listen on; {@code 0.0.0.0} for all of this machine
      * @param token a secret of at least 16 characters
@@ -102,7 +103,7 @@ public class HttpMonitor extends PushMonitor implements AutoCloseable {
         return this;
     }
 
-    /** The port that it listens on. @throws IllegalStateException if it does not */
+    /** The port that it listens on. @throws IllegalStateException if it does not listen */
     public final synchronized int port() {
         if (server == null) {
             throw new IllegalStateException(name() + " is not open");

@@ -8,7 +8,7 @@ import java.net.SocketTimeoutException;
 import java.time.Duration;
 
 /**
- * The time that is left for a request, however slowly its answer comes.
+ * The time left for a request; a slow answer does not extend it.
  *
  * <p>Threading: for one thread.
  */
@@ -19,7 +19,7 @@ final class Limit {
         deadlineNanos = System.nanoTime() + limit.toNanos();
     }
 
-    /** At least 1. @throws SocketTimeoutException if there is none left */
+    /** The time left, at least 1. @throws SocketTimeoutException if none is left */
     int millis() throws SocketTimeoutException {
         long left = deadlineNanos - System.nanoTime();
         if (left <= 0) {
@@ -28,7 +28,7 @@ final class Limit {
         return (int) Math.min(Integer.MAX_VALUE, left / 1_000_000 + 1);
     }
 
-    /** What comes from {@code socket} in time. */
+    /** The bytes that {@code socket} delivers in time. */
     InputStream of(Socket socket) throws IOException {
         return new FilterInputStream(socket.getInputStream()) {
             @Override

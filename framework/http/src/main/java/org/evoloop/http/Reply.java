@@ -9,11 +9,11 @@ import java.nio.charset.StandardCharsets;
 import java.util.Locale;
 
 /**
- * An answer (RFC 9112), of whose body {@value #LONGEST_BODY} bytes are read, if they are wanted.
+ * An answer (RFC 9112). At most {@value #LONGEST_BODY} bytes of its body are read, and only on request.
  *
  * <p>Threading: for one thread.
  *
- * @param length of the body; {@link #CHUNKED} or {@link #TO_THE_END} if it is not said
+ * @param length of the body; {@link #CHUNKED} or {@link #TO_THE_END} if it is not given
  */
 record Reply(int status, long length, InputStream rest) {
     static final int LONGEST_BODY = 65_536;

@@ -19,7 +19,7 @@ import org.slf4j.LoggerFactory;
 /**
  * Listens for requests.
  *
- * <p>Threading: thread-safe. Each request has a thread while it is dealt with.
+ * <p>Threading: thread-safe. Each request occupies a thread while it is handled.
  */
 final class RequestServer implements AutoCloseable {
     static final int MOST_REQUESTS = 8;
@@ -52,7 +52,7 @@ final class RequestServer implements AutoCloseable {
     }
 
     static RequestServer open(Door door, int port, Map<String, Consumer<Values>> requests) throws IOException {
-        // Read once by the JDK's server, before it serves the first time; the live page says the same.
+        // The JDK's server reads these once, before it serves for the first time; the live page sets the same values.
         unlessSet("sun.net.httpserver.nodelay", "true");
         unlessSet("sun.net.httpserver.maxReqTime", "10");
         unlessSet("sun.net.httpserver.clockTick", "1000");

@@ -8,14 +8,14 @@ import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import org.evoloop.evolution.Values;
 
-/** What a request carries. */
+/** The event values in a request. */
 final class RequestValues {
     private static final int LONGEST_BODY = 4_096;
     private static final String NUMBER = "[+-]?[0-9]{1,15}(\\.[0-9]{1,15})?";
 
     private RequestValues() {}
 
-    /** @throws IllegalArgumentException if it is too long, or no text in UTF-8 */
+    /** @throws IllegalArgumentException if the body is too long, or not text in UTF-8 */
     static Values of(HttpExchange exchange) throws IOException {
         Values values = Values.NONE;
         String query = exchange.getRequestURI().getRawQuery();

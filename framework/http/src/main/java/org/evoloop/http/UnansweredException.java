@@ -2,7 +2,7 @@ package org.evoloop.http;
 
 import org.evoloop.converter.UnknownEffectException;
 
-/** A request has not been answered; whether it has arrived is not known. */
+/** A request was not answered; it is unknown whether it arrived. */
 final class UnansweredException extends UnknownEffectException {
     private static final long serialVersionUID = 1;
 

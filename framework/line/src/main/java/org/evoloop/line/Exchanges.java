@@ -14,9 +14,9 @@ import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Tells answers from all other lines.
+ * Separates answers from all other lines.
  *
- * <p>Threading: thread-safe; who asks while another waits for an answer comes after it.
+ * <p>Threading: thread-safe; questions are asked one at a time, in the order of the calls.
  */
 final class Exchanges implements WireUser {
     private final Reconnector wire;
@@ -44,7 +44,7 @@ final class Exchanges implements WireUser {
         this.clock = clock;
     }
 
-    /** Has {@code listener} told each line that is no answer. */
+    /** Adds a listener for all lines that are not answers. */
     void listen(Consumer<String> listener) {
         listeners.add(listener);
     }
@@ -65,7 +65,7 @@ final class Exchanges implements WireUser {
         }
     }
 
-    /** As {@link LineConnection#ask}. */
+    /** See {@link LineConnection#ask}. */
     String ask(String line, Pattern answers, Duration limit, Consumer<String> heard)
             throws IOException, InterruptedException {
         turn.lockInterruptibly();

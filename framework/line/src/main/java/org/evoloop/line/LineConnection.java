@@ -67,7 +67,7 @@ public final class LineConnection implements DeviceLink, AutoCloseable {
     }
 
     /**
-     * Shows what the device reports, among the readings of the status.
+     * Adds a reading to the status, from what the device reports.
      *
      * @param name as of a {@link Reading}, such as {@code battery}
      * @param line with one group, the value, as in {@code "battery ([0-9]+)"}
@@ -79,7 +79,7 @@ public final class LineConnection implements DeviceLink, AutoCloseable {
         return this;
     }
 
-    /** Has each line that is no answer told to {@code listener}, which must be quick. */
+    /** Adds a listener for all lines that are not answers. It must be quick. */
     void listen(Consumer<String> listener) {
         exchanges.listen(listener);
     }

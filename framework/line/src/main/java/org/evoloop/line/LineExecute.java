@@ -22,8 +22,8 @@ import org.jspecify.annotations.Nullable;
  *         .asking("STATE?", Map.of("is off", "Off", "is low", "Low", "is high", "High"), Duration.ofSeconds(2));
  * }</pre>
  *
- * <p>While the device cannot be reached, and if it refuses, a step fails; nothing is sent later or twice. If it does
- * not answer, the step fails, too, and the device is asked for its state.
+ * <p>A step fails if the device cannot be reached or refuses; nothing is sent later or twice. A step also fails if the
+ * device does not answer; then the device is asked for its state.
  *
  * <p>Threading: as {@link EventExecute}.
  *

@@ -14,7 +14,7 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * A monitor of a controller or a device that tells in lines of text what happens:
+ * A monitor of a controller or a device that reports in lines of text what happens:
  *
  * <pre>{@code
  * new LineMonitor("Fan", connection)
@@ -23,9 +23,9 @@ import org.slf4j.LoggerFactory;
  *         .found(Map.of("is off", "Off", "is low", "Low"));
  * }</pre>
  *
- * <p>The first rule that fits a line counts; a line that none fits is ignored.
+ * <p>The first rule that matches a line is used; a line without a matching rule is ignored.
  *
- * <p>Lifecycle: say everything before the connection is opened.
+ * <p>Lifecycle: add all rules before the connection is opened.
  *
  * <p>Threading: as {@link PushMonitor}.
  *
@@ -39,7 +39,7 @@ public class LineMonitor extends PushMonitor {
 
     private record Rule(Pattern line, Function<Matcher, Occurrence> means) {}
 
-    /** @param name what the console calls it, unique within a converter */
+    /** @param name its name in the console, unique within a converter */
     @SuppressWarnings("this-escape")
     public LineMonitor(String name, LineConnection connection) {
         super(name);
@@ -47,7 +47,7 @@ public class LineMonitor extends PushMonitor {
     }
 
     /**
-     * These lines tell what was operated on a controller.
+     * Sets the lines that report that a control of the controller was operated.
      *
      * @param events by line
      */
@@ -57,15 +57,15 @@ public class LineMonitor extends PushMonitor {
     }
 
     /**
-     * The same for all lines of a form; its named groups are the event's values: numbers where they look so, else
-     * texts.
+     * Sets a pattern of such lines. Its named groups are the event's values, as numbers if they look like numbers, else
+     * as texts.
      */
     public final LineMonitor controller(Pattern line, String event) {
         return rule(line, match -> fromController(event, LineReadings.values(match)));
     }
 
     /**
-     * These lines tell what the device has done by itself.
+     * Sets the lines that report that the device has done something by itself.
      *
      * @param events by line
      */
@@ -74,14 +74,15 @@ public class LineMonitor extends PushMonitor {
         return this;
     }
 
-    /** The same for all lines of a form, as {@link #controller(Pattern, String)}. */
+    /** Sets a pattern of such lines, as {@link #controller(Pattern, String)} does. */
     public final LineMonitor device(Pattern line, String event) {
         devicesOwn.add(event);
         return rule(line, match -> fromDevice(event, LineReadings.values(match)));
     }
 
     /**
-     * These lines tell where the device is, such as in answer to what {@link LineConnection#greet} asks.
+     * Sets the lines that report the device's state, for example in answer to the lines of {@link
+     * LineConnection#greet}.
      *
      * @param states of the original model, by line
      */

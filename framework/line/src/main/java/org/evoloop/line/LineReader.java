@@ -11,8 +11,8 @@ import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Makes lines of bytes. Lines end with CR, LF or both; empty ones are left out, and so are those that are not UTF-8 or
- * have more than {@value #LONGEST} bytes. What has no end yet when the stream ends is no line.
+ * Splits bytes into lines, which end with CR, LF or both. Empty lines, lines that are not UTF-8, and lines of more than
+ * {@value #LONGEST} bytes are skipped. An incomplete line at the end of the stream is ignored.
  *
  * <p>Threading: one thread reads.
  */
@@ -24,13 +24,13 @@ final class LineReader {
     private final ByteArrayOutputStream line = new ByteArrayOutputStream();
     private boolean tooLong;
 
-    /** @param complaints is told what is wrong with a line that is left out */
+    /** @param complaints receives what is wrong with a skipped line */
     LineReader(InputStream bytes, Consumer<String> complaints) {
         this.bytes = new BufferedInputStream(bytes);
         this.complaints = complaints;
     }
 
-    /** The next line, without its end; null when the stream has ended. */
+    /** The next line, without its line end; null at the end of the stream. */
     @Nullable
     String next() throws IOException {
         for (int next = bytes.read(); next >= 0; next = bytes.read()) {

@@ -10,7 +10,7 @@ import org.evoloop.evolution.Values;
 import org.evoloop.function.Reading;
 
 /**
- * What the lines of a device say of it.
+ * The readings in a device's lines.
  *
  * <p>Threading: thread-safe.
  */
@@ -56,7 +56,7 @@ final class LineReadings implements WireUser {
         return List.copyOf(known.values());
     }
 
-    /** The named groups of a match: numbers where they look so, else texts. */
+    /** The named groups of a match, as numbers if they look like numbers, else as texts. */
     static Values values(Matcher match) {
         Values values = Values.NONE;
         Matcher names = NAMED_GROUP.matcher(match.pattern().pattern());

@@ -6,8 +6,8 @@ import java.io.InputStream;
 import java.io.OutputStream;
 
 /**
- * The way to what speaks in lines: {@link #tcp}, or the serial port of the artifact {@code evoloop-serial}. Its
- * {@code toString} says where it leads, for messages.
+ * Opens wires to a controller or device that exchanges lines: {@link #tcp}, or the serial port of the artifact {@code
+ * evoloop-serial}. Its {@code toString} names the destination, for messages.
  *
  * <p>Threading: {@link #open} is called by one thread at a time.
  *
@@ -16,9 +16,9 @@ import java.io.OutputStream;
 public interface LineTransport {
 
     /**
-     * Opens a wire. Waits for some seconds at most.
+     * Opens a wire. Waits for a few seconds at most.
      *
-     * @throws IOException if there is none now; the message names the place and says how to fix it
+     * @throws IOException if that fails; the message names the destination and says how to fix it
      */
     Wire open() throws IOException;
 
@@ -28,17 +28,18 @@ public interface LineTransport {
     }
 
     /**
-     * What is open.
+     * An open wire.
      *
-     * <p>Threading: one thread reads, one at a time writes, and any may close, which ends what the others do.
+     * <p>Threading: one thread reads, one at a time writes. Any thread may close the wire, which ends the calls of the
+     * others.
      *
      * @since 0.1
      */
     interface Wire extends Closeable {
-        /** What comes from the other end. */
+        /** Bytes from the other end. */
         InputStream input();
 
-        /** What goes to the other end, without delay. */
+        /** Bytes to the other end, sent without delay. */
         OutputStream output();
     }
 }

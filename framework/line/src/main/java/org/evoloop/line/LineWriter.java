@@ -9,7 +9,7 @@ import org.evoloop.time.Clock;
 import org.evoloop.time.Threads;
 
 /**
- * Writes lines, and hangs up on an end that takes none.
+ * Writes lines, and hangs up if the other end accepts none.
  *
  * <p>Threading: thread-safe; the bytes of a line stay together.
  */
@@ -23,8 +23,8 @@ final class LineWriter {
     /**
      * Writes to any wire.
      *
-     * @param place where the wire leads, for messages
-     * @param hangUp closes it, which may wait, and is told why
+     * @param place the wire's destination, for messages
+     * @param hangUp closes the wire, which may block; receives the reason
      */
     LineWriter(Clock clock, String place, Consumer<String> hangUp) {
         this.clock = clock;

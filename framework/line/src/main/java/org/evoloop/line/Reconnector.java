@@ -11,9 +11,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Keeps a wire: opens it, reads it, and opens another when it is lost.
+ * Keeps a wire open: opens it, reads it, and opens it again when it is lost.
  *
- * <p>Threading: all methods may be called from any thread; users are called on the thread that reads.
+ * <p>Threading: all methods may be called from any thread; users are called on the reading thread.
  */
 final class Reconnector {
     private static final Logger LOG = LoggerFactory.getLogger(LineConnection.class);
@@ -24,7 +24,7 @@ final class Reconnector {
     private final WireUsers users;
     private final WireHealth health;
     private volatile @Nullable Wire wire;
-    /** Why this side has hung up; empty if it has not. */
+    /** The reason why this side has hung up; empty if it has not. */
     private volatile String ended = "";
 
     private volatile boolean closing;
@@ -41,7 +41,7 @@ final class Reconnector {
         users.add(user);
     }
 
-    /** Where it leads, for messages. */
+    /** The wire's destination, for messages. */
     String place() {
         return transport.toString();
     }
@@ -63,7 +63,7 @@ final class Reconnector {
                 }
             }
         } catch (InterruptedException | RejectedExecutionException end) {
-            // It is being closed, or its clock was.
+            // This connection is being closed, or its clock was closed.
         }
     }
 
@@ -92,7 +92,7 @@ final class Reconnector {
         }
     }
 
-    /** As {@link LineConnection#tell}. */
+    /** See {@link LineConnection#tell}. */
     void write(String line) throws IOException {
         Wire open = wire;
         if (open == null) {
@@ -101,7 +101,7 @@ final class Reconnector {
         writer.write(open, line);
     }
 
-    /** Has the wire made anew. */
+    /** Closes the wire, so that it is opened again. */
     void hangUp(String why) {
         Wire open = wire;
         if (open != null) {

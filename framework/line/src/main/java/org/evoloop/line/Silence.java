@@ -7,9 +7,10 @@ import org.evoloop.time.Threads;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Watches that something is heard of the other end: asks it when nothing is, and hangs up if it does not answer.
+ * Detects a silent connection: if nothing was received for a while, sends a question, and hangs up if that is not
+ * answered.
  *
- * <p>Threading: thread-safe. What may wait is done on threads of their own, not the clock's.
+ * <p>Threading: thread-safe. What may block runs on separate threads, not on the clock's.
  */
 final class Silence implements WireUser {
     private final Clock clock;
@@ -77,7 +78,7 @@ final class Silence implements WireUser {
         try {
             wire.write(question);
         } catch (IOException lost) {
-            // Whoever reads notices it, too.
+            // The reading thread notices it, too.
         }
     }
 }

@@ -28,7 +28,7 @@ record TcpTransport(String host, int port) implements LineTransport {
     }
 
     @Override
-    @SuppressWarnings("resource") // The wire closes it.
+    @SuppressWarnings("resource") // the wire closes it
     public Wire open() throws IOException {
         InetSocketAddress address = new InetSocketAddress(host, port);
         if (address.isUnresolved()) {

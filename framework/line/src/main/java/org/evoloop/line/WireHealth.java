@@ -8,9 +8,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Whether a wire is there, and what is wrong with it, which is logged once until it is something else or over.
+ * Whether a wire is connected, and what is wrong with it. A fault is logged once, until it changes or ends.
  *
- * <p>Threading: told by the thread that reads, asked by any.
+ * <p>Threading: updated by the reading thread, read by any.
  */
 final class WireHealth {
     private static final Logger LOG = LoggerFactory.getLogger(LineConnection.class);
@@ -21,7 +21,7 @@ final class WireHealth {
     private volatile @Nullable Instant downSince;
     private volatile String trouble;
 
-    /** @param place where the wire leads, for messages */
+    /** @param place the wire's destination, for messages */
     WireHealth(String place, Clock clock) {
         this.place = place;
         this.clock = clock;
@@ -44,7 +44,7 @@ final class WireHealth {
         trouble = why;
     }
 
-    /** It will be tried again. */
+    /** Logs a new fault, and pauses before the next attempt. */
     void tryAgain() throws InterruptedException {
         if (attempts.failed(trouble, clock.nanoTime())) {
             LOG.warn("{}; it is tried again until it works", trouble);
@@ -52,7 +52,7 @@ final class WireHealth {
         clock.sleep(attempts.pause());
     }
 
-    /** Since when it has been gone; null while it is there. */
+    /** When the wire was lost; null while it is connected. */
     @Nullable
     Instant downSince() {
         return downSince;

@@ -3,17 +3,17 @@ package org.evoloop.line;
 import java.io.IOException;
 
 /**
- * Who is told of a wire.
+ * Receives what happens on a wire.
  *
- * <p>Threading: called on the thread that reads.
+ * <p>Threading: called on the reading thread.
  */
 interface WireUser {
-    /** It is there. */
+    /** The wire is connected. */
     default void connected() throws IOException {}
 
-    /** A line has come. */
+    /** A line was received. */
     default void heard(String line) {}
 
-    /** It is gone. */
+    /** The wire is lost. */
     default void lost(String why) {}
 }

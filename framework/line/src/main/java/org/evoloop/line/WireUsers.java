@@ -9,8 +9,7 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * All that are told of a wire, in the order in which they were added. One that cannot deal with a line keeps it from
- * nobody else.
+ * All users of a wire, in the order in which they were added. If one fails on a line, the others still receive it.
  *
  * <p>Threading: {@link #add} may be called from any thread.
  */
@@ -21,7 +20,7 @@ final class WireUsers implements WireUser {
     private final List<WireUser> all = new CopyOnWriteArrayList<>();
     private final Set<String> complaints = new HashSet<>();
 
-    /** @param place where the wire leads, for messages */
+    /** @param place the wire's destination, for messages */
     WireUsers(String place) {
         this.place = place;
     }
@@ -53,7 +52,7 @@ final class WireUsers implements WireUser {
         all.forEach(user -> user.lost(why));
     }
 
-    /** What has come is no line; each kind of it is logged once. */
+    /** Logs that a received line was skipped, once for each reason. */
     void complain(String about) {
         if (complaints.add(about)) {
             LOG.warn("{}: {}", place, about);

@@ -1,6 +1,6 @@
 /**
- * A controller or a device that speaks in lines of text: {@link org.evoloop.line.LineConnection} keeps the connection,
- * {@link org.evoloop.line.LineMonitor} and {@link org.evoloop.line.LineExecute} are the components.
+ * A controller or a device that exchanges lines of text: {@link org.evoloop.line.LineConnection} maintains the
+ * connection, {@link org.evoloop.line.LineMonitor} and {@link org.evoloop.line.LineExecute} are the components.
  *
  * <p>It uses the core.
  */

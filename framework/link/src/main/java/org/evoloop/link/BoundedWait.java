@@ -3,20 +3,20 @@ package org.evoloop.link;
 import static java.util.concurrent.TimeUnit.NANOSECONDS;
 
 /**
- * Waits that an interrupt does not cut short, because what waits here leaves a device safe; each has a limit instead.
+ * Waits that an interrupt does not cut short, because the waiting code leaves a device safe; each has a limit instead.
  * The interrupt flag is restored for the caller.
  *
- * <p>Threading: pure functions, but for the time they take.
+ * <p>Threading: stateless.
  *
  * @since 0.1
  */
 public final class BoundedWait {
     private BoundedWait() {}
 
-    /** One wait, as the concurrency library offers it. */
+    /** One wait of the concurrency library. */
     @FunctionalInterface
     interface Attempt {
-        /** Returns whether that came which was waited for. */
+        /** Returns whether the condition was met in time. */
         boolean within(long nanos) throws InterruptedException;
     }
 

@@ -8,9 +8,9 @@ import java.io.IOException;
 import org.evoloop.natives.NativeLibraries;
 
 /**
- * Keeps what the program does on SIGHUP, the signal of a terminal or SSH session that ends. jSerialComm's native part
- * sets it to "ignore" when it is loaded, after which the shutdown hooks that leave a device safe would not run, and
- * the virtual machine refuses to take the signal back.
+ * Preserves the program's action for SIGHUP, the signal of a terminal or SSH session that ends. jSerialComm's native
+ * part sets it to "ignore" when it is loaded. Then the shutdown hooks that leave a device safe would not run, and the
+ * virtual machine does not restore its own handler.
  */
 final class HangupSignal {
     private static final int SIGHUP = 1;
@@ -30,7 +30,7 @@ final class HangupSignal {
         static native int sigaction(int signal, Pointer action, Pointer previous);
     }
 
-    /** What may change it. */
+    /** Code that may change the action. */
     @FunctionalInterface
     interface Change {
         void run() throws IOException;

@@ -25,7 +25,7 @@ public final class LinkException extends RuntimeException {
         HUNG_UP,
         /** The other end takes no more bytes. */
         NOT_READING,
-        /** Something else has stopped the device, since this program stood still. */
+        /** Something else has stopped the device, because this program did not run for a while. */
         OVERRULED,
         /** The link was not opened yet, or {@link Link#close()} ended it. */
         CLOSED

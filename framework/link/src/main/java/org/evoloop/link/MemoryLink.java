@@ -23,7 +23,7 @@ public final class MemoryLink implements Link {
     private final WakeLine wakeLine;
     private final MemoryLink peer;
 
-    /** What has arrived here and was not received yet. */
+    /** Bytes that have arrived but were not received yet. */
     private final Deque<byte[]> arrived = new ArrayDeque<>();
 
     private @Nullable LinkException end;
@@ -141,7 +141,7 @@ public final class MemoryLink implements Link {
         }
     }
 
-    /** Sets whether this end takes bytes; if not, the other is lost as soon as it sends some. */
+    /** Sets whether this end accepts bytes; if not, the other end is lost as soon as it sends some. */
     public void setReading(boolean reads) {
         synchronized (cable) {
             reading = reads;

@@ -10,9 +10,12 @@ import java.util.List;
 import java.util.stream.Stream;
 import org.evoloop.link.LinkException.Fault;
 
-/** What can be wrong with a serial port, in words that tell how to fix it. */
+/** The faults of a serial port, with messages that say how to fix them. */
 final class SerialFaults {
-    /** Error numbers of Linux, as jSerialComm passes them on; it uses 2 for a port that this program has open, too. */
+    /**
+     * Linux error numbers, as passed on by jSerialComm, which also uses 2 for a port that this program has already
+     * opened.
+     */
     private static final int EPERM = 1;
 
     private static final int ENOENT = 2;
@@ -26,7 +29,7 @@ final class SerialFaults {
 
     private SerialFaults() {}
 
-    /** Explains why the system would not open a device. */
+    /** Explains why the system did not open a device. */
     static LinkException notOpened(SerialSettings settings, Path device, int error) {
         return switch (error) {
             case ENOENT -> Files.exists(device) ? busy(settings, device) : noSuchPort(settings);
@@ -64,7 +67,7 @@ final class SerialFaults {
                 Fault.NO_PERMISSION, settings + " may not be used by " + user + "; " + waysIn(device, user));
     }
 
-    /** A device is for its group, on Debian and the Raspberry Pi dialout, unless the system's console runs on it. */
+    /** A device belongs to a group, dialout on Debian and the Raspberry Pi, unless the system's console runs on it. */
     private static String waysIn(Path device, String user) {
         String group = "dialout";
         try {
@@ -76,7 +79,7 @@ final class SerialFaults {
             }
             group = attributes.group().getName();
         } catch (IOException | UnsupportedOperationException hidden) {
-            // The usual group is the best guess.
+            // Assume the usual group.
         }
         return "run 'sudo usermod -aG " + group + " " + user + "', then log out and in again";
     }
@@ -104,7 +107,7 @@ final class SerialFaults {
                 : "choose one of: " + String.join(", ", ports);
     }
 
-    /** The processes that have the device open, as far as this user may see them. */
+    /** The processes that have the device open, as far as this user can see them. */
     private static List<String> holders(Path device) {
         try (Stream<Path> processes = Files.list(Path.of("/proc"))) {
             return processes
@@ -127,7 +130,7 @@ final class SerialFaults {
 
     private static boolean pointsTo(Path descriptor, Path device) {
         try {
-            // Each container numbers its own pseudo-terminals.
+            // Each container numbers its own pseudo-terminals, so equal paths may be different devices.
             return Files.readSymbolicLink(descriptor).equals(device)
                     && (!device.startsWith("/dev/pts") || Files.isSameFile(descriptor, device));
         } catch (IOException gone) {

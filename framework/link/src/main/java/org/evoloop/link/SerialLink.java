@@ -20,10 +20,10 @@ import org.slf4j.LoggerFactory;
  * <p>The port is locked against other programs. Bytes received before it was opened are dropped. {@link #close} waits
  * until the line has been silent for 100 ms, so that the last command arrives.
  *
- * <p>Threading: {@link #receive} waits inside the operating system. A daemon thread named
- * {@code evoloop-serial-<port>-guard}, which ends with the link, watches over writes. A peer that takes no bytes holds
- * {@link #send} for {@link SerialSettings#sendLimitMillis()} at most; then the link is lost, and bytes that have not reached
- * the peer's end are dropped so that they do not come to the device late.
+ * <p>Threading: {@link #receive} waits inside the operating system. A daemon thread named {@code
+ * evoloop-serial-<port>-guard}, which ends with the link, monitors writes. A peer that accepts no bytes blocks {@link
+ * #send} for {@link SerialSettings#sendLimitMillis()} at most; then the link is lost, and bytes that the peer has not
+ * received are dropped so that they do not reach the device late.
  *
  * @since 0.1
  */
@@ -38,7 +38,7 @@ public final class SerialLink implements Link {
     private final SerialSettings settings;
     private final SerialWriter writer;
 
-    /** Held inside a read, and by whoever gives the port back. */
+    /** Held during a read, and while the port is released. */
     private final ReentrantLock reading = new ReentrantLock();
 
     private final AtomicBoolean closing = new AtomicBoolean();
@@ -67,8 +67,8 @@ public final class SerialLink implements Link {
     }
 
     /**
-     * Loads the serial library, which takes longer than opening a link. A program with other things to do first calls
-     * this on another thread; code that needs the library meanwhile waits for it.
+     * Loads the serial library, which takes longer than opening a link. A program with other work to do first can call
+     * this on another thread; code that needs the library in the meantime waits for it.
      *
      * @throws LinkException if it cannot be loaded
      */
@@ -76,7 +76,7 @@ public final class SerialLink implements Link {
         SerialPorts.load();
     }
 
-    /** The paths of the serial ports this computer has, in alphabetical order. Pseudo-terminals are not among them. */
+    /** The paths of this computer's serial ports, in alphabetical order, without pseudo-terminals. */
     public static List<String> available() {
         return SerialPorts.available();
     }
@@ -97,7 +97,7 @@ public final class SerialLink implements Link {
             if (length > 0) {
                 return length;
             }
-            // A blocking read that brings nothing has been hung up; reading on would spin.
+            // A blocking read that returns nothing means a hang-up; reading on would spin.
             end(SerialFaults.hungUp(settings));
             release();
             return ENDED;
@@ -135,13 +135,13 @@ public final class SerialLink implements Link {
         return settings.toString();
     }
 
-    /** Ends the link; returns its first cause, which is the given one unless it has ended before. */
+    /** Ends the link. Returns the first cause, which is the given one unless the link has already ended. */
     private LinkException end(LinkException cause) {
         LinkException first = end.compareAndExchange(null, cause);
         if (first != null) {
             return first;
         }
-        // A new mode wakes who waits to read or to write inside the old one; the port stays open under them.
+        // Changing the mode wakes threads that wait in a read or a write; the port stays open meanwhile.
         port.setComPortTimeouts(SerialPort.TIMEOUT_NONBLOCKING, 0, 0);
         return cause;
     }
@@ -163,7 +163,7 @@ public final class SerialLink implements Link {
         }
     }
 
-    /** Waits for writes under way, and until what they wrote has left; a link that ends needs no more waiting. */
+    /** Waits for writes in progress, and until their bytes have left. Stops waiting if the link ends. */
     private void awaitSilence() {
         writer.finish();
         long wait = writer.closableNanoTime() - System.nanoTime();
@@ -174,8 +174,9 @@ public final class SerialLink implements Link {
     }
 
     /**
-     * Gives the port back, after the last write has ended: jSerialComm must not be inside a port that closes, or it
-     * touches memory and file descriptors of others. Nobody reads meanwhile.
+     * Closes the port, after the last write has ended. If jSerialComm were inside a call on a port that is being
+     * closed, it would touch memory and file descriptors that belong to others. The caller makes sure that nobody
+     * reads.
      */
     private void release() {
         if (released.getCount() == 0) {

@@ -24,7 +24,7 @@ final class SerialPorts {
 
     private SerialPorts() {}
 
-    /** Has the library loaded, if it was not; throws {@link LinkException} if it cannot be. */
+    /** Loads the library if it is not loaded yet; throws {@link LinkException} if that fails. */
     static void load() {
         synchronized (LIBRARY) {
             if (loaded) {
@@ -54,7 +54,7 @@ final class SerialPorts {
         }
     }
 
-    /** The open port, with nothing in its buffers and its wake line at rest. */
+    /** Opens the port, with empty buffers and its wake line at rest. */
     static SerialPort open(SerialSettings settings) {
         Path device = device(settings);
         load();
@@ -81,8 +81,8 @@ final class SerialPorts {
     }
 
     /**
-     * The device itself, looked up anew for each link because a symbolic link may point elsewhere by now. Left to
-     * jSerialComm a path that does not exist would become the port of the same name in {@code /dev}.
+     * The device itself. It is resolved anew for each link, because a symbolic link may have changed. jSerialComm would
+     * treat a path that does not exist as the port of the same name in {@code /dev}.
      */
     private static Path device(SerialSettings settings) {
         Path device;

@@ -3,14 +3,14 @@ package org.evoloop.link;
 import java.nio.file.Path;
 
 /**
- * Which serial port, and how. Always 8 data bits, no parity, one stop bit and no flow control.
+ * A serial port and its settings. Always 8 data bits, no parity, one stop bit and no flow control.
  *
  * <p>Threading: immutable.
  *
  * @since 0.1
  */
 public final class SerialSettings {
-    /** The rate of most devices that have one only. */
+    /** The rate of most devices with a single rate. */
     public static final int DEFAULT_BAUD = 115_200;
 
     /** Long enough for a busy computer. */
@@ -52,7 +52,7 @@ public final class SerialSettings {
         return new SerialSettings(port, newBaud, wakeSignal, sendLimitMillis);
     }
 
-    /** The same, with another output that wakes the device. */
+    /** A copy with another output that wakes the device. */
     public SerialSettings withWakeSignal(WakeSignal newWakeSignal) {
         return new SerialSettings(port, baud, newWakeSignal, sendLimitMillis);
     }
@@ -67,17 +67,20 @@ public final class SerialSettings {
         return port;
     }
 
-    /** The rate. */
+    /** The rate in baud. */
     public int baud() {
         return baud;
     }
 
-    /** Which output wakes the device. */
+    /** The output that wakes the device. */
     public WakeSignal wakeSignal() {
         return wakeSignal;
     }
 
-    /** How much longer than its bytes need on the line a send may take before the link counts as lost. */
+    /**
+     * How much longer than the transmission time of its bytes a send may take before the link counts as lost, in
+     * milliseconds.
+     */
     public int sendLimitMillis() {
         return sendLimitMillis;
     }
@@ -87,12 +90,12 @@ public final class SerialSettings {
         return port.indexOf('/') < 0 ? Path.of("/dev", port) : Path.of(port);
     }
 
-    /** The port without its folder, for names of threads; {@code pts/3} keeps its own. */
+    /** The port without its folder, for thread names; {@code pts/3} keeps its folder. */
     String shortName() {
         return port.startsWith("/dev/") ? port.substring("/dev/".length()) : port.substring(port.lastIndexOf('/') + 1);
     }
 
-    /** How long so many bytes are on the line. */
+    /** The transmission time of this number of bytes. */
     long lineNanos(int bytes) {
         return bytes * BITS_PER_BYTE * 1_000_000_000L / baud;
     }

@@ -8,21 +8,21 @@ import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.ToIntFunction;
 
 /**
- * Writes on the caller's thread, since waking another one takes longer than all that a command needs before. A
- * {@link WriteGuard} ends a write whose time is over.
+ * Writes on the caller's thread, since waking another thread takes longer than everything else a command needs. A
+ * {@link WriteGuard} ends a write that is late.
  *
  * <p>Threading: thread-safe; writes leave in the order of the calls.
  */
 final class SerialWriter {
-    /** So much of what a peer has not read for long may still come to it late. */
+    /** The most that may still reach, late, a peer that has not read for a long time. */
     private static final int CHUNK_BYTES = 1_024;
 
-    /** What the line is thought to hold at most; a driver's and an adapter's buffers are of this order. */
+    /** An upper bound for the bytes on the way; the buffers of drivers and adapters are of this order. */
     private static final int BUFFERED_BYTES = 4_096;
 
     /**
-     * Closing a port throws away what still stands in its buffers. So long must the line have been silent before: an
-     * adapter's full buffer of 512 bytes needs 44 ms at 115200 baud, a simulator on a busy computer sometimes more.
+     * The silence required before the port is closed, since closing it discards its buffers. An adapter's full buffer
+     * of 512 bytes needs 44 ms at 115200 baud; a simulator on a busy computer sometimes needs more.
      */
     private static final long SILENCE_NANOS = 100_000_000;
 
@@ -32,7 +32,7 @@ final class SerialWriter {
     private final ReentrantLock turn = new ReentrantLock(true);
     private volatile boolean ending;
 
-    /** When the last byte will be on the line, by {@link System#nanoTime()}; whose turn it is may look. */
+    /** When the last byte will have been sent, by {@link System#nanoTime()}; guarded by {@link #turn}. */
     private long lineIdleNanoTime = System.nanoTime();
 
     private volatile long closableNanoTime = System.nanoTime();
@@ -44,10 +44,10 @@ final class SerialWriter {
     }
 
     /**
-     * Writes from {@link #start} on.
+     * Writes after {@link #start}.
      *
-     * @param port writes bytes and returns how many it has taken
-     * @param cutShort has the port return from a write that is late, see {@link WriteGuard}
+     * @param port writes bytes and returns how many it has accepted
+     * @param cutShort makes the port return from a write that is late, see {@link WriteGuard}
      */
     SerialWriter(ToIntFunction<byte[]> port, SerialSettings settings, Runnable cutShort, String guardName) {
         this.port = port;
@@ -87,7 +87,7 @@ final class SerialWriter {
         return BoundedWait.uninterruptibly(limitNanos, nanos -> turn.tryLock(nanos, NANOSECONDS));
     }
 
-    /** Lets later writes fail once the earlier ones are through, or have had their time. */
+    /** Makes later writes fail after the earlier ones have finished or run out of time. */
     void finish() {
         boolean mine = takeTurn(limitNanos(0));
         ending = true;
@@ -111,12 +111,14 @@ final class SerialWriter {
         return Outcome.WRITTEN;
     }
 
-    /** From when on the port can be closed without losing what was written, by {@link System#nanoTime()}. */
+    /** The earliest time at which the port can be closed without losing data, by {@link System#nanoTime()}. */
     long closableNanoTime() {
         return closableNanoTime;
     }
 
-    /** Lets waiting and later writes fail, and ends the one under way; false if that did not return in time. */
+    /**
+     * Makes waiting and later writes fail, and ends the one in progress; returns false if that did not return in time.
+     */
     boolean end(long limitNanos) {
         ending = true;
         guard.hurry();

@@ -3,8 +3,8 @@ package org.evoloop.link;
 import com.fazecast.jSerialComm.SerialPort;
 
 /**
- * Which output of the serial adapter is wired to the device's wake pin, such as a Roomba's BRC. Cables differ: most use RTS,
- * others DTR, and some that should use RTS are miswired.
+ * The output of the serial adapter that is wired to the device's wake pin, such as a Roomba's BRC. Cables differ: most
+ * use RTS, others DTR, and some that should use RTS are miswired.
  *
  * @since 0.1
  */
@@ -13,10 +13,13 @@ public enum WakeSignal {
     RTS,
     /** Data terminal ready. */
     DTR,
-    /** Both together, for a cable nobody knows. */
+    /** Both together, for a cable with unknown wiring. */
     BOTH;
 
-    /** Asserting an output of an adapter with TTL levels pulls its pin low. On a port yet to open: how it starts. */
+    /**
+     * Drives the output. Asserting an output of an adapter with TTL levels pulls its pin low. On a port that is not
+     * open yet, sets the initial level.
+     */
     boolean drive(SerialPort port, boolean low) {
         return switch (this) {
             case RTS -> low ? port.setRTS() : port.clearRTS();

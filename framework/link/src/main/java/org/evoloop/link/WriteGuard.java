@@ -7,29 +7,29 @@ import java.util.concurrent.locks.LockSupport;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Sees to it that a write comes to its end, which a write to a port whose peer does not read never does by itself on
- * Linux: when its time is over it is cut short, again and again until it returns.
+ * Makes sure that every write returns. On Linux, a write to a port whose peer does not read never returns by itself; so
+ * when its time is up, it is cut short, repeatedly until it returns.
  *
- * <p>Threading: watches on a daemon thread of its own, which sleeps while nothing is written. It is not woken for a
- * write that soon follows another one, and takes no lock that a write could wait for. One write at a time.
+ * <p>Threading: runs on its own daemon thread, which sleeps while nothing is written. It is not woken for a write that
+ * soon follows another one, and takes no lock that a write could wait for. One write at a time.
  */
 final class WriteGuard {
     private static final long CUT_INTERVAL_NANOS = MILLISECONDS.toNanos(10);
 
-    /** Nobody writes. Deadlines are odd, so that they are neither this nor {@link #LATE}. */
+    /** No write is in progress. Deadlines are odd, so that they differ from this and from {@link #LATE}. */
     private static final long IDLE = 0;
 
-    /** The write under way has had its time. */
+    /** The time of the write in progress is up. */
     private static final long LATE = 2;
 
     private final long shortestLimitNanos;
     private final Runnable cutShort;
     private final Thread thread;
 
-    /** When the write under way has to end, by {@link System#nanoTime()}, or one of the two words above. */
+    /** The deadline of the write in progress, by {@link System#nanoTime()}, or one of the two constants above. */
     private final AtomicLong due = new AtomicLong(IDLE);
 
-    /** Who watches; null before that has begun, when there is nobody to wake. */
+    /** The watching thread; null before it has started, when no wake-up is needed. */
     private volatile @Nullable Thread watcher;
 
     private volatile boolean ended;
@@ -37,11 +37,11 @@ final class WriteGuard {
     private volatile boolean usedLately;
 
     /**
-     * Watches from {@link #start} on.
+     * Watches after {@link #start}.
      *
-     * @param shortestLimitNanos no write has less time than this
-     * @param cutShort has the port return from reads and writes at once, and drop what stands in its buffers; called
-     *     every 10 ms while a write is late, by the guard's thread
+     * @param shortestLimitNanos the shortest time limit of any write
+     * @param cutShort makes the port return from reads and writes at once, and discard its buffers; called every 10 ms
+     *     while a write is late, on the guard's thread
      */
     WriteGuard(long shortestLimitNanos, Runnable cutShort, String threadName) {
         this.shortestLimitNanos = shortestLimitNanos;
@@ -54,7 +54,7 @@ final class WriteGuard {
         thread.start();
     }
 
-    /** A write begins, which has to end before {@code deadlineNanoTime}, by {@link System#nanoTime()}. */
+    /** Begins a write that must end before {@code deadlineNanoTime}, by {@link System#nanoTime()}. */
     void begin(long deadlineNanoTime) {
         usedLately = true;
         due.set(deadlineNanoTime | 1);
@@ -63,31 +63,31 @@ final class WriteGuard {
         }
     }
 
-    /** Whether the time of the write under way is over. */
+    /** Whether the time of the write in progress is up. */
     boolean isLate() {
         return due.get() == LATE;
     }
 
-    /** The write has returned; false if its time was over before that. */
+    /** Ends a write that has returned; returns false if its time was already up. */
     boolean done() {
         return due.getAndSet(IDLE) != LATE;
     }
 
-    /** The write under way, if there is one, has only a moment left. */
+    /** Cuts the deadline of the write in progress, if there is one, to a moment. */
     void hurry() {
         long soon = (System.nanoTime() + CUT_INTERVAL_NANOS) | 1;
         due.updateAndGet(current -> current == IDLE || current == LATE ? current : soon);
         LockSupport.unpark(watcher);
     }
 
-    /** Ends the thread; it touches the port no more when this returns true. */
+    /** Ends the thread. If this returns true, it does not touch the port any more. */
     boolean end(long limitNanos) {
         ended = true;
         LockSupport.unpark(watcher);
         return BoundedWait.forEnd(thread, limitNanos);
     }
 
-    /** What the thread does until the {@link #end}. */
+    /** The thread's loop, until {@link #end}. */
     void watch() {
         watcher = Thread.currentThread();
         while (!ended) {
@@ -95,7 +95,7 @@ final class WriteGuard {
             if (deadline != IDLE) {
                 watchWrite(deadline);
             } else if (usedLately) {
-                // A write that begins meanwhile is not due before this is over.
+                // A write that begins in the meantime is not late before this wait is over.
                 usedLately = false;
                 LockSupport.parkNanos(this, shortestLimitNanos);
             } else {
@@ -106,7 +106,7 @@ final class WriteGuard {
 
     private void sleep() {
         asleep = true;
-        // Looks once more: a write that began before saw nobody asleep.
+        // Checks again: a write that began just before did not see the thread asleep.
         if (due.get() == IDLE && !ended) {
             LockSupport.park(this);
         }

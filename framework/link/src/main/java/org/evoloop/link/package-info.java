@@ -1,8 +1,8 @@
 /**
- * How bytes travel between the converter and a device: a serial port, or memory for tests, and the line that wakes a
- * sleeping device. What the bytes mean is no business of this package.
+ * Moves bytes between the converter and a device, over a serial port or in memory for tests, and drives the line that
+ * wakes a sleeping device. It does not interpret the bytes.
  *
- * <p>It may use {@code org.evoloop.natives}.
+ * <p>This package may use {@code org.evoloop.natives}.
  */
 @NullMarked
 package org.evoloop.link;

@@ -25,28 +25,28 @@ import org.evoloop.function.Reading;
 import org.evoloop.loop.LoopState;
 
 /**
- * The figures of a converter's status; each has the tag {@code converter}:
+ * The metrics of a converter's status; each has the tag {@code converter}:
  *
  * <ul>
- *   <li>{@code evoloop.events} by {@code outcome}, also {@code dropped} and {@code refused}
+ *   <li>{@code evoloop.events} by {@code outcome}, including {@code dropped} and {@code refused}
  *   <li>{@code evoloop.queue.depth}, {@code evoloop.queue.capacity}, {@code evoloop.queue.highest}
  *   <li>{@code evoloop.conversion.time}, a timer with a histogram, of the events since {@link #bindTo}
- *   <li>{@code evoloop.failures} by {@code component}: failures since it joined
- *   <li>{@code evoloop.running}, {@code evoloop.link.up}, {@code evoloop.doubt}: 1 or 0; {@code evoloop.link.up} only
- *   of a converter with a link
- *   <li>{@code evoloop.device} and {@code evoloop.function} by {@code reading}: what device and new function tell in
- *   numbers, and whether something is so as 1 or 0; {@code unit} as they say it, such as {@code %}
+ *   <li>{@code evoloop.failures} by {@code component}: failures since it joined the converter
+ *   <li>{@code evoloop.running}, {@code evoloop.link.up}, {@code evoloop.doubt}: 1 or 0; {@code evoloop.link.up} exists
+ *       only for a converter with a link
+ *   <li>{@code evoloop.device} and {@code evoloop.function} by {@code reading}: numeric readings of the device and of
+ *       the new function, and true or false ones as 1 or 0; with their {@code unit}, such as {@code %}
  * </ul>
  *
- * <p>They are read when they are asked for; failures, link and readings, which come and go, are those of the last
- * {@link #refresh}.
+ * <p>The values are computed when the registry is read. Failures, link and readings come and go; they are those of the
+ * last {@link #refresh}.
  *
- * <p>Threading: thread-safe; reading waits for nobody.
+ * <p>Threading: thread-safe; reading never blocks.
  *
  * @since 0.1
  */
 public final class ConverterMetrics implements MeterBinder {
-    /** From the quickest that a loop is to the step limit's order, about 1, 2.5 and 5 of each power of ten. */
+    /** About 1, 2.5 and 5 of each power of ten, from the fastest loop to the order of the step limit. */
     private static final Duration[] BUCKETS = LongStream.of(
                     50,
                     100,
@@ -70,7 +70,7 @@ public final class ConverterMetrics implements MeterBinder {
     private final Tags tags;
     private final Map<MultiGauge, Function<ConverterStatus, List<Row<?>>>> rows = new ConcurrentHashMap<>();
 
-    /** @param converter built */
+    /** @param converter a built converter */
     public ConverterMetrics(SystemEventConverter converter) {
         this.converter = converter;
         this.tags = Tags.of("converter", converter.status().name());
@@ -126,7 +126,7 @@ public final class ConverterMetrics implements MeterBinder {
         refresh();
     }
 
-    /** Takes up which components, link and readings there are now; to be called before the registry is read. */
+    /** Updates the current components, link and readings; call it before the registry is read. */
     public void refresh() {
         ConverterStatus status = converter.status();
         rows.forEach((gauge, of) -> gauge.register(of.apply(status), true));

@@ -11,8 +11,8 @@ import org.evoloop.converter.SystemEventConverter;
 import org.evoloop.page.Document;
 
 /**
- * {@code /metrics} of the live page, in the text format of Prometheus: {@link ConverterMetrics} of each converter, and
- * memory and threads of the Java virtual machine.
+ * {@code /metrics} of the live page, in Prometheus text format: {@link ConverterMetrics} of each converter, and memory
+ * and threads of the Java virtual machine.
  *
  * <p>Threading: thread-safe.
  *

@@ -1,6 +1,6 @@
 /**
- * Figures of running converters, by Micrometer: {@link org.evoloop.metrics.ConverterMetrics} for a registry of one's
- * own, and what the live page answers Prometheus.
+ * Metrics of running converters, with Micrometer: {@link org.evoloop.metrics.ConverterMetrics} for an application's own
+ * registry, and the live page's document for Prometheus.
  *
  * <p>This package may use {@code org.evoloop.converter}, what that uses, and {@code org.evoloop.page}.
  */

@@ -36,7 +36,7 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true)
 @SuppressWarnings("NullAway.Init") // picocli sets the fields
 final class CheckCommand implements Callable<Integer> {
-    /** How findings can be told. */
+    /** The output formats. */
     enum Format {
         TEXT,
         JSON,
@@ -99,7 +99,7 @@ final class CheckCommand implements Callable<Integer> {
         return findings.stream().allMatch(finding -> finding.rule().severity() == Rule.Severity.NOTE) ? 0 : 1;
     }
 
-    /** Where the pair is none, nothing can happen in it. */
+    /** Without a valid pair, there are no events to analyse. */
     private static boolean isNoEvolution(Finding finding) {
         return switch (finding.rule()) {
             case CONDITION_1, CONDITION_2, INITIAL_DIFFERS -> true;

@@ -13,7 +13,7 @@ import org.evoloop.statemachine.StateMachine;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Option;
 
-/** What the author of a converter says that it has; what is not said is not judged. */
+/** Options for what the converter provides. What is not given is not checked. */
 @SuppressWarnings("NullAway.Init") // picocli sets the fields
 final class ConverterOptions {
     @Option(
@@ -45,9 +45,9 @@ final class ConverterOptions {
     private @Nullable List<String> effects;
 
     /**
-     * What is checked, with what these options say.
+     * Adds these options to the input of the check.
      *
-     * @throws IllegalArgumentException for a name that no model has
+     * @throws IllegalArgumentException for a name that neither model has
      */
     CheckInput tell(CheckInput models) {
         ModelPair pair = models.pair();

@@ -12,7 +12,7 @@ import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
 import picocli.CommandLine.Option;
 
-/** What an author knows of the device. */
+/** Options for what the author knows about the device. */
 @SuppressWarnings("NullAway.Init") // picocli sets the fields
 final class DeviceOptions {
     @Option(
@@ -46,13 +46,13 @@ final class DeviceOptions {
             description = "States of the device that no path may pass through.")
     private List<String> doNotPass = List.of();
 
-    /** What passes between converter and device. @throws IllegalArgumentException for a name that the model lacks */
+    /** The events between converter and device. @throws IllegalArgumentException for a name that the model lacks */
     DeviceEvents of(StateMachine device) {
         return of(device, device);
     }
 
     /**
-     * The same where names may be those of another model of the device, too; here they then count for nothing.
+     * The events between converter and device. Names that only the device's other model has are accepted and ignored.
      *
      * @throws IllegalArgumentException for a name that neither model has
      */

@@ -13,14 +13,14 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
-/** Two models side by side. */
+/** Compares two models. */
 @Command(
         name = "diff",
         description = "Shows what a new model keeps, adds, reroutes and removes.",
         mixinStandardHelpOptions = true)
 @SuppressWarnings("NullAway.Init") // picocli sets the fields
 final class DiffCommand implements Callable<Integer> {
-    /** How a difference can be told. */
+    /** The output formats. */
     enum Format {
         TEXT,
         JSON,

@@ -9,7 +9,7 @@ import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.Transition;
 
-/** What {@code --on-failure} says. */
+/** The values of {@code --on-failure}. */
 final class FailureChoices {
     private static final Map<String, OnFailure> CHOICES =
             Map.of("stay", OnFailure.STAY, "back", OnFailure.GO_BACK, "other-way", OnFailure.OTHER_WAY);
@@ -17,10 +17,10 @@ final class FailureChoices {
     private FailureChoices() {}
 
     /**
-     * By state and event.
+     * The choices by state and event.
      *
      * @param given {@code EVENT} or {@code EVENT@STATE}, and the choice
-     * @throws IllegalArgumentException for a choice that there is not, and for what {@code evolved} has no transition
+     * @throws IllegalArgumentException for an unknown choice, or if {@code evolved} has no such transition
      */
     static Map<State, Map<String, OnFailure>> of(Map<String, String> given, StateMachine evolved) {
         Map<State, Map<String, OnFailure>> all = new HashMap<>();

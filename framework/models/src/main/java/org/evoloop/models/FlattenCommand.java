@@ -11,14 +11,14 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** The flat machine that a drawn one is equivalent to. */
+/** Flattens a drawn machine into an equivalent flat one. */
 @Command(
         name = "flatten",
         description = "Gives the flat machine that accepts the same events with the same actions.",
         mixinStandardHelpOptions = true)
 @SuppressWarnings("NullAway.Init") // picocli sets the fields
 final class FlattenCommand implements Callable<Integer> {
-    /** How a flat machine can be told. */
+    /** The output formats. */
     enum Format {
         TABLE,
         XMI

@@ -5,7 +5,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
-/** Looks into a converter's journal. */
+/** The commands that read a converter's journal. */
 @Command(
         name = "journal",
         description = "Reads the journal that a converter keeps with --journal DIR, also while the converter runs.",

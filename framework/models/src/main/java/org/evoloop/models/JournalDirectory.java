@@ -7,16 +7,16 @@ import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Parameters;
 
-/** The journal that a command looks into. */
+/** The parameter that names a journal. */
 @SuppressWarnings("NullAway.Init") // picocli sets the fields
 final class JournalDirectory {
     @Parameters(paramLabel = "DIR", description = "The directory that the converter was given with --journal.")
     private Path directory;
 
-    /** What is done with a journal's records. */
+    /** Work on a journal's records. */
     @FunctionalInterface
     interface Work {
-        /** Done before its result is shown; the exit status. */
+        /** Does the work, before its result is printed. Returns the exit status. */
         int with(JournalFiles files) throws Exception;
     }
 
@@ -24,7 +24,7 @@ final class JournalDirectory {
         return directory;
     }
 
-    /** Does some work; a damaged journal is told and is exit status 1. */
+    /** Does the work. A damaged journal is reported with exit status 1. */
     int examine(CommandSpec spec, Work work) throws Exception {
         try {
             return work.with(new JournalFiles(directory));

@@ -19,7 +19,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
-/** Writes a journal for other programs. */
+/** Exports a journal for other programs. */
 @Command(
         name = "export",
         description =
@@ -28,7 +28,7 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true)
 @SuppressWarnings("NullAway.Init") // picocli sets the fields
 final class JournalExportCommand implements Callable<Integer> {
-    /** How a journal can be written. */
+    /** The output formats. */
     enum Format {
         JSON,
         SQLITE
@@ -117,7 +117,7 @@ final class JournalExportCommand implements Callable<Integer> {
         }
     }
 
-    /** What a reader of records cannot throw as it is. */
+    /** Carries an SQLException out of the callback that reads records, which cannot throw it. */
     private static final class UncheckedSql extends RuntimeException {
         private final SQLException failure;
 

@@ -16,7 +16,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
-/** A journal's events, told to other models. */
+/** Replays a journal's events on other models. */
 @Command(
         name = "replay",
         description = "Gives the converter's inputs to other models, and lists each event that these would have handled"
@@ -25,7 +25,7 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true)
 @SuppressWarnings("NullAway.Init") // picocli sets the fields
 final class JournalReplayCommand implements Callable<Integer> {
-    /** How differences can be told. */
+    /** The output formats. */
     enum Format {
         TEXT,
         JSON,

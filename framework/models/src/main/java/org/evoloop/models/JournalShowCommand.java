@@ -19,7 +19,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
-/** The records, one line each. */
+/** Prints the records, one per line. */
 @Command(
         name = "show",
         description = "Prints the records, one line each: the time of day, the monotonic clock in seconds, the"

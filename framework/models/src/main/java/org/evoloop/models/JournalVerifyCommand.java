@@ -9,7 +9,7 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Spec;
 
-/** Whether a journal is sound. */
+/** Checks that a journal is intact. */
 @Command(
         name = "verify",
         description =

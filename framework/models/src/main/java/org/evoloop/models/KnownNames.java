@@ -8,17 +8,17 @@ import java.util.Set;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
 
-/** Names of a model's parts on the command line, with commas between. */
+/** Comma-separated names of a model's elements on the command line. */
 final class KnownNames {
     private KnownNames() {}
 
     /**
-     * The names in {@code given}. A name may hold commas itself, as guards and effects do.
+     * The names in {@code given}. A name may itself contain commas, as guards and effects do.
      *
-     * @param given what stood between commas
-     * @param known the names that there are
+     * @param given the texts between the commas
+     * @param known the existing names
      * @param what the names are of, for messages: {@code event of the original model}
-     * @throws IllegalArgumentException naming each one that no model has, and those there are
+     * @throws IllegalArgumentException listing the unknown names and the known ones
      */
     static Set<String> resolve(String option, List<String> given, Collection<String> known, String what) {
         Set<String> resolved = new LinkedHashSet<>();
@@ -44,7 +44,10 @@ final class KnownNames {
         return resolved;
     }
 
-    /** Names of states, with what is remembered in them and without; one without stands for all that differ in that. */
+    /**
+     * The names of states, with and without the memory of the machine. A name without it means every state that differs
+     * only in memory.
+     */
     static Set<String> states(StateMachine machine) {
         Set<String> names = new LinkedHashSet<>();
         for (State state : machine.states()) {

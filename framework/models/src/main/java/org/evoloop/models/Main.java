@@ -8,13 +8,13 @@ import org.evoloop.program.UsersMistakes;
 import org.evoloop.statemachine.ModelException;
 import picocli.CommandLine;
 
-/** Runs the command line; what its user can mend is one message and exit status 2. */
+/** Runs the command line; a mistake of the user is one message and exit status 2. */
 public final class Main {
     private Main() {}
 
     public static void main(String[] arguments) {
         CommandLine commandLine = commandLine();
-        // Names may be in any script, whatever the terminal's encoding; files and pipes want UTF-8.
+        // Names may be in any script, whatever the terminal's encoding; files and pipes expect UTF-8.
         commandLine.setOut(new PrintWriter(System.out, true, StandardCharsets.UTF_8));
         commandLine.setErr(new PrintWriter(System.err, true, StandardCharsets.UTF_8));
         System.exit(run(commandLine, arguments));
@@ -25,12 +25,13 @@ public final class Main {
     }
 
     /**
-     * Runs the command line and returns the exit status: 0 good, 1 a check failed or its result could not be written, 2
-     * wrong usage or input.
+     * Runs the command line.
+     *
+     * @return the exit status: 0 success, 1 a check failed or its result could not be written, 2 wrong usage or input
      */
     static int run(CommandLine commandLine, String... arguments) {
         int status = UsersMistakes.toldBy(commandLine, Main::isUsersMistake).execute(arguments);
-        // A full disk or a closed pipe shows in nothing but this.
+        // A PrintWriter reports a full disk or a closed pipe only here.
         if (commandLine.getOut().checkError()) {
             commandLine
                     .getErr()

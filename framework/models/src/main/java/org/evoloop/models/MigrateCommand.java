@@ -19,7 +19,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** What a swap of models would do. */
+/** Shows what a swap of models would do. */
 @Command(
         name = "migrate",
         description = "Shows what becomes of each pair of states when another new model replaces the running one.",
@@ -27,7 +27,7 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true)
 @SuppressWarnings("NullAway.Init") // picocli sets the fields
 final class MigrateCommand implements Callable<Integer> {
-    /** How a migration can be told. */
+    /** The output formats. */
     enum Format {
         TEXT,
         JSON,

@@ -12,20 +12,20 @@ import org.evoloop.xmi.XmiFile;
 import org.evoloop.xmi.XmiMachine;
 import picocli.CommandLine.Model.CommandSpec;
 
-/** Reads what the command line names. */
+/** Reads the models named on the command line. */
 final class ModelReader {
     private ModelReader() {}
 
     /**
      * Machines as drawn.
      *
-     * @param notes what their authors should know, a message each
-     * @param problems of the machines that cannot be read, a message each
+     * @param notes one message for each thing the author should know
+     * @param problems one message for each machine that cannot be read
      */
     record Drawn(List<Statechart> charts, List<String> notes, List<String> problems) {}
 
     /**
-     * The machine that {@code reference} names, or all of the file's.
+     * The machine that {@code reference} names, or all machines of the file.
      *
      * @throws ModelException if the file or the machine cannot be read
      */
@@ -56,7 +56,7 @@ final class ModelReader {
         return new Drawn(List.of(machine.statechart()), machine.notes(), List.of());
     }
 
-    /** The flat machine that {@code reference} names; {@code command} says what its author should know. */
+    /** The flat machine that {@code reference} names. Notes for its author are printed by {@code command}. */
     static StateMachine flat(ModelReference reference, CommandSpec command) {
         XmiMachine machine = reference.find();
         StateMachine flat = machine.toStateMachine();
@@ -65,16 +65,16 @@ final class ModelReader {
     }
 
     /**
-     * The machine that {@code reference} names, to find places in.
+     * The drawing of the machine that {@code reference} names, to locate its elements.
      *
-     * @param machine what the pair made of it
+     * @param machine the same machine in the pair
      */
     static Drawing drawing(ModelReference reference, StateMachine machine) {
         XmiMachine found = reference.find();
         return new Drawing(reference.file().toString(), found.statechart(), found.flattening(), machine);
     }
 
-    /** The two machines of an evolution, flat; whether they are one is for others to say. */
+    /** Reads both machines of an evolution and flattens them. Whether they are a valid pair is not checked here. */
     static ModelPair pair(ModelReference original, ModelReference evolved, CommandSpec command) {
         return new ModelPair(flat(original, command), flat(evolved, command));
     }

@@ -5,7 +5,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
-/** The tool; all it does it does in its subcommands. */
+/** The command {@code models}; the work is done by its subcommands. */
 @Command(
         name = "models",
         description =

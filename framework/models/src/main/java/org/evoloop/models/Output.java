@@ -3,21 +3,21 @@ package org.evoloop.models;
 import java.io.PrintWriter;
 import picocli.CommandLine.Model.CommandSpec;
 
-/** Where results go: to the standard output, and nothing else goes there. */
+/** Prints results to standard output, which carries nothing else. */
 final class Output {
     private Output() {}
 
-    /** Says on the standard error what is good to know. */
+    /** Prints a note to standard error. */
     static void note(CommandSpec spec, String text) {
         spec.commandLine().getErr().println("note: " + text);
     }
 
-    /** Says on the standard error what has gone wrong beside what is printed. */
+    /** Prints an error to standard error, in addition to the result. */
     static void error(CommandSpec spec, String text) {
         spec.commandLine().getErr().println("error: " + text);
     }
 
-    /** Prints {@code result} and returns the exit status of a command that has done its work. */
+    /** Prints {@code result} and returns the exit status for success. */
     static int print(CommandSpec spec, String result) {
         PrintWriter out = spec.commandLine().getOut();
         out.print(result);

@@ -10,7 +10,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
-/** The two models of an evolution, and what their author knows of the device. */
+/** The two models of an evolution, and what their author knows about the device. */
 @SuppressWarnings("NullAway.Init") // picocli sets the fields
 final class PairOptions {
     @Spec(Spec.Target.MIXEE)
@@ -44,13 +44,13 @@ final class PairOptions {
         return models.read(spec);
     }
 
-    /** Where the parts of {@code pair} stand in their files. */
+    /** Locates the elements of {@code pair} in their files. */
     Drawings drawings(ModelPair pair) {
         return new Drawings(
                 ModelReader.drawing(original(), pair.original()), ModelReader.drawing(evolved(), pair.evolved()));
     }
 
-    /** What passes between converter and device. @throws IllegalArgumentException for a name that the models lack */
+    /** The events between converter and device. @throws IllegalArgumentException for a name that the models lack */
     DeviceEvents device(ModelPair pair) {
         return device.of(pair.original()).withOnFailure(FailureChoices.of(onFailure, pair.evolved()));
     }

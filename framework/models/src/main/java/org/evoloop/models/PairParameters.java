@@ -29,7 +29,7 @@ final class PairParameters {
     /**
      * Reads both models.
      *
-     * @param command whose user is told what the files leave open
+     * @param command prints what the files leave open
      */
     ModelPair read(CommandSpec command) {
         return ModelReader.pair(original(), evolved(), command);

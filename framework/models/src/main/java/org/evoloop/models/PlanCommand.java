@@ -15,7 +15,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
-/** What the converter will do. */
+/** Shows what the converter will do. */
 @Command(
         name = "plan",
         description =
@@ -23,7 +23,7 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true)
 @SuppressWarnings("NullAway.Init") // picocli sets the fields
 final class PlanCommand implements Callable<Integer> {
-    /** How a plan can be told. */
+    /** The output formats. */
     enum Format {
         TEXT,
         JSON

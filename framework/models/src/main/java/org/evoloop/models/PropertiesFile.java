@@ -9,7 +9,7 @@ import org.evoloop.xmi.ModelReference;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Option;
 
-/** The file in which an evolution's author writes what it must keep to. */
+/** The file with the properties that an evolution must keep. */
 @SuppressWarnings("NullAway.Init") // picocli sets the field
 final class PropertiesFile {
     @Option(
@@ -19,21 +19,21 @@ final class PropertiesFile {
                     + " or else a" + PropertyFile.ENDING + " beside it, if there is one).")
     private @Nullable Path given;
 
-    /** The one that was named, else the one that belongs beside {@code evolved}, which need not be there. */
+    /** The file given, or else the default one beside {@code evolved}, which may not exist. */
     Path path(ModelReference evolved) {
         return given != null ? given : evolved.beside(PropertyFile.ENDING);
     }
 
-    /** Whether there is one; one that was named must be there. */
+    /** Whether there is a file; one that was given must exist. */
     boolean isThere(ModelReference evolved) {
         return given != null || Files.exists(path(evolved));
     }
 
     /**
-     * What is written for {@code pair}; nothing if there is no file.
+     * The properties of {@code pair}; none if there is no file.
      *
      * @throws IOException if the file cannot be read
-     * @throws org.evoloop.statemachine.ModelException if it cannot be understood
+     * @throws org.evoloop.statemachine.ModelException if it cannot be parsed
      */
     PropertyFile read(ModelReference evolved, ModelPair pair) throws IOException {
         Path file = path(evolved);

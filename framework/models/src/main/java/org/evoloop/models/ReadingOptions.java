@@ -5,7 +5,7 @@ import org.evoloop.xmi.ModelReference;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Option;
 
-/** How models are read where their files leave it open. */
+/** Options for reading models whose files are ambiguous. */
 final class ReadingOptions {
     @Option(
             names = "--time-unit",
@@ -15,7 +15,7 @@ final class ReadingOptions {
                             + " refused.")
     private @Nullable String timeUnit;
 
-    /** What {@code FILE#NAME} names, to be read as the options say. */
+    /** Parses {@code FILE#NAME}; the model will be read as the options say. */
     ModelReference reference(String text) {
         return ModelReference.parse(text)
                 .withTimeUnit(Optional.ofNullable(timeUnit).map(ModelReference::unit));

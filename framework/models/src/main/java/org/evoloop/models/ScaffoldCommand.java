@@ -20,7 +20,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
-/** A converter's project to begin with. */
+/** Generates a starter project for a converter. */
 @Command(
         name = "scaffold",
         description = "Creates the Maven project of a converter, which builds, passes its tests and runs at once.",
@@ -78,7 +78,7 @@ final class ScaffoldCommand implements Callable<Integer> {
                         : "wrote " + directory + "; go on with: cd " + directory + " && ./mvnw -q verify\n");
     }
 
-    /** The file that goes along, if there is one; it must be understood. */
+    /** The properties file to copy, or null if there is none. Fails if it cannot be parsed. */
     private @Nullable Path propertiesFile(ModelPair pair) throws IOException {
         ModelReference evolved = options.evolved();
         if (!properties.isThere(evolved)) {

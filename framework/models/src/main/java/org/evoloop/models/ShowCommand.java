@@ -16,14 +16,14 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** Machines as they were drawn. */
+/** Shows machines as drawn. */
 @Command(
         name = "show",
         description = "Shows the state machines of a file as they were drawn.",
         mixinStandardHelpOptions = true)
 @SuppressWarnings("NullAway.Init") // picocli sets the fields
 final class ShowCommand implements Callable<Integer> {
-    /** How a machine can be shown. */
+    /** The output formats. */
     enum Format {
         TEXT,
         JSON,

@@ -7,15 +7,15 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import org.evoloop.statemachine.ModelException;
 
-/** Reads what people write by hand. */
+/** Reads text files written by hand. */
 final class TextFile {
     private TextFile() {}
 
     /**
      * The text of a file.
      *
-     * @param what it should hold, for messages: {@code properties}
-     * @throws ModelException if it is no file of text
+     * @param what names the content in messages: {@code properties}
+     * @throws ModelException if it is not a text file
      * @throws IOException if it cannot be read for another reason
      */
     static String read(Path file, String what) throws IOException {

@@ -1,7 +1,7 @@
 /**
- * The command {@code evoloop models}: reads the files, asks the rooms inside this package, and prints what they say.
+ * The command {@code evoloop models}: reads the files, calls the packages inside this one, and prints their results.
  *
- * <p>This room may use all others of the tool and {@code xmi}.
+ * <p>This package may use all others of the tool and {@code xmi}.
  */
 @NullMarked
 package org.evoloop.models;

@@ -6,9 +6,9 @@ import com.sun.jna.Pointer;
 import java.io.IOException;
 
 /**
- * The part of the C library that makes a pseudo-terminal. The numbers are Linux's; they are the same on x86_64, aarch64
- * and armhf. Signatures are those of the manual pages; a result below zero means {@link Native#getLastError()} tells
- * why.
+ * The functions of the C library for pseudo-terminals. The constants are Linux's; they are the same on x86_64, aarch64
+ * and armhf. Signatures are those of the manual pages. If a result is negative, {@link Native#getLastError()} gives the
+ * reason.
  */
 final class LibC {
     static final int O_RDWR = 0x2;
@@ -29,7 +29,7 @@ final class LibC {
 
     /** Larger than a {@code struct termios} of any C library, and than the kernel's {@code struct termios2}. */
     static final int TERMIOS_BYTES = 256;
-    /** Where the output rate, in baud, stands in {@code struct termios2}. */
+    /** The offset of the output rate, in baud, in {@code struct termios2}. */
     static final int TERMIOS2_OUTPUT_SPEED_OFFSET = 40;
 
     static {

@@ -16,10 +16,10 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Loads the native parts of JNA and jSerialComm. By default both unpack them under predictable names, and jSerialComm
- * loads any file that it finds there: in {@code /tmp} that may be another user's. Here they come from the jar through a
- * {@link PrivateFolder}, which is deleted after loading.
+ * loads any file that it finds there: in {@code /tmp} that may be another user's. Here they are unpacked from the jar
+ * into a {@link PrivateFolder}, which is deleted after loading.
  *
- * <p>On systems other than Linux the folder for temporary files is the user's own, and the libraries use their
+ * <p>On systems other than Linux the folder for temporary files belongs to the user, and the libraries use their
  * defaults.
  *
  * <p>Threading: thread-safe; callers wait for a library that is being loaded.
@@ -27,9 +27,7 @@ import org.jspecify.annotations.Nullable;
  * @since 0.1
  */
 public final class NativeLibraries {
-    /**
-     * How jSerialComm names the machines that JNA names so; those with "arm" are of hard floats, as Raspberry Pi OS.
-     */
+    /** jSerialComm's names of machines, by JNA's. Machines with "arm" use hard floats, as in Raspberry Pi OS. */
     private static final Map<String, String> MACHINES = Map.of(
             "linux-x86-64", "x86_64",
             "linux-x86", "x86",
@@ -38,7 +36,7 @@ public final class NativeLibraries {
             "linux-armel", "armv5",
             "linux-ppc64le", "ppc64le");
 
-    /** The C library, as the system finds it without a search of JNA's. */
+    /** The name under which the system finds the C library without a search by JNA. */
     public static final String C_LIBRARY = Platform.isLinux() ? "libc.so.6" : Platform.C_LIBRARY_NAME;
 
     private static boolean jnaLoaded;
@@ -62,7 +60,7 @@ public final class NativeLibraries {
     }
 
     private static void loadJna(File library) {
-        // If it cannot be loaded this fails, where JNA would search on; JNA finds it loaded.
+        // Fails if the library cannot be loaded; JNA itself would search elsewhere. JNA then finds it already loaded.
         System.load(library.toString());
         during(
                 Map.of(
@@ -70,7 +68,8 @@ public final class NativeLibraries {
                         library.getParent(),
                         "jna.nounpack",
                         "true",
-                        // It would run ldconfig to learn where libraries are, which takes longer than all the rest.
+                        // Otherwise JNA would run ldconfig to find the library path, which takes longer than everything
+                        // else.
                         "jna.platform.library.path",
                         ""),
                 () -> NativeLibrary.getInstance(C_LIBRARY));
@@ -91,20 +90,20 @@ public final class NativeLibraries {
     }
 
     private static void loadSerial(File library) {
-        // The same; but to load it would initialise the class that loads it, and to open it does not.
+        // As for JNA. System.load would initialise jSerialComm's classes too early; opening the library does not.
         NativeLibrary.getInstance(library.toString()).close();
         during(
                 Map.of(
                         "jSerialComm.library.path",
                         library.getParent(),
-                        // It empties old folders of this name, and whatever links in them lead to: there are none of a
-                        // name that nobody knows.
+                        // jSerialComm empties old folders of this name, following links in them. A random name has
+                        // none.
                         "fazecast.jSerialComm.appid",
                         UUID.randomUUID().toString()),
                 SerialPort::getVersion);
     }
 
-    /** What loads a library from a file. */
+    /** Loads a library from a file. */
     private interface Loading {
         void from(File library);
     }
@@ -126,7 +125,9 @@ public final class NativeLibraries {
         }
     }
 
-    /** From the jar of the class that uses it; a module shows what it holds to its reader only. */
+    /**
+     * Reads from the jar of the class that uses the library. A module's resources can be read only through its reader.
+     */
     private static void unpack(Class<?> user, String resource, File target) throws IOException {
         Module module = user.getModule();
         if (!module.isNamed()) {
@@ -155,7 +156,10 @@ public final class NativeLibraries {
         }
     }
 
-    /** Both libraries read their settings once, as their classes are initialised. */
+    /**
+     * Sets system properties during the initialisation. Both libraries read their settings only once, when their
+     * classes are initialised.
+     */
     private static void during(Map<String, String> settings, Runnable initialisation) {
         Map<String, @Nullable String> before = new HashMap<>();
         settings.forEach((name, value) -> before.put(name, System.setProperty(name, value)));

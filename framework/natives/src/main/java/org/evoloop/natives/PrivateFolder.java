@@ -8,10 +8,10 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * A folder of a name that nobody can guess, which none but its owner may enter (mode 0700), for files that are loaded
- * as programs. It goes with {@link #close()}; a loaded file goes on without its name.
+ * A folder with an unguessable name that only its owner may enter (mode 0700), for native libraries. {@link #close()}
+ * deletes it; libraries that are loaded continue to work.
  *
- * <p>Most is done with {@link File}: it needs fewer classes, and a program starts only when its libraries are loaded.
+ * <p>Mostly uses {@link File}, which needs fewer classes: a program starts only after its libraries are loaded.
  */
 final class PrivateFolder implements AutoCloseable {
     private final File folder;
@@ -21,15 +21,16 @@ final class PrivateFolder implements AutoCloseable {
     }
 
     /**
-     * A new folder in that for temporary files; in the home folder if files there must not be run (mounted noexec).
+     * Creates a folder in the one for temporary files, or in the home folder if files there must not be executed
+     * (mounted noexec).
      *
-     * @throws IOException if it can be made in neither
+     * @throws IOException if neither is possible
      */
     static PrivateFolder make() throws IOException {
         List<String> refusals = new ArrayList<>();
         for (String parent : List.of(System.getProperty("java.io.tmpdir"), System.getProperty("user.home"))) {
             try {
-                // Its mode is 0700 from the start.
+                // Created with mode 0700.
                 Path made = Files.createTempDirectory(Path.of(parent), "evoloop-native-");
                 PrivateFolder folder = new PrivateFolder(made.toFile());
                 if (folder.mayRunFiles()) {
@@ -44,13 +45,13 @@ final class PrivateFolder implements AutoCloseable {
         throw new IOException(String.join("; ", refusals));
     }
 
-    /** The system denies the right to run any file on a file system that is mounted so. */
+    /** On a file system mounted noexec, no file is executable. */
     private boolean mayRunFiles() throws IOException {
         File probe = file("probe");
         return probe.createNewFile() && probe.setExecutable(true) && probe.canExecute() && probe.delete();
     }
 
-    /** One of its files, which need not exist. */
+    /** A file in this folder, which may not exist. */
     File file(String name) {
         return new File(folder, name);
     }

@@ -24,9 +24,9 @@ import org.jspecify.annotations.Nullable;
  * only.
  *
  * <p>The line is raw and at 115200 baud from the start: no echo, no control characters. It has no RTS or DTR. The
- * kernel ignores the baud rate but {@linkplain #clientBaud() tells it}, so that a wrong one can be simulated.
+ * kernel ignores the baud rate but {@linkplain #clientBaud() reports it}, so that a wrong rate can be simulated.
  *
- * <p>Threading: thread-safe, made for one reading and any number of writing threads. No call blocks for longer than
+ * <p>Threading: thread-safe, intended for one reading and any number of writing threads. No call blocks for longer than
  * {@value #LONGEST_WAIT_MILLIS} ms, and {@link #hangUp()} ends a waiting {@link #read} at once.
  *
  * @since 0.1
@@ -35,10 +35,10 @@ public final class Pty implements AutoCloseable {
     /** The longest that {@link #read} waits. */
     public static final int LONGEST_WAIT_MILLIS = 200;
 
-    /** What {@link #read} returns when no program has the port open, or after {@link #hangUp()}. */
+    /** The result of {@link #read} when no program has the port open, or after {@link #hangUp()}. */
     public static final int NO_CLIENT = -1;
 
-    /** How long a read rests when nobody is there; the kernel offers no event for a client that comes. */
+    /** How long a read sleeps while there is no client; the kernel has no event for a new client. */
     private static final int NO_CLIENT_REST_MILLIS = 10;
 
     private static final int POLL_ENTRY_BYTES = 8;
@@ -50,7 +50,7 @@ public final class Pty implements AutoCloseable {
     private final Path slavePath;
     private final @Nullable Path symlink;
 
-    /** One lock a direction; whoever closes the descriptors holds both, so that none is used after it. */
+    /** One lock per direction. Both are held while the descriptors are closed, so that they are not used afterwards. */
     private final Lock readLock = new ReentrantLock();
 
     private final Lock writeLock = new ReentrantLock();
@@ -65,21 +65,20 @@ public final class Pty implements AutoCloseable {
     }
 
     /**
-     * A pseudo-terminal that is found under the path the kernel gives it.
+     * A pseudo-terminal under the path that the kernel gives it.
      *
-     * @throws IOException if the system cannot make one
+     * @throws IOException if the system cannot create one
      */
     public static Pty open() throws IOException {
         return make(null);
     }
 
     /**
-     * A pseudo-terminal that is found under a path that stays the same, a symbolic link that goes with {@link
-     * #hangUp()}. It replaces one that a simulator left behind. The next pseudo-terminal of the same path is the cable
-     * plugged in again.
+     * A pseudo-terminal under a fixed path, a symbolic link, which {@link #hangUp()} removes. It replaces a link left
+     * behind by an earlier simulator. Opening the same path again is like plugging the cable in again.
      *
-     * @throws IOException if the system cannot make one, or the path is that of something else than a symbolic link or
-     *     of a simulator that lives
+     * @throws IOException if the system cannot create one, if the path is not a symbolic link, or if it belongs to a
+     *     running simulator
      */
     public static Pty open(Path symlink) throws IOException {
         if (Files.exists(symlink, LinkOption.NOFOLLOW_LINKS) && !Files.isSymbolicLink(symlink)) {
@@ -94,8 +93,8 @@ public final class Pty implements AutoCloseable {
     }
 
     /**
-     * Where a link leads, if its terminal is still the one for which it was made. The kernel gives a terminal the path
-     * of one that is gone; then it is younger than the link.
+     * The target of a link, if its terminal is still the one for which the link was made. The kernel reuses the paths
+     * of terminals that are gone; a terminal with a reused path is younger than the link.
      */
     private static Optional<Path> livingTarget(Path symlink) throws IOException {
         try {
@@ -108,7 +107,7 @@ public final class Pty implements AutoCloseable {
         }
     }
 
-    /** Of a terminal and of a link this is when they were made; reading and writing do not count. */
+    /** The time when a terminal or a link was created; reading and writing do not change it. */
     private static FileTime changed(Path path) throws IOException {
         return (FileTime) Files.getAttribute(path, "unix:ctime", LinkOption.NOFOLLOW_LINKS);
     }
@@ -159,7 +158,7 @@ public final class Pty implements AutoCloseable {
         }
     }
 
-    /** Before its first client a master looks connected; opening and closing the slave once shows that nobody is. */
+    /** Until its first client, a master looks connected. Opening and closing the slave once corrects that. */
     private static void showNoClient(Path slavePath) throws IOException {
         LibC.close(LibC.check(
                 LibC.open(slavePath.toString(), LibC.O_RDWR | LibC.O_NOCTTY | LibC.O_CLOEXEC), "open " + slavePath));
@@ -182,7 +181,7 @@ public final class Pty implements AutoCloseable {
         return symlink != null ? symlink : slavePath;
     }
 
-    /** The path the kernel gave, such as {@code /dev/pts/3}. */
+    /** The path given by the kernel, such as {@code /dev/pts/3}. */
     public Path slavePath() {
         return slavePath;
     }
@@ -190,9 +189,9 @@ public final class Pty implements AutoCloseable {
     /**
      * Waits for bytes from the client.
      *
-     * @param timeoutMillis how long to wait; more than {@value #LONGEST_WAIT_MILLIS} counts as that
-     * @return how many bytes now stand at the buffer's start, 0 if none came in time, or {@link #NO_CLIENT}, after a
-     *     short rest that keeps a loop of reads from spinning
+     * @param timeoutMillis how long to wait, at most {@value #LONGEST_WAIT_MILLIS}
+     * @return the number of bytes read into the start of the buffer, 0 if none came in time, or {@link #NO_CLIENT},
+     *     after a short sleep that keeps a loop of reads from spinning
      */
     public int read(byte[] buffer, int timeoutMillis) {
         readLock.lock();
@@ -224,7 +223,7 @@ public final class Pty implements AutoCloseable {
         return error == LibC.EAGAIN || error == LibC.EINTR ? 0 : NO_CLIENT;
     }
 
-    /** Polls, for input if wanted, and for {@link #hangUp()}; returns the master's events. */
+    /** Polls for {@link #hangUp()}, and also for input if wanted; returns the master's events. */
     private int await(boolean input, int timeoutMillis) {
         try (Memory entries = new Memory(2L * POLL_ENTRY_BYTES)) {
             entries.clear();
@@ -238,11 +237,11 @@ public final class Pty implements AutoCloseable {
     }
 
     /**
-     * Sends bytes to the client and never waits: like a UART, the line does not care whether anybody listens. Without
-     * a client all are lost; what does not fit into a client's full buffer is lost and counted.
+     * Sends bytes to the client without waiting: like a UART, the line does not care whether anybody listens. Without a
+     * client all bytes are lost; bytes that do not fit into a client's full buffer are lost and counted.
      *
      * @param length how many, from the buffer's start
-     * @return how many of them the client's buffer took
+     * @return how many of them fit into the client's buffer
      */
     public int write(byte[] buffer, int length) {
         writeLock.lock();
@@ -273,7 +272,7 @@ public final class Pty implements AutoCloseable {
         return hungUp;
     }
 
-    /** How many bytes found the buffer of a client that was there full. */
+    /** The number of bytes lost because a connected client's buffer was full. */
     public long droppedBytes() {
         return droppedBytes.get();
     }
@@ -288,7 +287,7 @@ public final class Pty implements AutoCloseable {
         }
     }
 
-    /** The rate the client has chosen, in baud; without a client the latest one's; 0 after {@link #hangUp()}. */
+    /** The baud rate chosen by the client, or by the latest one if there is none; 0 after {@link #hangUp()}. */
     public int clientBaud() {
         writeLock.lock();
         try (Memory termios2 = new Memory(LibC.TERMIOS_BYTES)) {
@@ -323,18 +322,18 @@ public final class Pty implements AutoCloseable {
         }
     }
 
-    /** Leaves a link alone that points to somebody else's pseudo-terminal by now. */
+    /** Leaves the link alone if it now points to another pseudo-terminal. */
     private void removeSymlink() {
         try {
             if (symlink != null && Files.readSymbolicLink(symlink).equals(slavePath)) {
                 Files.delete(symlink);
             }
         } catch (IOException alreadyGone) {
-            // Somebody tidied up before us; the cable is pulled all the same.
+            // The link has already been removed; the cable is pulled anyway.
         }
     }
 
-    /** The same as {@link #hangUp()}. */
+    /** Same as {@link #hangUp()}. */
     @Override
     public void close() {
         hangUp();

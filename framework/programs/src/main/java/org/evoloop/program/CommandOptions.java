@@ -17,7 +17,8 @@ import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.ParameterException;
 
 /**
- * Options of a picocli command as options that may also stand in a file; and the other way round.
+ * Makes the options of a picocli command available in an options file, and options declared elsewhere available to a
+ * picocli command.
  *
  * <p>Threading: for one thread, as the command line is.
  *
@@ -33,26 +34,28 @@ public final class CommandOptions {
     /**
      * The options of this command line.
      *
-     * @param mendable whether a failure of a check is one that the user can mend
+     * @param mendable whether a failed check is a mistake that the user can fix
      */
     public CommandOptions(CommandLine line, Predicate<RuntimeException> mendable) {
         this.line = line;
         this.mendable = mendable;
     }
 
-    /** A value that picocli takes for this option must also pass this. */
+    /** Adds a check for this option's values, in addition to picocli's own. */
     public CommandOptions check(String option, Consumer<String> check) {
         checks.put(option, check);
         return this;
     }
 
-    /** The option's values hold paths; those whose type is {@link Path} are known. */
+    /** Declares that the option's values are paths. This is not needed for options of type {@link Path}. */
     public CommandOptions placed(String option, BinaryOperator<String> resolve) {
         placed.put(option, resolve);
         return this;
     }
 
-    /** One of these options is enough: given on the command line, it takes the place of the others of a file. */
+    /**
+     * Declares alternatives: if one of these options is given on the command line, the others in a file are ignored.
+     */
     public CommandOptions alternatives(String... options) {
         for (String option : options) {
             Set<String> others = insteadOf.computeIfAbsent(option, name -> new HashSet<>());
@@ -62,10 +65,10 @@ public final class CommandOptions {
     }
 
     /**
-     * The command's options, but those that only ask for help.
+     * The command's options, except those that only print help.
      *
-     * @param elsewhere those that are declared there, which the command only {@linkplain #show shows}
-     * @return all of them
+     * @param elsewhere options declared elsewhere, which the command only {@linkplain #show shows}
+     * @return all options
      */
     public Options and(Options elsewhere) {
         Set<String> known = new HashSet<>();
@@ -103,7 +106,7 @@ public final class CommandOptions {
         return spec.isMultiValue() ? option.repeated() : option;
     }
 
-    /** A path as it is written in the working directory, if it is written like this in {@code folder}. */
+    /** Resolves a path given relative to {@code folder}, so that it can be used from the working directory. */
     public static String resolved(String folder, String path) {
         return Path.of(folder).resolve(path).toString();
     }
@@ -129,7 +132,7 @@ public final class CommandOptions {
         }
     }
 
-    /** Has a command's help and parser know options that are declared elsewhere. */
+    /** Adds options declared elsewhere to a command's help and parser. */
     public static CommandLine show(CommandLine line, Options options) {
         options.forEach((option, label, description) -> {
             OptionSpec.Builder spec =

@@ -3,7 +3,7 @@ package org.evoloop.program;
 import java.util.Locale;
 
 /**
- * An SVG picture in the making, an element a line, on white paper: pages may be dark.
+ * Builds an SVG picture, one element per line. The background is white, since pages may be dark.
  *
  * <p>Threading: not thread-safe.
  *
@@ -13,10 +13,10 @@ public final class Svg {
     private final StringBuilder text = new StringBuilder();
 
     /**
-     * Begins a picture. Lengths are pixels.
+     * Starts a picture. Lengths are in pixels.
      *
-     * @param style CSS, which ends in a line feed
-     * @param definitions markers and the like as SVG, which ends in a line feed; empty if there are none
+     * @param style CSS, ends in a line feed
+     * @param definitions markers and the like as SVG, ends in a line feed; empty if there are none
      */
     public Svg(String title, double width, double height, double fontSize, String style, String definitions) {
         raw("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + pair(width, height) + "\" width=\""
@@ -28,33 +28,33 @@ public final class Svg {
         rectangle("paper", 0, 0, width, height, 0);
     }
 
-    /** Opens a group of these classes. */
+    /** Opens a group with these CSS classes. */
     public Svg group(String cssClass) {
         return raw("<g class=\"" + cssClass + "\">\n");
     }
 
-    /** Opens a group of this class that is moved. */
+    /** Opens a group with this CSS class, moved by {@code x} and {@code y}. */
     public Svg group(String cssClass, double x, double y) {
         return raw("<g class=\"" + cssClass + "\" transform=\"translate(" + pair(x, y) + ")\">\n");
     }
 
-    /** Opens a group that tells this to whoever points at it. */
+    /** Opens a group with a tooltip. */
     public Svg groupWithTip(String tip) {
         return raw("<g><title>" + escape(tip) + "</title>\n");
     }
 
-    /** Closes the group that was opened last. */
+    /** Closes the group opened last. */
     public Svg endGroup() {
         return raw("</g>\n");
     }
 
-    /** Its corners are round by {@code radius}. */
+    /** A rectangle, its corners rounded by {@code radius}. */
     public Svg rectangle(String cssClass, double x, double y, double width, double height, double radius) {
         return raw("<rect class=\"" + cssClass + "\" x=\"" + number(x) + "\" y=\"" + number(y) + "\" width=\""
                 + number(width) + "\" height=\"" + number(height) + "\" rx=\"" + number(radius) + "\"/>\n");
     }
 
-    /** Round {@code x} and {@code y}. */
+    /** A circle with its centre at {@code x} and {@code y}. */
     public Svg circle(String cssClass, double x, double y, double radius) {
         return raw("<circle class=\"" + cssClass + "\" cx=\"" + number(x) + "\" cy=\"" + number(y) + "\" r=\""
                 + number(radius) + "\"/>\n");
@@ -65,12 +65,12 @@ public final class Svg {
         return path(cssClass, "M" + pair(x1, y1) + " L" + pair(x2, y2));
     }
 
-    /** Lines as in the attribute {@code d}. */
+    /** A path with the attribute {@code d}. */
     public Svg path(String cssClass, String d) {
         return raw("<path class=\"" + cssClass + "\" d=\"" + d + "\"/>\n");
     }
 
-    /** One line of text; {@code y} is its base line. */
+    /** One line of text; {@code y} is its baseline. */
     public Svg text(String cssClass, double x, double y, String content) {
         return raw("<text class=\"" + cssClass + "\" x=\"" + number(x) + "\" y=\"" + number(y) + "\">" + escape(content)
                 + "</text>\n");
@@ -81,7 +81,7 @@ public final class Svg {
         return this;
     }
 
-    /** With one decimal at most: a tenth of a pixel is enough. */
+    /** At most one decimal: a tenth of a pixel is precise enough. */
     private static String number(double value) {
         String shown = String.format(Locale.ROOT, "%.1f", value);
         return shown.endsWith(".0") ? shown.substring(0, shown.length() - 2) : shown;

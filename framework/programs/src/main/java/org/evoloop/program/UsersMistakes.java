@@ -10,7 +10,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.UnmatchedArgumentException;
 
 /**
- * How a program tells what went wrong: what its user can mend is one message on stderr and exit status 2.
+ * Reports errors of a program: a mistake that the user can fix is one message on stderr and exit status 2.
  *
  * @since 0.1
  */
@@ -18,10 +18,10 @@ public final class UsersMistakes {
     private UsersMistakes() {}
 
     /**
-     * Has a command line and its subcommands tell their users' mistakes; any other failure is a stack trace and exit
+     * Makes a command line and its subcommands report users' mistakes; any other failure is a stack trace and exit
      * status 1.
      *
-     * @param mendable whether a failure of a command is one that its user can mend
+     * @param mendable whether a command's failure is a mistake that its user can fix
      * @return the same command line
      */
     public static CommandLine toldBy(CommandLine commandLine, Predicate<Exception> mendable) {
@@ -43,7 +43,7 @@ public final class UsersMistakes {
                 });
     }
 
-    /** As picocli says it, where that reads well. */
+    /** Picocli's own message, where it reads well. */
     private static @Nullable String message(ParameterException mistake) {
         if (mistake instanceof UnmatchedArgumentException unmatched && !unmatched.isUnknownOption()) {
             Set<String> commands = mistake.getCommandLine().getSubcommands().keySet();

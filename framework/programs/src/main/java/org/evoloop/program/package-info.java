@@ -1,7 +1,4 @@
-/**
- * What Evoloop's own programs have in common: how they tell their users of a mistake, and how they draw. It uses
- * nothing of the framework.
- */
+/** Shared by Evoloop's own programs: error messages, options and SVG. It uses nothing of the framework. */
 @NullMarked
 package org.evoloop.program;
 

@@ -13,8 +13,8 @@ import org.evoloop.link.SerialSettings;
  * new LineConnection(SerialTransport.at("/dev/ttyUSB0", 9600), clock)
  * }</pre>
  *
- * <p>The port may come later, go and come again. Names in {@code /dev/serial/by-id} stay the same whatever else is
- * plugged in. The adapter's line RTS is not asserted, DTR is.
+ * <p>The port may appear later, disappear and reappear. Names in {@code /dev/serial/by-id} do not depend on what else
+ * is plugged in. RTS is not asserted, DTR is.
  *
  * <p>Threading: as {@link LineTransport}.
  *

@@ -8,7 +8,7 @@ import org.evoloop.line.LineTransport.Wire;
 import org.evoloop.link.Link;
 import org.evoloop.link.LinkException;
 
-/** An open serial port as two streams. */
+/** An open serial port with its input and output streams. */
 final class SerialWire implements Wire {
     private final Link link;
 

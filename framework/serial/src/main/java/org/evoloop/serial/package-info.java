@@ -1,7 +1,7 @@
 /**
- * A serial port for a controller or a device that speaks in lines of text.
+ * A serial port for a controller or a device that exchanges lines of text.
  *
- * <p>It uses the line protocol and {@code org.evoloop.link}, which knows what is wrong with a port.
+ * <p>It uses the line protocol and {@code org.evoloop.link}, which diagnoses faults of a port.
  */
 @NullMarked
 package org.evoloop.serial;

@@ -3,7 +3,7 @@ package org.evoloop.service;
 import java.io.PrintStream;
 import org.evoloop.console.Console;
 
-/** What stands behind a control socket. */
+/** The commands behind a control socket. */
 interface Commands {
     /** See {@link Console#perform}. */
     int perform(String line, PrintStream results, PrintStream errors) throws InterruptedException;
@@ -11,7 +11,7 @@ interface Commands {
     /** Whether the program is about to end. */
     boolean isEnding();
 
-    /** Those of a console. */
+    /** The commands of a console. */
     static Commands of(Console console) {
         return new Commands() {
             @Override

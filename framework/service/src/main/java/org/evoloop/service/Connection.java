@@ -15,12 +15,12 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * One client of the control socket. It has {@link #LIMIT} for each request, and as long to read the answer.
+ * One client of the control socket. It has {@link #LIMIT} to send each request, and as long to read the answer.
  *
- * <p>Threading: the server's thread; a command runs on one of its own and hands its answer back.
+ * <p>Threading: the server's thread; a command runs on its own thread and passes its answer back.
  */
 final class Connection {
-    /** The longest request in bytes, its line feed included. */
+    /** The longest request in bytes, including its line feed. */
     static final int LONGEST_LINE = 4096;
 
     static final Duration LIMIT = Duration.ofSeconds(30);
@@ -44,7 +44,7 @@ final class Connection {
         renewDeadline();
     }
 
-    /** Whether nobody works for this client. */
+    /** Whether no command of this client is in progress. */
     boolean isIdle() {
         return !busy;
     }
@@ -66,7 +66,7 @@ final class Connection {
 
     private boolean read() throws IOException {
         if (endOfRequests) {
-            // One who has asked for the end is told of it by the end of the connection.
+            // A client that has asked for the end learns of it when the connection closes.
             if (server.commands().isEnding()) {
                 key.interestOps(0);
                 busy = true;
@@ -85,7 +85,7 @@ final class Connection {
         return count != 0;
     }
 
-    /** Performs the next command, if there is a whole one. */
+    /** Performs the next command, if it has arrived completely. */
     private boolean takeRequest() {
         for (int index = 0; index < in.position(); index++) {
             if (in.get(index) == '\n') {

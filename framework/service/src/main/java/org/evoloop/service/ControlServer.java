@@ -25,13 +25,12 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * The control socket: takes commands, one a line, and answers each with a {@link Reply}.
+ * The control socket: accepts commands, one per line, and answers each with a {@link Reply}.
  *
- * <p>No client costs another one anything: all are read by one thread that waits for none of them, at most {@value
- * #CLIENTS} are connected, each of whom has one command in progress, and whoever comes when there is no room takes the
- * place of the one that has been idle for longest.
+ * <p>No client delays another. One thread reads all of them without blocking. At most {@value #CLIENTS} are connected,
+ * each with one command in progress. A further client replaces the one that has been idle longest.
  *
- * <p>Threading: connections belong to the server's own thread; commands run on threads of their own.
+ * <p>Threading: connections belong to the server's own thread; commands run on separate threads.
  */
 final class ControlServer implements AutoCloseable {
     static final int CLIENTS = 32;
@@ -49,16 +48,16 @@ final class ControlServer implements AutoCloseable {
     private final Thread thread = new Thread(this::serve, "evoloop-control");
     private final Queue<Runnable> tasks = new ConcurrentLinkedQueue<>();
 
-    /** As many as there are clients with a command in progress, and those that have just answered. */
+    /** One thread for each command in progress; a cached pool, so idle threads end after a while. */
     private final ExecutorService workers;
 
-    /** The one that has been idle for longest is first. */
+    /** In order of idleness, longest first. */
     private final Set<Connection> connections = new LinkedHashSet<>();
 
     private volatile boolean closing;
 
     /**
-     * Opens the socket; a file in its place is removed.
+     * Opens the socket, replacing any existing file.
      *
      * @param path in a private directory
      * @param clock for the deadlines of clients
@@ -97,7 +96,7 @@ final class ControlServer implements AutoCloseable {
         selector.wakeup();
     }
 
-    /** Runs {@code command} on a thread of its own. */
+    /** Runs {@code command} on a separate thread. */
     void work(Runnable command) {
         workers.execute(command);
     }
@@ -122,7 +121,7 @@ final class ControlServer implements AutoCloseable {
         } else if (hasRoom()) {
             admit();
         } else {
-            // All have a command in progress; whoever knocks waits until one is done.
+            // Every client has a command in progress; a new one waits until one of them is done.
             key.interestOps(0);
         }
     }
@@ -148,7 +147,7 @@ final class ControlServer implements AutoCloseable {
         }
     }
 
-    /** This one has just been idle no longer. */
+    /** Marks this connection as the most recently used. */
     void served(Connection connection) {
         if (connections.remove(connection)) {
             connections.add(connection);
@@ -173,7 +172,7 @@ final class ControlServer implements AutoCloseable {
         if (!Threads.join(thread, END_LIMIT)) {
             LOG.warn("thread {} did not end within {} ms", thread.getName(), END_LIMIT.toMillis());
         }
-        // Until its thread has ended, a client may still have a command performed.
+        // A client may start a command until the server's thread has ended.
         workers.shutdownNow();
         try {
             door.close();

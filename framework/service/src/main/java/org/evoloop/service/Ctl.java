@@ -39,7 +39,7 @@ public final class Ctl {
             Exit status: 0 success, 1 the command failed, 2 wrong usage, or no such instance.
             """;
 
-    /** {@code watch [SECONDS]}; whatever else there is of it is refused by who is asked. */
+    /** {@code watch [SECONDS]}; other forms are left to the instance, which refuses them. */
     private static final String WATCH = "watch( [1-9][0-9]{0,3})?";
 
     private final Instances instances;
@@ -101,7 +101,7 @@ public final class Ctl {
         }
     }
 
-    /** As it would be typed at the console. */
+    /** The line to be typed at the console. */
     private static String line(List<String> words) {
         String line = words.stream()
                 .map(word ->
@@ -155,7 +155,8 @@ public final class Ctl {
             while (request.hasRemaining()) {
                 channel.write(request);
             }
-            // No further request: the instance closes the connection after its answer, or when it has ended.
+            // Announces that no request follows: the instance then closes the connection after its answer, or when it
+            // has ended.
             channel.shutdownOutput();
             return show(new BufferedReader(Channels.newReader(channel, StandardCharsets.UTF_8)), results);
         }

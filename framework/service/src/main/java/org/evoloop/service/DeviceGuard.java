@@ -14,8 +14,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Makes a device safe with a separate process, within a second after this one has ended in any way other than {@link
- * #close}, or is not running: stopped by a signal, starved, or hung in the code that handles the device.
+ * Uses a separate process to make a device safe, within a second, if this process ends in any way other than {@link
+ * #close} or stops running: stopped by a signal, starved, or hung in the code that handles the device.
  *
  * <p>While the device is active, the guard process gets a heartbeat every {@value #BEAT_MILLIS} ms; it acts when there
  * has been none for {@link #LIMIT}. This process detects that by its own clock, a little earlier: from then on {@link
@@ -23,7 +23,7 @@ import org.slf4j.LoggerFactory;
  *
  * <p>A guard process that ends or hangs is replaced.
  *
- * <p>Threading: thread-safe. Has a thread of its own, in real time.
+ * <p>Threading: thread-safe. Runs its own thread, in real time.
  *
  * @since 0.1
  */
@@ -35,13 +35,13 @@ public final class DeviceGuard implements AutoCloseable {
     private static final int BEAT_MILLIS = 100;
     private static final long BEAT_NANOS = Duration.ofMillis(BEAT_MILLIS).toNanos();
 
-    /** Before the guard process can have acted. */
+    /** Ends before the guard process can act. */
     private static final long FENCE_NANOS = LIMIT.toNanos() - BEAT_NANOS;
 
-    /** So long a device that was told something counts as active, whatever can be seen of it. */
+    /** After a command, a device counts as active for this long, whatever it reports. */
     private static final long TOLD_NANOS = Duration.ofSeconds(1).toNanos();
 
-    /** A guard process that has said nothing for so long is of no use. */
+    /** A guard process that has not answered for this long is replaced. */
     private static final long ANSWER_NANOS = Duration.ofSeconds(5).toNanos();
 
     private static final long RESTART_NANOS = Duration.ofSeconds(1).toNanos();
@@ -62,7 +62,7 @@ public final class DeviceGuard implements AutoCloseable {
     private long beatNanos;
     private long toldNanos = startedNanos - TOLD_NANOS;
 
-    /** Why the device is made safe; null while it need not be. */
+    /** The reason why the device is being made safe; null if it is not. */
     private @Nullable String expired;
 
     private boolean failing;
@@ -91,8 +91,8 @@ public final class DeviceGuard implements AutoCloseable {
     }
 
     /**
-     * Whether this process has been running all the time; call it before sending the device anything that may make it
-     * active. If false, send the device nothing before {@link GuardedDevice#madeSafe} has returned.
+     * Whether this process has been running without interruption. Call it before sending the device anything that may
+     * make it active. If it returns false, send the device nothing before {@link GuardedDevice#madeSafe} has returned.
      */
     public synchronized boolean mayTell() {
         long now = System.nanoTime();
@@ -159,7 +159,8 @@ public final class DeviceGuard implements AutoCloseable {
             firstBeat = beats;
             answeredNanos = now;
         }
-        // Taken before it is written: whoever is stopped in between has not been heard.
+        // Taken before the beat is written, since this process may be stopped in between; then the guard has not
+        // received it.
         beatNanos = now;
         process.tell("on " + beats);
     }

@@ -10,22 +10,20 @@ import java.nio.file.Path;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The output for a program's final error: standard error. If that is the journal of systemd, each line begins with the
- * level of an error (sd-daemon(3)), as {@link ProgramLog}'s do.
+ * The output for a program's final error: standard error. If systemd's journal reads it, each line begins with the
+ * level of an error (sd-daemon(3)), as in {@link ProgramLog}.
  *
  * <p>Threading: {@link #stream} may be called by any thread.
  *
  * @since 0.1
  */
 public final class ErrorOutput {
-    /** Where a standard stream of a process is found; what it leads to is a socket or a file. */
+    /** Standard error as a file of the process; a link to its socket or file. */
     private static final Path STANDARD_ERROR = Path.of("/proc/self/fd/2");
 
     private ErrorOutput() {}
 
-    /**
-     * A stream for error messages. It writes to the present {@link System#err}, and is flushed after each line.
-     */
+    /** A stream for error messages. It writes to the current {@link System#err}, and is flushed after each line. */
     public static PrintStream stream() {
         return isJournal() ? levelled(System.err) : System.err;
     }
@@ -38,8 +36,8 @@ public final class ErrorOutput {
     /**
      * Whether the journal reads {@code stream}.
      *
-     * @param journalStream the variable {@code JOURNAL_STREAM}: {@code DEVICE:INODE} of the stream that systemd has
-     *     opened; a program that was started with its output redirected has inherited the variable, but not the stream
+     * @param journalStream the variable {@code JOURNAL_STREAM}: {@code DEVICE:INODE} of the stream that systemd opened.
+     *     A program whose output was redirected has inherited the variable, but not the stream
      */
     static boolean isJournal(Path stream, @Nullable String journalStream) {
         if (journalStream == null) {

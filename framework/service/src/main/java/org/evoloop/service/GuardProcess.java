@@ -11,17 +11,17 @@ import java.util.function.Consumer;
 import org.evoloop.time.Threads;
 
 /**
- * One guard process, {@code device-guard.bash}: it has a terminal's session of its own, so that what stops or ends this
- * process does not stop or end it.
+ * One guard process, {@code device-guard.bash}. It runs in a separate session, so that signals that stop or end this
+ * process do not affect it.
  *
- * <p>Threading: thread-safe. What it says is heard on a thread of its own.
+ * <p>Threading: thread-safe. A separate thread reads its answers.
  */
 final class GuardProcess {
     private static final String PROGRAM = program();
 
     private final Process process;
 
-    /** @param answers hears each line that it says @throws IOException if it cannot be started */
+    /** @param answers receives each line of its output @throws IOException if it cannot be started */
     GuardProcess(Duration limit, String makeSafeCommand, Consumer<String> answers) throws IOException {
         String seconds = String.format(Locale.ROOT, "%.3f", limit.toNanos() / 1e9);
         process = new ProcessBuilder("setsid", "bash", "-c", PROGRAM, "evoloop-guard", seconds, makeSafeCommand)
@@ -47,18 +47,18 @@ final class GuardProcess {
                 answers.accept(line);
             }
         } catch (IOException ended) {
-            // isAlive tells.
+            // isAlive() reports that.
         }
     }
 
-    /** Tells it a word; one that has ended hears nothing. */
+    /** Sends a word; does nothing if the process has ended. */
     void tell(String word) {
         try {
             OutputStream to = process.getOutputStream();
             to.write((word + "\n").getBytes(StandardCharsets.US_ASCII));
             to.flush();
         } catch (IOException ended) {
-            // isAlive tells.
+            // isAlive() reports that.
         }
     }
 
@@ -70,7 +70,7 @@ final class GuardProcess {
         return process.pid();
     }
 
-    /** Ends it, whatever it does. */
+    /** Kills the process. */
     void kill() {
         process.destroyForcibly();
     }

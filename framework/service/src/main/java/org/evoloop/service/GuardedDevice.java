@@ -10,21 +10,20 @@ package org.evoloop.service;
  */
 public interface GuardedDevice {
     /**
-     * What makes the device safe, as a command of the POSIX shell that needs nothing of this process. Its exit status
-     * tells whether it has succeeded; if not, it is repeated for some seconds. It may run although the device is safe
-     * already.
+     * The command of the POSIX shell that makes the device safe. It must not depend on this process. A non-zero exit
+     * status means failure; then it is repeated for a few seconds. It may run although the device is already safe.
      */
     String makeSafeCommand();
 
     /**
-     * Whether the device would be unsafe if this process stood still from now on. A device of which this is true is
-     * made safe also if the call does not return within {@link DeviceGuard#LIMIT}.
+     * Whether the device would be unsafe if this process stopped running now. While it is, the device is also made safe
+     * if a call of this method does not return within {@link DeviceGuard#LIMIT}.
      */
     boolean isActive();
 
     /**
-     * The device has been made safe, or is about to be, since this process stood still: nothing that was decided before
-     * may go on. Until this returns, {@link DeviceGuard#mayTell} is false.
+     * Called when the device has been made safe, or is about to be, because this process stopped running. Anything
+     * decided before must be cancelled. Until this returns, {@link DeviceGuard#mayTell} is false.
      *
      * @param reason for people
      */

@@ -14,8 +14,8 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The right to a name: a lock on a file, which the system takes back when its holder dies, however it dies. The file
- * stays, for somebody may be about to lock it.
+ * Reserves an instance's name with a lock on a file. The system releases the lock when its holder ends in any way. The
+ * file stays, since another process may be about to lock it.
  */
 final class InstanceLock implements AutoCloseable {
     private final FileChannel file;
@@ -26,7 +26,7 @@ final class InstanceLock implements AutoCloseable {
 
     /**
      * @param directory a private one
-     * @throws IllegalArgumentException if a live instance has the name
+     * @throws IllegalArgumentException if a running instance has the name
      */
     static InstanceLock acquire(Path directory, String name) throws IOException {
         Path path = directory.resolve(name + ".lock");

@@ -14,7 +14,7 @@ import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Where instances have their control sockets: {@code $XDG_RUNTIME_DIR/evoloop}, else {@code $RUNTIME_DIRECTORY}, which
+ * Finds the control sockets of instances: in {@code $XDG_RUNTIME_DIR/evoloop}, else {@code $RUNTIME_DIRECTORY}, which
  * systemd sets, else {@code evoloop-USER} in the directory for temporary files.
  *
  * <p>Threading: immutable.
@@ -22,7 +22,10 @@ import org.jspecify.annotations.Nullable;
 final class Instances {
     private static final String SOCKET = ".sock";
 
-    /** Where a unit with {@code RuntimeDirectory=evoloop} has its sockets; those outside are not told so. */
+    /**
+     * The sockets' directory of a unit with {@code RuntimeDirectory=evoloop}; processes outside the unit do not have
+     * the variable.
+     */
     private static final Path SYSTEM = Path.of("/run/evoloop");
 
     private final Map<String, String> environment;
@@ -32,7 +35,7 @@ final class Instances {
         this.environment = environment;
     }
 
-    /** @throws IllegalArgumentException if {@code name} is none for an instance */
+    /** @throws IllegalArgumentException if {@code name} is not a valid instance name */
     static void requireName(String name) {
         if (!name.matches("[A-Za-z0-9_][A-Za-z0-9_-]*")) {
             throw new IllegalArgumentException(
@@ -41,7 +44,7 @@ final class Instances {
         }
     }
 
-    /** Where an instance of this environment has its socket. */
+    /** The directory for the sockets of instances in this environment. */
     Path directory() {
         Path own = own();
         return own != null ? own : temporary();
@@ -52,7 +55,7 @@ final class Instances {
         if (!session.isEmpty()) {
             return Path.of(session, "evoloop");
         }
-        // One that has several is told all of them.
+        // A unit with several directories gets all of them, separated by colons.
         String service = environment.getOrDefault("RUNTIME_DIRECTORY", "").split(":", 2)[0];
         return service.isEmpty() ? null : Path.of(service);
     }
@@ -64,7 +67,7 @@ final class Instances {
     /**
      * The socket of an instance in {@code directory}.
      *
-     * @throws IllegalArgumentException if the path would be longer than one of a socket may be
+     * @throws IllegalArgumentException if the path would be too long for a socket
      */
     static Path socket(Path directory, String name) {
         Path socket = directory.resolve(name + SOCKET);
@@ -78,10 +81,10 @@ final class Instances {
         return socket;
     }
 
-    /** Of Linux's {@code sockaddr_un}, with the byte that ends it. */
+    /** The limit of Linux's {@code sockaddr_un}, including the final zero byte. */
     private static final int LONGEST_PATH = 108;
 
-    /** Where to look for an instance, the likeliest first. */
+    /** The directories to search for an instance, the likeliest first. */
     List<Path> directories() {
         Set<Path> all = new LinkedHashSet<>();
         all.add(directory());
@@ -90,7 +93,7 @@ final class Instances {
         return List.copyOf(all);
     }
 
-    /** The sockets of the instances that may be looked for, by no means all of which need run. */
+    /** All sockets found; not all of their instances need to be running. */
     List<Path> sockets() {
         List<Path> found = new ArrayList<>();
         for (Path directory : directories()) {
@@ -99,7 +102,7 @@ final class Instances {
                 files.forEach(sorted::add);
                 found.addAll(sorted);
             } catch (IOException notThereOrNotOurs) {
-                // Nobody who may be asked has a socket there.
+                // There are no instances that this user may control.
             }
         }
         return found;

@@ -8,8 +8,8 @@ import ch.qos.logback.core.LayoutBase;
 import java.util.stream.Collectors;
 
 /**
- * Log lines for the journal of systemd: each begins with its level as {@code <N>} (sd-daemon(3)), and has no time,
- * since the journal knows it.
+ * Log lines for systemd's journal: each begins with its level as {@code <N>} (sd-daemon(3)), and has no time, since the
+ * journal adds it.
  */
 final class Journald extends LayoutBase<ILoggingEvent> {
     @Override
@@ -20,7 +20,7 @@ final class Journald extends LayoutBase<ILoggingEvent> {
         return text.lines().map(line -> prefix + line + "\n").collect(Collectors.joining());
     }
 
-    /** As syslog(3) numbers them. */
+    /** The level's number in syslog(3). */
     private static int priority(Level level) {
         return switch (level.toInt()) {
             case Level.ERROR_INT -> 3;

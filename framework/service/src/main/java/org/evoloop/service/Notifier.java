@@ -11,10 +11,10 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Sends messages of the protocol {@code sd_notify} to {@code $NOTIFY_SOCKET}; does nothing where there is none.
+ * Sends {@code sd_notify} messages to {@code $NOTIFY_SOCKET}; does nothing if there is none.
  *
- * <p>The JDK has no datagrams on Unix sockets. The program {@code systemd-notify}, which comes with systemd, has, and
- * knows every kind of address that systemd gives.
+ * <p>The JDK does not support datagrams on Unix sockets. The program {@code systemd-notify}, which comes with systemd,
+ * does, and supports every kind of address that systemd uses.
  *
  * <p>Threading: thread-safe.
  */
@@ -31,12 +31,12 @@ final class Notifier implements AutoCloseable {
         this.environment = environment;
     }
 
-    /** Whether somebody wants to be told. */
+    /** Whether a service manager expects messages. */
     boolean isThere() {
         return !environment.getOrDefault(SOCKET, "").isEmpty();
     }
 
-    /** Within which time the service manager wants to hear of this process again and again; null if it does not. */
+    /** The watchdog's period, in which it must receive a message; null if there is no watchdog. */
     @Nullable
     Duration watchdog() {
         String micros = environment.getOrDefault("WATCHDOG_USEC", "");
@@ -54,7 +54,7 @@ final class Notifier implements AutoCloseable {
         awaitLast();
     }
 
-    /** The same, but does not wait. */
+    /** Sends {@code fields} without waiting. */
     synchronized void start(String... fields) {
         if (!isThere()) {
             return;
@@ -98,7 +98,7 @@ final class Notifier implements AutoCloseable {
         }
     }
 
-    /** Waits until everything is sent. */
+    /** Waits until everything has been sent. */
     @Override
     public void close() {
         awaitLast();

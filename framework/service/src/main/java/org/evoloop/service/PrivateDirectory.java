@@ -9,20 +9,20 @@ import java.nio.file.attribute.PosixFilePermission;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.Set;
 
-/** A directory that nobody else may enter. */
+/** A directory that only its owner may enter. */
 final class PrivateDirectory {
     private static final Set<PosixFilePermission> OURS_ALONE = PosixFilePermissions.fromString("rwx------");
 
     private PrivateDirectory() {}
 
     /**
-     * Makes {@code directory}, or sees to it that the one that is there is private.
+     * Creates {@code directory}, or makes an existing one private.
      *
-     * @throws IOException if it cannot be made, or is somebody else's; the message says what to do
+     * @throws IOException if it cannot be created, or belongs to somebody else; the message says what to do
      */
     static void prepare(Path directory) throws IOException {
         try {
-            // With its mode from the beginning: there is no moment in which others may enter.
+            // Created with its final mode, so that others can never enter it.
             Files.createDirectory(directory, PosixFilePermissions.asFileAttribute(OURS_ALONE));
         } catch (FileAlreadyExistsException there) {
             requireOwn(directory);
@@ -46,7 +46,7 @@ final class PrivateDirectory {
         }
     }
 
-    /** Whoever runs this process owns the files that it makes. */
+    /** The user of this process, found as the owner of a new file. */
     private static Object user() throws IOException {
         Path made = Files.createTempFile("evoloop", "");
         try {

@@ -17,16 +17,16 @@ import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Says where a program's log goes: the transcript to stdout, warnings and errors to stderr, in systemd's journal with
- * their levels. Logback finds it as a service; a {@code logback.xml} in front of it wins. Reading one, and knowing
- * patterns before there is anything to say, would take a tenth of a program's start.
+ * Configures a program's log: the transcript goes to stdout, warnings and errors to stderr, in systemd's journal with
+ * their levels. Logback finds this class as a service; a {@code logback.xml} takes precedence. Parsing such a file, and
+ * patterns before they are needed, would take a tenth of a program's start-up time.
  *
- * <p>Threading: logback's, once.
+ * <p>Threading: called once by Logback.
  *
  * @since 0.1
  */
 public final class ProgramLog extends ContextAwareBase implements Configurator {
-    /** For Logback, which finds it as a service. */
+    /** For Logback's service loader. */
     public ProgramLog() {}
 
     @Override
@@ -67,7 +67,7 @@ public final class ProgramLog extends ContextAwareBase implements Configurator {
         return appender;
     }
 
-    /** The message alone. */
+    /** Only the message. */
     private static final class Lines extends LayoutBase<ILoggingEvent> {
         @Override
         public String doLayout(ILoggingEvent event) {
@@ -75,7 +75,9 @@ public final class ProgramLog extends ContextAwareBase implements Configurator {
         }
     }
 
-    /** When it was, how bad it is, the message, and an exception if there is one. An appender asks under its lock. */
+    /**
+     * Time, level, message, and an exception if there is one. Thread-safe, since an appender calls it under its lock.
+     */
     private static final class TimedLines extends LayoutBase<ILoggingEvent> {
         private @Nullable PatternLayout pattern;
 

@@ -12,10 +12,11 @@ import org.evoloop.loop.ComponentStatus;
 import org.evoloop.loop.LoopState;
 
 /**
- * Whether converters answer: their locks can be had, their clocks run what is due, which gives up components that hang,
- * their threads live, and events do not wait without one being dealt with since the last time they were asked.
+ * Checks that converters respond. For each converter: its lock can be acquired; its clock runs tasks, which include
+ * giving up components that hang; its threads are alive; and if events are waiting, at least one was handled since the
+ * last check.
  *
- * <p>Threading: one thread, which waits for as long as a converter's lock is not given back.
+ * <p>Threading: one thread, which blocks while a converter's lock is held.
  */
 final class Pulse {
     private static final long CLOCK_LIMIT_SECONDS = 1;
@@ -27,7 +28,7 @@ final class Pulse {
         this.converters = List.copyOf(converters);
     }
 
-    /** What is wrong with the first that does not answer; empty if all do. */
+    /** What is wrong with the first converter that does not respond; empty if all do. */
     String trouble() throws InterruptedException {
         for (SystemEventConverter converter : converters) {
             String trouble = trouble(converter);

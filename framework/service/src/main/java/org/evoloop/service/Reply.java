@@ -4,7 +4,7 @@ import java.nio.charset.StandardCharsets;
 
 /**
  * An answer on the control socket, in UTF-8: each line of the command's output after {@code out }, each of its errors
- * after {@code err }, and at last {@code end } with the exit status.
+ * after {@code err }, and finally {@code end } with the exit status.
  */
 final class Reply {
     static final String OUT = "out ";
@@ -20,7 +20,7 @@ final class Reply {
         return text.append(END).append(status).append('\n').toString().getBytes(StandardCharsets.UTF_8);
     }
 
-    /** To a client that is wrong. */
+    /** The answer to an invalid request. */
     static byte[] refusal(String why) {
         return of("", "error: " + why, 2);
     }

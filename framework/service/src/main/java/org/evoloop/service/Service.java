@@ -60,14 +60,14 @@ public final class Service implements AutoCloseable {
     /**
      * Takes the name, if there is one.
      *
-     * @throws IllegalArgumentException if a live instance has the name, or its socket's path would be too long
+     * @throws IllegalArgumentException if a running instance has the name, or its socket's path would be too long
      * @throws IOException if the socket's directory cannot be used; the message says what to do
      */
     public static Service open(ServiceOptions options) throws IOException {
         return open(options, new SystemClock(), System.getenv());
     }
 
-    /** The same with another clock, which it closes, and environment. */
+    /** Takes the name, using another environment and another clock, which it closes. */
     static Service open(ServiceOptions options, Clock clock, Map<String, String> environment) throws IOException {
         try {
             return new Service(options, clock, environment);
@@ -80,15 +80,15 @@ public final class Service implements AutoCloseable {
     /**
      * Runs {@code console} until it ends.
      *
-     * @return the exit status for the process, see {@link Console#run}; 1 if a converter was closed by a component of
-     *     its own while nobody was there to see it
+     * @return the exit status for the process, see {@link Console#run}; 1 if one of the converter's components closed
+     *     it while the program ran unattended
      * @throws IOException if the control socket cannot be opened
      */
     public int run(Console console) throws IOException {
         Path own = socket;
         if (own != null) {
             server = new ControlServer(own, Commands.of(console), clock);
-            // For an end that comes past this class.
+            // In case the process ends without close().
             Runtime.getRuntime().addShutdownHook(new Thread(() -> remove(own), "evoloop-control-removal"));
         }
         try (ServiceManager manager = new ServiceManager(environment, console, clock, options.start())) {
@@ -103,13 +103,13 @@ public final class Service implements AutoCloseable {
 
     private void remove(Path socket) {
         if (closed) {
-            // It may be another process's by now.
+            // The socket may already belong to another process.
             return;
         }
         try {
             Files.deleteIfExists(socket);
         } catch (IOException left) {
-            // The next instance of the name removes it.
+            // The next instance with this name removes it.
         }
     }
 

@@ -14,11 +14,11 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Tells the service manager how the converters fare, and ends an unattended program whose converters have ended.
+ * Reports the converters' status to the service manager, and ends an unattended program whose converters have ended.
  *
- * <p>The watchdog hears of it only while every converter answers its {@link Pulse}.
+ * <p>The watchdog is notified only while every converter responds to {@link Pulse}.
  *
- * <p>Threading: looks on a thread of its own, since a converter may keep it waiting.
+ * <p>Threading: runs on its own thread, since a converter may block it.
  */
 final class ServiceManager implements AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(ServiceManager.class);
@@ -44,7 +44,7 @@ final class ServiceManager implements AutoCloseable {
         console.onEnd(reason -> notifier.start("STOPPING=1", "STATUS=stopping: " + reason));
     }
 
-    /** The program does its work. */
+    /** Reports that the program is ready. */
     void ready() {
         toldStatus = status();
         notifier.send("READY=1", toldStatus);
@@ -55,7 +55,7 @@ final class ServiceManager implements AutoCloseable {
 
     private void look() {
         Duration watchdog = notifier.watchdog();
-        // Three times in the watchdog's period, so that one that comes late is none too late.
+        // Three times per watchdog period, so that a single delay does not matter.
         long periodNanos = (watchdog == null ? STATUS_PERIOD : watchdog.dividedBy(3)).toNanos();
         Duration rest = Duration.ofNanos(Math.min(LOOK.toNanos(), periodNanos));
         long told = clock.nanoTime();
@@ -69,12 +69,12 @@ final class ServiceManager implements AutoCloseable {
                 }
             }
         } catch (InterruptedException end) {
-            // The program ends, and the service manager has been told.
+            // The program is ending, and the service manager has been notified.
         }
     }
 
     private void endWithTheConverters() {
-        // In this order: a console that ends closes its converters after it says so.
+        // A console that ends sets isEnding before it closes its converters, so isEnding must be read last.
         if (unattended && console.converters().stream().allMatch(ServiceManager::hasEnded) && !console.isEnding()) {
             LOG.warn("the converter was closed by a component of its own; the program ends");
             console.end("the converter was closed by a component of its own", 1);

@@ -45,7 +45,7 @@ public record ServiceOptions(
         }
     }
 
-    /** An ordinary program with a console: nothing starts by itself, nothing listens, and nothing is recorded. */
+    /** The options of an ordinary program with a console: no automatic start, no control socket, no journal. */
     public static ServiceOptions none() {
         return new ServiceOptions(false, null, null);
     }

@@ -8,16 +8,16 @@ import java.time.Duration;
 import java.util.stream.Collectors;
 import org.evoloop.time.Clock;
 
-/** Draws the answer to a command on a terminal, again and again in the same place. */
+/** Redraws the output of a command on a terminal, in place. */
 final class Watch {
     private static final String ERASE_ALL = "\u001b[2J";
     private static final String HOME = "\u001b[H";
     private static final String ERASE_REST_OF_LINE = "\u001b[K";
     private static final String ERASE_BELOW = "\u001b[J";
 
-    /** What is drawn. */
+    /** The command to be shown. */
     interface Command {
-        /** Gives it. @return its exit status */
+        /** Prints the output. @return the exit status */
         int print(PrintStream results) throws IOException;
     }
 
@@ -30,9 +30,10 @@ final class Watch {
     }
 
     /**
-     * Goes on until the command fails, whose exit status it returns, or the thread is interrupted, with 0.
+     * Repeats the command until it fails, and returns its exit status, or until the thread is interrupted, and returns
+     * 0.
      *
-     * @param period between two answers
+     * @param period the time between two runs
      */
     int run(Command command, Duration period) throws IOException {
         out.print(ERASE_ALL);
@@ -46,7 +47,7 @@ final class Watch {
                     .lines()
                     .map(line -> line + ERASE_REST_OF_LINE + '\n')
                     .collect(Collectors.joining());
-            // All at once, so that nobody sees half of it.
+            // One write, so that the terminal never shows half of it.
             out.print(HOME + lines + "(Ctrl-C ends it)" + ERASE_REST_OF_LINE + '\n' + ERASE_BELOW);
             out.flush();
             try {

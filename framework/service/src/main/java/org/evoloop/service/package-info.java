@@ -1,7 +1,7 @@
 /**
- * Lets a converter run unattended: {@link org.evoloop.service.Service} goes on without a standard input, takes the
- * console's commands through a control socket and tells the service manager how it fares; {@link
- * org.evoloop.service.Ctl} is the socket's other end.
+ * Runs a converter unattended: {@link org.evoloop.service.Service} continues without standard input, accepts the
+ * console's commands through a control socket, and reports its status to the service manager. {@link
+ * org.evoloop.service.Ctl} is the client of the socket.
  *
  * <p>It uses the console and what that uses.
  */

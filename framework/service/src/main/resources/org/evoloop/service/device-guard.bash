@@ -1,12 +1,12 @@
-# The guard process: makes a device safe when the process at the other end of its standard input ends or stands still.
-#   $1  after so many seconds without a beat that process stands still
-#   $2  the command of sh that makes the device safe; it is repeated until it has succeeded
-# It reads, a line each:  on N  a beat; from now on another one must come in time
-#                         off   the device is safe by itself; nothing is awaited
-#                         stop  make it safe now, unless that has been done since the last beat
-#                         end   the process ends, and has left the device as it should be
-# It answers:             on N, and after it has acted for want of a beat: safe N, or failed N
-# What ends its process must not end it, nor may a terminal stop it.
+# The guard process: makes a device safe if the process at the other end of its standard input ends or stops running.
+#   $1  the time limit for a heartbeat, in seconds
+#   $2  the sh command that makes the device safe; it is tried up to 20 times
+# It reads lines:  on N  a heartbeat; the next one must come in time
+#                  off   the device is safe by itself; no heartbeat is expected
+#                  stop  make the device safe now, unless that was done since the last heartbeat
+#                  end   the process is ending, and the device is safe
+# It answers:      on N, and after it has acted: safe N, or failed N
+# Signals that end or stop the other process must not affect this one.
 trap '' HUP INT QUIT TERM PIPE TSTP
 limit=$1 command=$2 number='' watching=
 
@@ -32,7 +32,7 @@ while :; do
   fi
   status=$?
   if [ "$status" -gt 128 ]; then
-    # A guard that comes late itself finds a beat that came in time.
+    # If this process was late itself, the heartbeat may have arrived in time.
     read -t 0 || make_safe
   elif [ "$status" -ne 0 ]; then
     make_safe

@@ -10,9 +10,7 @@ import org.openjdk.jcstress.annotations.Outcome;
 import org.openjdk.jcstress.annotations.State;
 import org.openjdk.jcstress.infra.results.ZZ_Result;
 
-/**
- * A write returns in the very moment in which its time is over: it was in time, or it was cut short, and never both.
- */
+/** A write returns at the very moment its time is up: it was either in time or cut short, never both. */
 @JCStressTest
 @Outcome(id = "true, false", expect = ACCEPTABLE, desc = "in time")
 @Outcome(id = "false, true", expect = ACCEPTABLE, desc = "cut short")

@@ -10,8 +10,8 @@ import org.openjdk.jcstress.annotations.State;
 import org.openjdk.jcstress.infra.results.Z_Result;
 
 /**
- * A write begins, and is late at once, while the guard goes to sleep; one that slept on would let it stand for ever. So
- * would one that does not see the end: that is told as a timeout.
+ * A write begins, and is late at once, while the guard goes to sleep. If the guard stayed asleep, the write would block
+ * forever. A guard that misses its end would block too; that is reported as a timeout.
  */
 @JCStressTest
 @Outcome(id = "true", expect = ACCEPTABLE, desc = "cut short")

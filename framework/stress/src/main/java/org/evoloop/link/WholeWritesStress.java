@@ -11,7 +11,7 @@ import org.openjdk.jcstress.annotations.Outcome;
 import org.openjdk.jcstress.annotations.State;
 import org.openjdk.jcstress.infra.results.L_Result;
 
-/** Two write at once, each more than is given to the port at a time. */
+/** Two threads write at once, each more than is passed to the port in one call. */
 @JCStressTest
 @Outcome(id = "1122", expect = ACCEPTABLE, desc = "the first, then the second")
 @Outcome(id = "2211", expect = ACCEPTABLE, desc = "the second, then the first")

@@ -9,7 +9,9 @@ import org.openjdk.jcstress.annotations.Outcome;
 import org.openjdk.jcstress.annotations.State;
 import org.openjdk.jcstress.infra.results.ZZ_Result;
 
-/** A write meets the end of the writer, after which the port is closed: nobody may be inside it from then on. */
+/**
+ * A write races with the end of the writer, after which the port is closed: no write may touch the port from then on.
+ */
 @JCStressTest
 @Outcome(id = "true, false", expect = ACCEPTABLE, desc = "written before the end")
 @Outcome(id = "false, false", expect = ACCEPTABLE, desc = "refused")
@@ -25,7 +27,7 @@ public class WriteOrEndStress {
     private boolean touched;
 
     private int take(byte[] bytes) {
-        // As long as a short write takes.
+        // Takes about as long as a short write.
         for (int look = 0; look < LOOKS; look++) {
             touched |= closed;
         }

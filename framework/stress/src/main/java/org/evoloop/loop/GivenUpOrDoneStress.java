@@ -10,7 +10,7 @@ import org.openjdk.jcstress.annotations.Outcome;
 import org.openjdk.jcstress.annotations.State;
 import org.openjdk.jcstress.infra.results.IIII_Result;
 
-/** A component returns, or is only about to begin, while it is given up. */
+/** A component returns, or is about to begin, while it is given up. */
 @JCStressTest
 @Outcome(id = "1, 1, 0, 0", expect = ACCEPTABLE, desc = "done")
 @Outcome(id = "1, 1, 1, 0", expect = ACCEPTABLE, desc = "given up while it ran; what it returned was ignored")

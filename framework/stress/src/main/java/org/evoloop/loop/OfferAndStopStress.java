@@ -10,7 +10,7 @@ import org.openjdk.jcstress.annotations.Outcome;
 import org.openjdk.jcstress.annotations.State;
 import org.openjdk.jcstress.infra.results.IIII_Result;
 
-/** One thread tells what occurs while another closes the loop. */
+/** One thread offers an event while another closes the loop. */
 @JCStressTest
 @Outcome(id = "2, 0, 2, 0", expect = ACCEPTABLE, desc = "both waited and were refused")
 @Outcome(id = "1, 0, 2, 0", expect = ACCEPTABLE, desc = "one waited, the other found the loop closed")

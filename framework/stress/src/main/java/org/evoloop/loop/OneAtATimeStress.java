@@ -10,7 +10,7 @@ import org.openjdk.jcstress.annotations.Outcome;
 import org.openjdk.jcstress.annotations.State;
 import org.openjdk.jcstress.infra.results.II_Result;
 
-/** A thread tells what occurs while the carrier is at work: nothing is lost, run twice or left lying. */
+/** A thread offers an event while the carrier works: no event is lost, run twice or left in the queue. */
 @JCStressTest
 @Outcome(id = "3, 3", expect = ACCEPTABLE, desc = "each was run once and has ended")
 @Outcome(expect = Expect.FORBIDDEN, desc = "lost, run twice, or left in the queue with nobody at work")

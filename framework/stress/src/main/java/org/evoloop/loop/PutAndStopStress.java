@@ -10,7 +10,7 @@ import org.openjdk.jcstress.annotations.Outcome;
 import org.openjdk.jcstress.annotations.State;
 import org.openjdk.jcstress.infra.results.ZZ_Result;
 
-/** The loop is closed while somebody is about to wait for room. */
+/** The loop is closed while a thread is about to wait for room in the queue. */
 @JCStressTest
 @Outcome(id = "false, false", expect = ACCEPTABLE, desc = "refused, before or after waiting")
 @Outcome(id = "true, false", expect = FORBIDDEN, desc = "taken although there was no room")

@@ -6,18 +6,16 @@ import java.util.function.BooleanSupplier;
 import org.evoloop.time.ManualClock;
 import org.jspecify.annotations.Nullable;
 
-/**
- * A sequencer with one component, which ends each cycle, and with nobody who starts its threads: the actors play them.
- */
+/** A sequencer with one component, which ends each cycle. Nothing starts its threads; the test's actors play them. */
 final class Rig implements LoopListener<Object> {
     private static final int SPINS = 20;
 
-    /** Far longer than anything here takes, so that what never happens is told from what is late. */
+    /** Far longer than anything here takes, to tell what never happens from what is late. */
     private static final long PATIENCE_NANOS = 5_000_000_000L;
 
     private static final long LITTLE_PATIENCE_NANOS = 20_000_000;
 
-    /** Little, once something has not come: then the others are not waited for as long. */
+    /** Becomes short once something has failed to happen, so that later failures take less time. */
     private static volatile long patienceNanos = PATIENCE_NANOS;
 
     final LoopLock lock = new LoopLock();
@@ -43,7 +41,7 @@ final class Rig implements LoopListener<Object> {
         gate.become(LoopState.RUNNING);
     }
 
-    /** About as long as the others need to come in between. */
+    /** Leaves about enough time for the other actors to interfere. */
     private static void takeAWhile() {
         for (int i = 0; i < SPINS; i++) {
             Thread.onSpinWait();
@@ -56,13 +54,13 @@ final class Rig implements LoopListener<Object> {
                 .withQueueCapacity(queueCapacity);
     }
 
-    /** From here on what is offered begins. */
+    /** From now on, what is offered is run. */
     Rig ready() {
         sequencer.setAnalyze(stage);
         return this;
     }
 
-    /** As the watch over late components does it; does nothing if nobody has the turn. */
+    /** Gives the component up as the watchdog for late components does; does nothing if none is at work. */
     void giveUp() {
         Failure<Object> failure = null;
         lock.acquire();
@@ -76,12 +74,12 @@ final class Rig implements LoopListener<Object> {
         sequencer.goOnAfter(stage, failure);
     }
 
-    /** The thread that carries now. */
+    /** The current carrier thread. */
     CarrierThread carrier() {
         return Objects.requireNonNull(crew.shared(), "a loop without a carrier");
     }
 
-    /** Waits for something, but not for ever; returns whether it has come. */
+    /** Waits for a condition, but not forever; returns whether it became true. */
     static boolean await(BooleanSupplier event) {
         long begun = System.nanoTime();
         while (!event.getAsBoolean()) {
@@ -107,7 +105,7 @@ final class Rig implements LoopListener<Object> {
     @Override
     public void dropped(Object occurrence, boolean first) {}
 
-    /** A component; what it does is said where its worker is made. */
+    /** A component without behavior of its own; its worker defines what it does. */
     static final class Nothing extends Analyze<Object, Object> {
         @Override
         protected Object analyze(Object occurrence) {
@@ -115,7 +113,7 @@ final class Rig implements LoopListener<Object> {
         }
     }
 
-    /** A queue that counts the cycles that have ended. */
+    /** A queue that counts the completed cycles. */
     static final class Counting implements Intake<Object> {
         private final Backlog<Object> backlog;
         final AtomicInteger ends = new AtomicInteger();

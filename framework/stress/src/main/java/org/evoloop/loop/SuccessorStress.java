@@ -10,9 +10,7 @@ import org.openjdk.jcstress.annotations.Outcome;
 import org.openjdk.jcstress.annotations.State;
 import org.openjdk.jcstress.infra.results.IIZ_Result;
 
-/**
- * The carrier comes to the end of an occurrence while it is succeeded; the next occurrence waits for one of the two.
- */
+/** The carrier finishes an event while another thread replaces it; the next event waits for one of the two. */
 @JCStressTest
 @Outcome(id = "2, 0, false", expect = ACCEPTABLE, desc = "nobody was late: both were run")
 @Outcome(id = "2, 1, false", expect = ACCEPTABLE, desc = "given up while it ran; the other one was run")

@@ -12,7 +12,7 @@ import org.openjdk.jcstress.annotations.Outcome;
 import org.openjdk.jcstress.annotations.State;
 import org.openjdk.jcstress.infra.results.III_Result;
 
-/** A thread looks into its slot while it is filled; what it missed it finds when it looks again. */
+/** A thread looks into its slot while it is being filled; if it misses the input, it finds it the next time. */
 @JCStressTest
 @Outcome(id = "1, 7, 8", expect = ACCEPTABLE, desc = "run once, with its cycle and its input")
 @Outcome(expect = Expect.FORBIDDEN, desc = "lost, run twice, or run with less than was given")
@@ -27,7 +27,7 @@ public class WholeInputStress {
     private long cycle;
     private int content;
 
-    /** Its field is not final: nothing but the slot publishes it. */
+    /** Its field is not final, so that only the slot publishes it. */
     private static final class Input {
         private int content;
 

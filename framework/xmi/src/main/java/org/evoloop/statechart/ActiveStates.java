@@ -11,7 +11,7 @@ import java.util.TreeSet;
 import org.evoloop.statechart.Vertex.Kind;
 import org.jspecify.annotations.Nullable;
 
-/** Which vertex of each region is active, and what else of the past matters. */
+/** The active vertex of each region, and the parts of the past that matter. */
 final class ActiveStates {
     private final Net net;
     private final Map<Zone, Node> active = new HashMap<>();
@@ -43,7 +43,7 @@ final class ActiveStates {
         }
     }
 
-    /** Where the machine is now. */
+    /** The machine's current state. */
     Snapshot snapshot() {
         if (terminated != null) {
             return new Snapshot(new int[] {terminated.index}, new int[0], new int[0]);
@@ -101,7 +101,7 @@ final class ActiveStates {
         done.remove(node.index);
     }
 
-    /** The machine ends. */
+    /** Terminates the machine. */
     void terminate(Node node) {
         terminated = node;
         active.clear();
@@ -111,7 +111,7 @@ final class ActiveStates {
         return terminated != null;
     }
 
-    /** The do activity of an active state ends. */
+    /** Records that the do activity of an active state has ended. */
     void finish(Node state) {
         done.add(state.index);
     }
@@ -124,7 +124,7 @@ final class ActiveStates {
                 });
     }
 
-    /** Notes what is active in a region that is about to be left, if a history will ask. */
+    /** Remembers the active vertices of a region that is about to be left, if it has a history. */
     void remember(Zone zone) {
         Node node = active.get(zone);
         if (!zone.hasHistory || node == null) {
@@ -141,7 +141,7 @@ final class ActiveStates {
         }
     }
 
-    /** What was active when the region was left; null if it never was or had come to its end. */
+    /** What was active when the region was left. Null if the region was never active or had reached its final state. */
     @Nullable
     List<Node> remembered(Zone zone) {
         int[] vertices = memory.get(zone.index);

@@ -9,11 +9,11 @@ import java.util.List;
  *
  * @param source key of the vertex that it leaves
  * @param target key of the vertex that it enters
- * @param triggers names of the events that trigger it, any of them; none for a completion transition and for segments
+ * @param triggers names of the events, any of which triggers it; empty for a completion transition and for segments
  *     between pseudostates
- * @param guard text of the condition; empty for none, {@code else} for the branch that remains
- * @param effects behaviors on taking it, in order
- * @param spontaneous those of the triggers that are drawn as the device's own, see {@link Spontaneous}
+ * @param guard text of the condition; empty for none, {@code else} for the remaining branch
+ * @param effects behaviors that run when it is taken, in order
+ * @param spontaneous the triggers marked as raised by the device itself, see {@link Spontaneous}
  * @since 0.1
  */
 public record Arc(
@@ -31,7 +31,7 @@ public record Arc(
         spontaneous = List.copyOf(spontaneous);
     }
 
-    /** @param drawn the triggers, with the keyword {@link Spontaneous} before those that are the device's own */
+    /** @param drawn the triggers, with the keyword {@link Spontaneous} before those that the device raises itself */
     public Arc(
             Place place,
             String source,
@@ -43,13 +43,13 @@ public record Arc(
         this(place, source, target, Spontaneous.unmarked(drawn), guard, effects, kind, Spontaneous.marked(drawn));
     }
 
-    /** What a transition does with its source. */
+    /** What a transition does with its source state. */
     public enum Kind {
         /** Leaves it. */
         EXTERNAL,
         /**
-         * Does not leave the one of its ends that is around the other. Between a state and itself it leaves and enters
-         * what is in the state; else it is the same as an external one.
+         * If one of its ends contains the other, does not leave the outer one. From a state to itself, it leaves and
+         * enters what is inside the state. In all other cases it is the same as an external one.
          */
         LOCAL,
         /** Leaves nothing. */

@@ -14,7 +14,7 @@ import java.util.function.Function;
 import org.evoloop.statechart.Vertex.Kind;
 import org.jspecify.annotations.Nullable;
 
-/** How transitions leave and enter the states of a machine, and what runs then. */
+/** Leaves and enters the states of a machine along transitions, and collects the behaviors that run. */
 final class Body {
     private final Net net;
     private final Function<Link, @Nullable List<Link>> paths;
@@ -28,7 +28,7 @@ final class Body {
     private final Set<Link> underWay = new HashSet<>();
     private final Set<Node> entered = new HashSet<>();
 
-    /** @param paths says how a transition goes on through pseudostates */
+    /** @param paths returns how a transition continues through pseudostates */
     Body(Net net, Function<Link, @Nullable List<Link>> paths) {
         this.net = net;
         this.active = new ActiveStates(net);
@@ -43,12 +43,12 @@ final class Body {
         return new Outcome(active.snapshot(), List.copyOf(effects), left, entered, used);
     }
 
-    /** The states that are complete and whose transitions were not tried yet, in order. */
+    /** The completed states whose completion transitions have not been tried yet, in order. */
     Deque<Node> completions() {
         return completions;
     }
 
-    /** The do activity of an active state ends. */
+    /** Ends the do activity of an active state. */
     void finish(Node state) {
         active.finish(state);
         await(state);
@@ -83,7 +83,7 @@ final class Body {
         return exited;
     }
 
-    /** The region in which everything changes when a transition is taken; of a join all its transitions are. */
+    /** The innermost region that contains everything a transition changes. For a join, all its transitions count. */
     private static Zone domain(Link link) {
         Zone domain = requireNonNull(link.domain());
         if (link.target.is(Kind.JOIN)) {
@@ -98,7 +98,7 @@ final class Body {
         net.tops().forEach(top -> enter(top, Map.of()));
     }
 
-    /** Enters a state and those around it. */
+    /** Enters a state and the states around it. */
     void enterFrom(Node state) {
         Zone top = state.zone;
         while (top.owner != null) {
@@ -108,7 +108,7 @@ final class Body {
         net.tops().forEach(other -> enter(other, Map.of()));
     }
 
-    /** Takes a transition and the others of its path. */
+    /** Takes all transitions of a path. */
     void follow(List<Link> path) {
         if (active.isTerminated()) {
             return;
@@ -173,7 +173,7 @@ final class Body {
         enter(domain, explicit(domain, targets));
     }
 
-    /** Enters states from outside in without what is in their regions. */
+    /** Enters states from the outside in, but not the contents of their regions. */
     private void open(Zone domain, @Nullable Node inner, List<Node> opened) {
         Deque<Node> path = new ArrayDeque<>();
         for (Node state = inner; state != null && !active.has(state); state = state.zone.owner) {
@@ -202,7 +202,7 @@ final class Body {
         completions.remove(node);
     }
 
-    /** For each region on the way from {@code domain} to a target the vertex that leads there. */
+    /** For each region between {@code domain} and a target, the vertex on the way to that target. */
     private static Map<Zone, Node> explicit(Zone domain, List<Node> targets) {
         Map<Zone, Node> explicit = new HashMap<>();
         for (Node target : targets) {
@@ -285,7 +285,7 @@ final class Body {
         goOn(zone.initial.outgoing.get(0), zone);
     }
 
-    /** Takes the default transition of a region or of a history in it. */
+    /** Takes the default transition of a region, or of a history in it. */
     private void goOn(Link link, Zone zone) {
         List<Link> path = paths.apply(link);
         if (path == null) {

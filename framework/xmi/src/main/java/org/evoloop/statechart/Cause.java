@@ -3,7 +3,7 @@ package org.evoloop.statechart;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The cause of a step of a resting machine.
+ * What triggers a step of a stable machine.
  *
  * @param name the event's name as drawn; empty for a completion
  * @param owner the state whose timer elapses or whose do activity ends; null for other events

@@ -18,19 +18,19 @@ import java.util.function.Function;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
-/** Finds every state in which a machine can rest, and what each event does there. */
+/** Finds every stable state of a machine, and what each event does there. */
 final class Explorer {
     private static final int MAX_STATES = 100_000;
     private static final int MAX_MOVES = 1_000_000;
-    /** Of one event in one state: twelve guards that depend on nothing. */
+    /** For one event in one state: twelve independent guards. */
     private static final int MAX_CASES = 4_096;
 
     /**
-     * How much is tried with a machine that may be too large, in active states that are looked at: a second's work. One
-     * whose regions change together is small all the same.
+     * The effort spent on a machine that may be too large, counted in active states examined; about a second. Such a
+     * machine may still turn out small, if its regions change together.
      */
     private static final long TRIED = 1_000_000;
-    /** What a step costs that is not plain. */
+    /** The effort of a step that is not plain. */
     private static final int FULL_STEP = 20;
 
     private static final String SMALLER = "draw fewer regions side by side, or histories, or guards on one event";
@@ -38,7 +38,7 @@ final class Explorer {
     private final Net net;
     private final Set<Problem> problems = new LinkedHashSet<>();
     private final List<Reached> reached = new ArrayList<>();
-    /** Those in which one vertex is all that matters, by its number: most, so that they need no hashing. */
+    /** The states in which only one vertex matters, by its number. Most states are like this and need no hashing. */
     private final @Nullable Reached[] alone;
 
     private final Map<Snapshot, Reached> others = new HashMap<>();
@@ -61,10 +61,10 @@ final class Explorer {
     }
 
     /**
-     * What happens for some values of the guards.
+     * What happens for certain values of the guards.
      *
-     * @param outcome null if nothing does
-     * @param deferred whether the event waits then
+     * @param outcome null if nothing happens
+     * @param deferred whether the event is deferred in that case
      */
     private record Case(List<String> guards, @Nullable Outcome outcome, boolean deferred) {}
 
@@ -82,26 +82,26 @@ final class Explorer {
         return problems;
     }
 
-    /** Where the machine starts; null if there are problems. */
+    /** The outcome of starting the machine; null if there are problems. */
     @Nullable
     Outcome start() {
         return start == null ? null : start.outcome();
     }
 
-    /** Every state in which the machine can rest, by number. */
+    /** Every stable state, by number. */
     List<Reached> reached() {
         return reached;
     }
 
-    /** The same in document order. */
+    /** Every stable state, in document order. */
     List<Reached> inOrder() {
-        // Those of one vertex are in order already, which the sort makes use of.
+        // The states of one vertex are already in order, which makes sorting fast.
         return Stream.concat(Arrays.stream(alone).filter(Objects::nonNull), others.values().stream())
                 .sorted(Comparator.comparing(state -> state.snapshot))
                 .toList();
     }
 
-    /** The state in which the machine rests like this. */
+    /** The state with this snapshot. */
     Reached reached(Snapshot state) {
         return requireNonNull(find(state));
     }
@@ -141,7 +141,7 @@ final class Explorer {
         }
     }
 
-    /** States that are never entered are a part of the model all the same; a check tells their author. */
+    /** States that are never entered still belong to the model; the checks report them. */
     private void visitUnreachable() {
         for (Node node : net.nodes()) {
             if (node.isState() && node.zones.isEmpty() && !visited.get(node.index)) {
@@ -171,7 +171,7 @@ final class Explorer {
             });
             return moves;
         }
-        // Each trigger stands on one transition, so neither needs to be looked up by the other.
+        // Each trigger occurs on only one transition, so no lookup is needed.
         Set<Node> left = Set.of(node);
         for (Link link : node.outgoing) {
             boolean plain = PlainSteps.isPlain(link);
@@ -189,7 +189,7 @@ final class Explorer {
         return moves;
     }
 
-    /** Of a state beside others. */
+    /** The move of a state that may have orthogonal states beside it. */
     private Move plain(Link link, Cause cause, Snapshot state) {
         work(state.leaves().length);
         used.set(link.index);
@@ -223,7 +223,7 @@ final class Explorer {
         return new Move(cause, List.of(), target, PlainSteps.effects(link), false, left, false);
     }
 
-    /** Adds what a cause does. */
+    /** Adds the moves for a cause. */
     private void step(Reached state, Cause cause, List<Move> moves) {
         work((long) FULL_STEP * state.snapshot.leaves().length);
         try {
@@ -255,7 +255,7 @@ final class Explorer {
             }
         }
         if (found.isEmpty() && cause.kind() == Cause.Kind.TIME) {
-            // Its timer runs all the same, and may be wanted in a state that comes later.
+            // The timer runs even if nothing happens here, and a later state may need it.
             found.add(nothing(cause, List.of(), state));
         }
         return found;
@@ -265,7 +265,7 @@ final class Explorer {
         return new Move(cause, guards, state, List.of(), true, Set.of(), false);
     }
 
-    /** Whether a later move would wrongly be taken for this case, in which nothing happens. */
+    /** Whether a later move would wrongly be taken in this case, in which nothing happens. */
     private static boolean hides(Case nothing, List<Case> later) {
         return later.stream()
                 .anyMatch(one -> one.outcome() != null && nothing.guards().containsAll(one.guards()));
@@ -313,7 +313,7 @@ final class Explorer {
         return cases;
     }
 
-    /** What can happen, with the active states that have transitions on it or defer it. */
+    /** Everything that can happen, with the active states that have transitions on it or defer it. */
     private Map<Cause, List<Node>> causes(Snapshot state) {
         Map<Cause, List<Node>> causes = new LinkedHashMap<>();
         Set<Node> seen = new HashSet<>();
@@ -346,7 +346,7 @@ final class Explorer {
                 : events.computeIfAbsent(trigger, name -> new Cause(Cause.Kind.EVENT, name, null));
     }
 
-    /** Whether the end of a do activity makes a state complete, and transitions wait for that. */
+    /** Whether the state has completion transitions that wait for the end of its do activity. */
     private static boolean awaitsActivity(Node node) {
         return node.wantsCompletion() && !node.activities().isEmpty();
     }

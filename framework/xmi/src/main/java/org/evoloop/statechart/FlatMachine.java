@@ -15,23 +15,23 @@ import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.StateMachineBuilder;
 import org.evoloop.statemachine.Transition;
 
-/** Names what an {@link Explorer} found. */
+/** Builds the flat machine from the results of an {@link Explorer}, and names its states. */
 final class FlatMachine {
     private final Net net;
     private final FlatNames naming;
     /** In document order. */
     private final List<Flat> flats = new ArrayList<>();
-    /** What the states that were found have become, by their numbers. */
+    /** The flat state of each state found, by number. */
     private final Flat[] byNumber;
 
     private final Map<String, Event> unguarded = new HashMap<>();
     private final Map<Event, Event> guarded = new HashMap<>();
-    /** Time triggers and activities that several active states have at once. */
+    /** The time triggers and activities that several active states share. */
     private final Set<String> ambiguous = new HashSet<>();
 
     /**
-     * @param reached every state in which the machine can rest, by number
-     * @param inOrder the same in document order
+     * @param reached every stable state, by number
+     * @param inOrder every stable state, in document order
      */
     FlatMachine(Net net, List<Reached> reached, List<Reached> inOrder) {
         this.net = net;
@@ -58,10 +58,10 @@ final class FlatMachine {
         }
     }
 
-    /** @param plain the state without what is remembered */
+    /** @param plain the state without its memory */
     private record Flat(Reached reached, State state, State plain, Set<Owned> goingOn) {}
 
-    /** What goes on while a state as drawn is active. */
+    /** A timer or an activity that runs while a drawn state is active. */
     private record Owned(Node owner, String name, boolean activity) {}
 
     /** The innermost vertices of each flat state. */
@@ -77,7 +77,7 @@ final class FlatMachine {
         return leaves;
     }
 
-    /** @param effects of starting, in order */
+    /** @param effects run when the machine starts, in order */
     StateMachine machine(Reached start, List<String> effects) {
         StateMachineBuilder builder = StateMachine.named(net.chart().name());
         for (Flat flat : flats) {
@@ -97,7 +97,7 @@ final class FlatMachine {
                 if (move.deferred()) {
                     builder.defers(flat.state().name(), event(move.cause().name(), move.guards()));
                 }
-                // Under guards it must stand in the way of the transitions behind it.
+                // A guarded deferral must also be a transition, so that it takes precedence over the ones after it.
                 if (!move.deferred() || !move.guards().isEmpty()) {
                     leaving.add(transition(flat, move));
                 }
@@ -139,7 +139,7 @@ final class FlatMachine {
                 internal ? Set.of() : keeps(source, move.left(), target));
     }
 
-    /** The same object for equal events, of which there are far fewer than transitions. */
+    /** Returns the same object for equal events, since there are far fewer events than transitions. */
     private Event event(String name, List<String> guards) {
         return guards.isEmpty()
                 ? unguarded.computeIfAbsent(name, Event::new)

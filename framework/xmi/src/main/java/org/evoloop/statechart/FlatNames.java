@@ -14,17 +14,17 @@ import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Names of flat states: that of the innermost state if no other has it, else its path {@code Outer.Inner}; of regions
- * side by side {@code (A, B)}. What is remembered for histories, and do activities that have ended, follow in brackets
- * where states would else have the same name.
+ * Names the flat states. A state has the name of its innermost state, or its path {@code Outer.Inner} if that name is
+ * not unique; orthogonal states are {@code (A, B)}. States that would still have equal names get a suffix in brackets:
+ * what histories remember, and the do activities that have ended.
  */
 final class FlatNames {
     private final Net net;
     private final List<Snapshot> states;
     private final Set<String> ambiguousLeaves;
-    /** The states by their innermost vertices alone. */
+    /** The names made of the innermost vertices alone. */
     private final List<String> leaves = new ArrayList<>();
-    /** Null until somebody asks: seldom. */
+    /** Computed on first use, since it is rarely needed. */
     private @Nullable Set<String> ambiguousStates;
 
     /** @param states all flat states, in order */
@@ -46,7 +46,7 @@ final class FlatNames {
         return nodes.map(Node::simpleName).filter(name -> !names.add(name)).collect(Collectors.toSet());
     }
 
-    /** Of a state as drawn. */
+    /** The name of a drawn state. */
     String of(Node node) {
         if (ambiguousStates == null) {
             ambiguousStates = ambiguous(net.nodes().stream().filter(Node::isState));
@@ -54,7 +54,7 @@ final class FlatNames {
         return ambiguousStates.contains(node.simpleName()) ? node.path() : node.simpleName();
     }
 
-    /** Of all flat states, in their order; no two are equal. */
+    /** The names of all flat states, in order; all are different. */
     List<String> all() {
         if (areDifferent(leaves)) {
             return leaves;
@@ -70,9 +70,10 @@ final class FlatNames {
     }
 
     /**
-     * What each would be called if nothing were remembered, in their order; {@code names} where that tells nothing.
+     * The names of all flat states without their memory, in order. Where such a name would be ambiguous, it is the one
+     * in {@code names}.
      *
-     * @param names as {@link #all} gives them
+     * @param names as returned by {@link #all}
      */
     List<String> withoutMemory(List<String> names) {
         if (names.equals(leaves)) {

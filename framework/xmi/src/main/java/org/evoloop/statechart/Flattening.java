@@ -12,36 +12,36 @@ import org.evoloop.statemachine.StateMachine;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A statechart and the flat machine that is equivalent to it (Harel, "Statecharts", 1987; UML 2.5.1, clause 14.2.3): it
- * accepts the same events and runs the same behaviors in the same order. Its states are the combinations of innermost
- * states in which the machine rests, with what it remembers for histories. Where UML leaves a choice:
+ * A statechart and its equivalent flat machine (Harel, "Statecharts", 1987; UML 2.5.1, clause 14.2.3). The flat machine
+ * accepts the same events and runs the same behaviors in the same order. Its states are the stable state configurations
+ * of the drawn machine, with what is remembered for histories. Where UML leaves a choice:
  *
  * <ul>
- *   <li>Guards are evaluated when the event comes, each once, including those after a choice. A path without an enabled
- *   branch is not taken. Of the transitions of a state on one event, the guarded ones come first, in drawing order,
- *   then the one without guard, then {@code [else]}.
- *   <li>An event goes to the innermost state that has a transition for it; enclosing states do not see it. Orthogonal
- *   regions all see it, in drawing order, and are left and entered in that order.
- *   <li>Each part of a transition through pseudostates leaves and enters what lies between its two ends. A history
- *   remembers its region when the state around that is left; a region that has reached its final state is forgotten.
- *   <li>A guard on the only transition of an initial pseudostate, or on the default one of a history, is not asked for,
- *       since nothing else could be entered.
- *   <li>A local transition between a state and one in it leaves the region of the inner one alone, and enters it by
- *   default if it ends at the outer one. From a state to itself it leaves and enters again what is in the state; of a
- *   state without regions it is internal.
- *   <li>A state without do activity is complete when it is entered, or when all its regions have reached their final
- *       states; its transition without event is taken at once. If its guard does not hold then, it never is. The end of
- *       a do activity on which a transition waits is an event, {@code completion(NAME)}, that somebody must raise.
- *   <li>An event that a state defers waits if no transition of that state, of one in it, or of a region beside it
- *   counts for it; states around the deferring one do not see it. See {@link
- *   org.evoloop.statemachine.StateMachine#defers}.
- *   <li>A time trigger belongs to the state it leaves and goes on as long as that is not left; see
+ *   <li>Guards are evaluated when the event occurs, each of them once, including those after a choice. A path without
+ *       an enabled branch is not taken. Of a state's transitions on one event, the guarded ones are tried first, in
+ *       drawing order, then the one without a guard, then {@code [else]}.
+ *   <li>An event goes to the innermost state that has a transition for it; enclosing states do not see it. All
+ *       orthogonal regions see it, in drawing order, and are left and entered in that order.
+ *   <li>Each segment of a transition through pseudostates leaves and enters the states between its two ends. A history
+ *       remembers its region when the enclosing state is left; the memory of a region in its final state is cleared.
+ *   <li>A guard on the only transition of an initial pseudostate, or on the default transition of a history, is not
+ *       evaluated, since nothing else could be entered.
+ *   <li>A local transition between a state and a state inside it leaves only the region of the inner state, and enters
+ *       it by default if it ends at the outer state. From a state to itself it leaves and enters again what is inside
+ *       the state; for a state without regions it is internal.
+ *   <li>A state without a do activity is complete when it is entered, or when all its regions have reached their final
+ *       states. Its completion transition is taken at once; if its guard does not hold then, it is never taken. If a
+ *       transition waits for the end of a do activity, that end is an event, {@code completion(NAME)}, which the
+ *       application must raise.
+ *   <li>An event that a state defers waits, unless that state, a state inside it, or an orthogonal region takes a
+ *       transition on it. Enclosing states do not see it. See {@link org.evoloop.statemachine.StateMachine#defers}.
+ *   <li>The timer of a time trigger belongs to the transition's source state, and runs until that state is left; see
  *       {@link org.evoloop.statemachine.Transition#keeps}.
- *   <li>A transition that is internal and has no effects stands for an event that is swallowed.
+ *   <li>An internal transition without effects means that the event is consumed without a reaction.
  * </ul>
  *
- * <p>States that no event leads to are kept, as if something led there. Two transitions of which nothing says which is
- * taken are a problem.
+ * <p>Unreachable states are kept, as if a transition led to them. If nothing determines which of two transitions is
+ * taken, that is a problem.
  *
  * <p>Threading: immutable.
  *
@@ -61,7 +61,7 @@ public final class Flattening {
         this.unused = unused;
     }
 
-    /** Flattens a chart, or finds out why that is impossible. */
+    /** Flattens a chart, or finds the problems that prevent it. */
     public static Flattening of(Statechart chart) {
         List<Problem> problems = new ArrayList<>();
         Net net = NetBuilder.build(chart, problems);
@@ -118,7 +118,7 @@ public final class Flattening {
         return flattening.machine();
     }
 
-    /** Why there is no flat machine; empty if there is one. */
+    /** The problems that prevent a flat machine; empty if there is one. */
     public List<Problem> problems() {
         return problems;
     }
@@ -135,12 +135,12 @@ public final class Flattening {
         return machine;
     }
 
-    /** The flat machine's states, each with the innermost states as drawn that are active in it, region by region. */
+    /** The flat machine's states, each with the drawn innermost states that are active in it, region by region. */
     public Map<State, List<Vertex>> leaves() {
         return flat == null ? Map.of() : flat.leaves();
     }
 
-    /** Drawn transitions that can never be taken. */
+    /** The drawn transitions that can never be taken. */
     public List<Arc> unused() {
         return unused;
     }

@@ -6,9 +6,9 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Runs through the values that the guards asked for during one event may have: first those in which the first guard
- * holds. So of several outcomes the first whose guards all hold is the right one, and nobody needs to know which guards
- * did not hold.
+ * Enumerates the values of the guards that are evaluated during one event. The cases in which the first guard holds
+ * come first. So of several outcomes, the first one whose guards all hold is the right one, and the guards that did not
+ * hold need not be recorded.
  */
 final class Guards {
     private final List<Boolean> plan = new ArrayList<>();
@@ -24,7 +24,7 @@ final class Guards {
         });
     }
 
-    /** The guards that were asked for and hold, in the order of asking. */
+    /** The guards that were evaluated and hold, in the order of evaluation. */
     List<String> held() {
         return asked.entrySet().stream()
                 .filter(Map.Entry::getValue)
@@ -32,7 +32,7 @@ final class Guards {
                 .toList();
     }
 
-    /** Whether there are further values; then the event starts again with them. */
+    /** Whether there are further values. If so, the event must be run again with them. */
     boolean next() {
         asked.clear();
         while (!plan.isEmpty() && !plan.get(plan.size() - 1)) {

@@ -8,9 +8,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 
-/** Finds states that differ in what is remembered only, where that will never matter. */
+/** Merges states that differ only in what histories remember, if that never makes a difference. */
 final class Histories {
-    /** Enough for every machine that a person draws; a machine that needs more keeps all its states. */
+    /** Enough for every machine drawn by hand. A machine that needs more rounds keeps all its states. */
     private static final int MAX_ROUNDS = 100;
 
     private final List<Reached> states;
@@ -22,7 +22,7 @@ final class Histories {
         this.blocks = new int[states.size()];
     }
 
-    /** For each state, by number, the one that stands for it: another one or itself. */
+    /** For each state, by number, its representative: another state or the state itself. */
     static List<Reached> merge(List<Reached> states) {
         for (Reached state : states) {
             if (state.snapshot.memory().length > 0) {
@@ -58,7 +58,7 @@ final class Histories {
         return representatives;
     }
 
-    /** Splits sets of states that look alike until the states of each react alike. */
+    /** Partition refinement: splits sets of states that look alike until all states of a set react alike. */
     private boolean refine() {
         Map<Appearance, Integer> looks = new HashMap<>();
         for (Reached state : states) {

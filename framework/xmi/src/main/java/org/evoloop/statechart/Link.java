@@ -1,6 +1,6 @@
 package org.evoloop.statechart;
 
-/** An arc with its ends. */
+/** An arc, connected to its vertices. */
 final class Link {
     static final String ELSE = "else";
 
@@ -18,12 +18,12 @@ final class Link {
         this.target = target;
     }
 
-    /** Whether it leaves nothing; a local one from a state without regions to itself has nothing to leave. */
+    /** Whether it leaves no state. That includes a local transition from a state without regions to itself. */
     boolean isInternal() {
         return arc.kind() == Arc.Kind.INTERNAL || (isLocalLoop() && source.zones.isEmpty());
     }
 
-    /** Whether it leaves and enters what is in its state, and not the state. */
+    /** Whether it leaves and enters the contents of its state, but not the state itself. */
     boolean isLocalLoop() {
         return isLocal() && source == target && source.isState();
     }
@@ -40,7 +40,10 @@ final class Link {
         return !arc.guard().isEmpty() && !isElse();
     }
 
-    /** Of transitions that one event enables the guarded ones come first, the one for the rest comes last. */
+    /**
+     * The order in which the transitions enabled by one event are tried: guarded ones first, the {@code [else]} branch
+     * last.
+     */
     int rank() {
         if (arc.guard().isEmpty() && !target.isPseudostate()) {
             return 1;
@@ -51,7 +54,7 @@ final class Link {
         return isGuarded() || depends() ? 0 : 1;
     }
 
-    /** Whether what comes behind it decides whether it can be taken. */
+    /** Whether the branches after its target decide if it can be taken. */
     private boolean depends() {
         return target.is(Vertex.Kind.JOIN)
                 || ((target.is(Vertex.Kind.JUNCTION) || target.is(Vertex.Kind.CHOICE))
@@ -60,8 +63,8 @@ final class Link {
     }
 
     /**
-     * The region in which everything changes when it is taken; null for the whole machine. A border point is left and
-     * entered with its state, but an entry point leads into its state.
+     * The innermost region that contains everything it changes; null for the whole machine. Entry and exit points are
+     * left and entered with their state, but the transition from an entry point leads into that state.
      */
     @org.jspecify.annotations.Nullable
     Zone domain() {

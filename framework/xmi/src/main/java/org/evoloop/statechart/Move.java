@@ -4,13 +4,13 @@ import java.util.List;
 import java.util.Set;
 
 /**
- * What an event does when its guards hold and those of earlier moves do not.
+ * What an event does if its guards hold and those of earlier moves do not.
  *
- * @param target the state in which the machine then rests
+ * @param target the stable state reached
  * @param effects the behaviors that run, in order
  * @param still whether nothing is left or entered
  * @param left the states that are left, even if they are entered again
- * @param deferred whether nothing happens, and the event waits
+ * @param deferred whether nothing happens and the event waits
  */
 record Move(
         Cause cause,

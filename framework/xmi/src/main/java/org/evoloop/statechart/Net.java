@@ -4,14 +4,14 @@ import java.util.List;
 import java.util.Set;
 
 /**
- * A statechart whose vertices know their neighbors.
+ * A statechart whose vertices are connected to each other.
  *
  * @param tops its top regions
  * @param nodes in document order
  * @param triggers the events on transitions
  * @param timeTriggers the timer events
- * @param spontaneous the events that are drawn as the device's own
- * @param isCalm whether nothing is active while the machine rests: no timers and no do activities
+ * @param spontaneous the events drawn as raised by the device itself
+ * @param isCalm whether no timers and no do activities run while the machine is stable
  */
 record Net(
         Statechart chart,
@@ -21,7 +21,7 @@ record Net(
         Set<String> timeTriggers,
         Set<String> spontaneous,
         boolean isCalm) {
-    /** Whether an event is raised by itself. */
+    /** Whether an event is raised by a timer. */
     boolean isTime(String trigger) {
         return !timeTriggers.isEmpty() && timeTriggers.contains(trigger);
     }

@@ -16,9 +16,9 @@ import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.ModelException;
 import org.jspecify.annotations.Nullable;
 
-/** Connects the vertices of a statechart; {@link Rules} says afterwards whether they may be connected so. */
+/** Connects the vertices of a statechart. {@link Rules} later checks whether the connections are allowed. */
 final class NetBuilder {
-    /** States within states: more than anybody can read, and few enough for the calls that enter and leave them. */
+    /** Deeper than anyone can read, and shallow enough for the recursive calls that enter and leave states. */
     private static final int MAX_DEPTH = 300;
 
     private final Statechart chart;
@@ -36,16 +36,14 @@ final class NetBuilder {
         this.problems = problems;
     }
 
-    /**
-     * What is left to do: a region of {@code owner}, or a vertex of {@code zone}. Nesting may be too deep for calls.
-     */
+    /** A work item: a region of {@code owner}, or a vertex of {@code zone}. Recursion could overflow the stack. */
     private record Work(
             @Nullable Region region,
             @Nullable Node owner,
             @Nullable Vertex vertex,
             @Nullable Zone zone) {}
 
-    /** @param problems takes what cannot be connected */
+    /** @param problems receives what cannot be connected */
     static Net build(Statechart chart, List<Problem> problems) {
         return new NetBuilder(chart, problems).build();
     }
@@ -76,7 +74,7 @@ final class NetBuilder {
         try {
             return new Event(trigger).timeTrigger().isPresent();
         } catch (ModelException malformed) {
-            // The rules say what is wrong with it.
+            // Rules reports what is wrong with it.
             return true;
         }
     }

@@ -14,32 +14,32 @@ import org.evoloop.statechart.Vertex.Kind;
 import org.evoloop.statechart.Vertex.Pseudostate;
 import org.jspecify.annotations.Nullable;
 
-/** A vertex with its neighbors. Written by {@link NetBuilder} alone. */
+/** A vertex, connected to its neighbors. Written only by {@link NetBuilder}. */
 final class Node {
     final Vertex vertex;
-    /** In document order, outer before inner. */
+    /** In document order, outer vertices before inner ones. */
     final int index;
-    /** The region that it stands in; of an entry or exit point the one of its state. */
+    /** The region that contains it; for an entry or exit point, the region of its state. */
     final Zone zone;
     /** The state on whose border an entry or exit point stands. */
     final @Nullable Node border;
 
-    /** Null for anything but a state. */
+    /** Null unless it is a state. */
     private final @Nullable ChartState state;
-    /** Null for anything but a pseudostate. */
+    /** Null unless it is a pseudostate. */
     private final @Nullable Kind kind;
 
     final List<Zone> zones = new ArrayList<>();
     /** In the order in which they are tried. */
     final List<Link> outgoing = new ArrayList<>();
-    /** Of a pseudostate; nobody asks what leads to a state. */
+    /** Filled only for pseudostates; not needed for states. */
     final List<Link> incoming = new ArrayList<>();
 
     private final List<Link> completion = new ArrayList<>();
-    /** Null until somebody asks: seldom. */
+    /** Computed on first use, since it is rarely needed. */
     private @Nullable Map<String, List<Link>> byTrigger;
 
-    /** Null until somebody asks. */
+    /** Computed on first use. */
     private @Nullable String path;
 
     private boolean rivals;
@@ -55,9 +55,9 @@ final class Node {
     }
 
     /**
-     * Puts what leaves it in order.
+     * Sorts its outgoing transitions.
      *
-     * @param named of each trigger the vertex that named it last
+     * @param named the last vertex that used each trigger
      */
     void arrange(Map<String, Node> named) {
         outgoing.sort(Comparator.comparingInt(Link::rank));
@@ -74,7 +74,7 @@ final class Node {
         }
     }
 
-    /** Whether its transitions name a trigger twice, or several have none. */
+    /** Whether a trigger occurs twice on its transitions, or several of them have no trigger. */
     boolean hasRivals() {
         return rivals;
     }
@@ -83,7 +83,7 @@ final class Node {
         if (byTrigger == null) {
             byTrigger = new LinkedHashMap<>();
             for (Link link : outgoing) {
-                // One may name a trigger twice.
+                // A transition may name a trigger twice.
                 for (String trigger : new LinkedHashSet<>(link.arc.triggers())) {
                     byTrigger
                             .computeIfAbsent(trigger, key -> new ArrayList<>(1))
@@ -94,7 +94,7 @@ final class Node {
         return byTrigger;
     }
 
-    /** How many events it has transitions for. */
+    /** The number of events for which it has transitions. */
     int triggerCount() {
         return rivals ? triggers().size() : triggers;
     }
@@ -134,7 +134,7 @@ final class Node {
         return is(Kind.SHALLOW_HISTORY) || is(Kind.DEEP_HISTORY);
     }
 
-    /** Whether a machine may rest in it or begin to rest in it. */
+    /** Whether a path of transitions may end in it: a state, final state, history or terminate pseudostate. */
     boolean isTarget() {
         return !isPseudostate() || isHistory() || is(Kind.TERMINATE);
     }
@@ -151,17 +151,17 @@ final class Node {
         return state == null ? List.of() : state.doActivities();
     }
 
-    /** The events that wait while it lasts. */
+    /** The events deferred while it is active. */
     List<String> deferred() {
         return state == null ? List.of() : state.deferred();
     }
 
-    /** Whether transitions wait for it to be complete. */
+    /** Whether it has completion transitions. */
     boolean wantsCompletion() {
         return isState() && !completion.isEmpty();
     }
 
-    /** Whether {@code other} is this or stands in it. */
+    /** Whether {@code other} is this vertex or inside it. */
     boolean holds(Node other) {
         Node inner = other;
         while (inner.zone.depth > zone.depth && inner.zone.owner != null) {
@@ -186,7 +186,7 @@ final class Node {
         return isFinal() ? "final" : word();
     }
 
-    /** How its author calls such a vertex. */
+    /** The author's term for this kind of vertex. */
     String word() {
         if (kind != null) {
             return is(Kind.INITIAL)

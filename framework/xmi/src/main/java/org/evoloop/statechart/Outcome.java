@@ -6,7 +6,7 @@ import java.util.Set;
 /**
  * The result of one run-to-completion step.
  *
- * @param target the state in which the machine now rests
+ * @param target the stable state reached
  * @param effects the behaviors that ran, in order
  * @param left the states that were left, even if they were entered again
  * @param entered the vertices that were entered, even if they were left again

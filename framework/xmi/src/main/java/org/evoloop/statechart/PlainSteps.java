@@ -5,15 +5,13 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What happens where hardly anything can: one transition without guard leads from one simple state to another beside
- * it, and nothing else is active. A {@link Step} comes to the same; most transitions of most charts are of this kind.
+ * A shortcut for the most common transitions: without a guard, from one simple state to another in the same region,
+ * with nothing else affected. A {@link Step} gives the same result.
  */
 final class PlainSteps {
     private PlainSteps() {}
 
-    /**
-     * The vertex in which a machine rests with nothing around it or beside it, if that is all that matters; else null.
-     */
+    /** The active vertex, if it is the only one and has no enclosing state, and nothing else matters; else null. */
     static @Nullable Node alone(Net net, Snapshot state) {
         if (!state.isOneState() || net.tops().size() > 1) {
             return null;
@@ -22,7 +20,7 @@ final class PlainSteps {
         return node.zone.owner == null ? node : null;
     }
 
-    /** Whether nothing happens but that the one state is left and the other entered. */
+    /** Whether the transition only leaves one state and enters another. */
     static boolean isPlain(Link link) {
         Node target = link.target;
         return target.isState()
@@ -34,8 +32,8 @@ final class PlainSteps {
     }
 
     /**
-     * The only transition of {@code node} on an event if nothing happens but that the one state is left and the other
-     * entered, whatever stands around and beside it; else null.
+     * The only transition of {@code node} on an event, if it only leaves one state and enters another, whatever is
+     * around and beside them; else null.
      *
      * @param node the only active vertex with transitions on the event
      */
@@ -46,7 +44,7 @@ final class PlainSteps {
                 : null;
     }
 
-    /** The behaviors that run then, in order. */
+    /** The behaviors that run in such a step, in order. */
     static List<String> effects(Link link) {
         List<String> exit = link.source.exit();
         List<String> own = link.arc.effects();

@@ -11,7 +11,7 @@ package org.evoloop.statechart;
  * @since 0.1
  */
 public record Problem(Place place, String message, String mend) {
-    /** The message with the id if that is not in it, and the remedy; without the line. */
+    /** The message, with the id if the message lacks it, and the remedy; without the line. */
     public String text() {
         String id = place.id();
         return message + (id.isEmpty() || message.contains("id " + id) ? "" : " (id '" + id + "')") + "; " + mend;

@@ -2,14 +2,14 @@ package org.evoloop.statechart;
 
 import java.util.List;
 
-/** A state in which a machine can rest, and what happens there. Written by {@link Explorer} alone. */
+/** A stable state of a machine, and what happens there. Written only by {@link Explorer}. */
 final class Reached {
-    /** In the order in which they were found; whoever knows more about one keeps it in an array. */
+    /** In the order of discovery; other classes use it as an array index. */
     final int index;
 
     final Snapshot snapshot;
 
-    /** What each event does there, first those that are tried first. */
+    /** The moves for each event, in the order in which they are tried. */
     List<Move> moves = List.of();
 
     Reached(int index, Snapshot snapshot) {

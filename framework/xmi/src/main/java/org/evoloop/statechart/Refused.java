@@ -1,6 +1,6 @@
 package org.evoloop.statechart;
 
-/** Flattening came to something that has no meaning. */
+/** Thrown when flattening meets a construct without a meaning. */
 final class Refused extends RuntimeException {
     private static final long serialVersionUID = 1L;
 

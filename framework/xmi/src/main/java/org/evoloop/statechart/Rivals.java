@@ -6,14 +6,14 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Which of several transitions leaves a state: two that leave the same one, or one within the other, cannot both be
- * taken.
+ * Detects conflicting transitions: two that leave the same state, or states of which one contains the other, cannot
+ * both be taken.
  *
  * @param <T> a transition
  */
 final class Rivals<T> {
     private final Map<Node, T> leaving = new HashMap<>();
-    /** Of each state that is left, the states around it and itself. */
+    /** For each state that is left, that state and the states around it. */
     private final Map<Node, T> leavingInside = new HashMap<>();
 
     /** A transition that cannot be taken together with one that leaves {@code exited}; null if there is none. */
@@ -34,7 +34,7 @@ final class Rivals<T> {
         return null;
     }
 
-    /** {@code taken} leaves {@code exited}. */
+    /** Adds a transition that leaves {@code exited}. */
     void add(T taken, Set<Node> exited) {
         for (Node node : exited) {
             leaving.putIfAbsent(node, taken);

@@ -10,7 +10,7 @@ import org.evoloop.statechart.Vertex.Kind;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.ModelException;
 
-/** What a statechart must obey before it can be flattened, whatever the order of its events. */
+/** Checks the rules that a statechart must obey before it can be flattened, independent of the order of events. */
 final class Rules {
     private static final String BRANCHES = "give each its own guard, one of them may be [else]";
 
@@ -22,7 +22,7 @@ final class Rules {
         this.problems = problems;
     }
 
-    /** @param problems takes what is broken */
+    /** @param problems receives the violations */
     static void check(Net net, List<Problem> problems) {
         new Rules(net, problems).check();
     }
@@ -97,7 +97,7 @@ final class Rules {
         }
     }
 
-    /** Whether branches behind them tell two transitions with the same guard apart. */
+    /** Whether two transitions with the same guard can still be told apart by the branches after them. */
     private static boolean depends(Link one, Link other) {
         return !one.target.isTarget() || !other.target.isTarget();
     }
@@ -121,7 +121,7 @@ final class Rules {
         } else if (node.border == null) {
             refuse(node, node + " stands on no state", "draw it on the border of a composite state");
         } else {
-            // Without a transition an entry point enters its state by default.
+            // An entry point without a transition enters its state by default.
             if (node.is(Kind.EXIT_POINT) || !node.outgoing.isEmpty()) {
                 requireOne(node);
             }

@@ -5,8 +5,8 @@ import org.evoloop.statechart.Vertex.Kind;
 import org.jspecify.annotations.Nullable;
 
 /**
- * How large a flat machine can be at most, without building it: regions side by side multiply, and so does what
- * histories remember. It may be far smaller, where regions change together.
+ * An upper bound for the size of a flat machine, computed without building it. Orthogonal regions multiply, and so does
+ * what histories remember. The machine may be far smaller if regions change together.
  */
 final class SizeEstimate {
     private static final int DIGITS_WRITTEN = 15;
@@ -28,14 +28,14 @@ final class SizeEstimate {
     }
 
     private record Size(BigInteger states, BigInteger transitions) {
-        /** Both active at once. */
+        /** The size if both are active at the same time. */
         Size beside(Size other) {
             return new Size(
                     states.multiply(other.states),
                     transitions.multiply(other.states).add(other.transitions.multiply(states)));
         }
 
-        /** One of them active. */
+        /** The size if one of them is active. */
         Size or(Size other) {
             return new Size(states.add(other.states), transitions.add(other.transitions));
         }
@@ -62,7 +62,7 @@ final class SizeEstimate {
             boolean deep = zone.nodes.stream().anyMatch(node -> node.is(Kind.DEEP_HISTORY));
             memories = memories.multiply(deep ? sum.states().add(BigInteger.ONE) : BigInteger.valueOf(kept));
         }
-        // An empty region adds nothing to what stands beside it.
+        // An empty region does not change the size of the regions beside it.
         return sum.states().signum() == 0 ? new Size(BigInteger.ONE, BigInteger.ZERO) : sum;
     }
 
@@ -87,7 +87,7 @@ final class SizeEstimate {
                 || transitions.compareTo(BigInteger.valueOf(mostTransitions)) > 0;
     }
 
-    /** The state around the most combinations of regions side by side; null if there is none. */
+    /** The state with the most combinations of orthogonal regions; null if there is none. */
     @Nullable
     Node widest() {
         return widest;

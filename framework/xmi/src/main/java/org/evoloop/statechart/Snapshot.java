@@ -2,13 +2,13 @@ package org.evoloop.statechart;
 
 import java.util.Arrays;
 
-/** Everything on which the reaction of a machine to events depends, between two events. */
+/** Everything that determines how a stable machine reacts to events. */
 final class Snapshot implements Comparable<Snapshot> {
     private static final int[] NONE = {};
 
     /** The innermost active vertex of each region, in document order; or the terminate pseudostate. */
     private final int[] leaves;
-    /** For each region with a memory its index, the number of vertices, and the vertices. */
+    /** For each region with a memory: its index, the number of vertices, and the vertices. */
     private final int[] memory;
     /** The states whose do activities have ended. */
     private final int[] done;
@@ -22,17 +22,17 @@ final class Snapshot implements Comparable<Snapshot> {
         this.hash = (Arrays.hashCode(leaves) * 31 + Arrays.hashCode(memory)) * 31 + Arrays.hashCode(done);
     }
 
-    /** The machine rests in a state without anything in it, and that is all. */
+    /** A snapshot in which the machine is in one simple state and nothing else matters. */
     static Snapshot of(Node state) {
         return new Snapshot(new int[] {state.index}, NONE, NONE);
     }
 
-    /** Whether nothing but the one state in which the machine rests matters. */
+    /** Whether only one active vertex matters. */
     boolean isOneState() {
         return leaves.length == 1 && memory.length == 0 && done.length == 0;
     }
 
-    /** The same with another leaf in the place of {@code before}. */
+    /** A copy in which {@code after} replaces {@code before}. */
     Snapshot with(Node before, Node after) {
         int[] changed = leaves.clone();
         for (int i = 0; i < changed.length; i++) {
@@ -70,7 +70,7 @@ final class Snapshot implements Comparable<Snapshot> {
         return hash;
     }
 
-    /** Document order; what remembers less comes first. */
+    /** Document order; a snapshot that remembers less comes first. */
     @Override
     public int compareTo(Snapshot other) {
         int byLeaves = Arrays.compare(leaves, other.leaves);

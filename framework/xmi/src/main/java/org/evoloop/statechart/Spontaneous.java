@@ -5,7 +5,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * The keyword in guillemets (UML 2.5.1, annex C) before the name of an event that the device takes by itself: {@code
+ * The keyword in guillemets (UML 2.5.1, annex C) before the name of an event that the device raises itself: {@code
  * «spontaneous» endSpot}. Two angle brackets on each side are also accepted.
  *
  * @since 0.1
@@ -16,7 +16,7 @@ public final class Spontaneous {
 
     private Spontaneous() {}
 
-    /** The name with the keyword before it. */
+    /** The name, preceded by the keyword. */
     public static String mark(String name) {
         return "«" + KEYWORD + "» " + name;
     }
@@ -35,7 +35,7 @@ public final class Spontaneous {
         return anyIsMarked(names) ? names.stream().map(Spontaneous::unmarked).toList() : List.copyOf(names);
     }
 
-    /** Those of the names that have the keyword, without it. */
+    /** The names that have the keyword, without it. */
     static List<String> marked(List<String> names) {
         return anyIsMarked(names)
                 ? names.stream()
@@ -45,7 +45,7 @@ public final class Spontaneous {
                 : List.of();
     }
 
-    /** Hardly any is: of a hundred thousand transitions none should cost a list of its own. */
+    /** Rare; avoids creating a list for each of a hundred thousand transitions. */
     private static boolean anyIsMarked(List<String> names) {
         for (int i = 0; i < names.size(); i++) {
             if (isMarked(names.get(i))) {

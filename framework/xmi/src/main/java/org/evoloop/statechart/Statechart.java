@@ -10,7 +10,7 @@ import java.util.List;
  * @param name its name
  * @param place in its file
  * @param regions its top regions, rarely more than one
- * @param events that the model declares; those on transitions need not be among them
+ * @param events declared in the model; those on transitions need not be included
  * @since 0.1
  */
 public record Statechart(String name, Place place, List<Region> regions, List<String> events) {

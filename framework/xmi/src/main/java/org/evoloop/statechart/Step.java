@@ -10,11 +10,12 @@ import org.evoloop.statechart.Vertex.Kind;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One run to completion: what happens from one event until the machine rests again, for given values of the guards.
+ * One run-to-completion step: what happens from one event until the machine is stable again, for given values of the
+ * guards.
  *
- * <p>Innermost transitions come first, and regions one after the other in the order in which they are drawn. Guards are
- * asked for when the event comes, those behind choices too: a path through pseudostates of which no branch holds is not
- * taken.
+ * <p>Innermost transitions are tried first, and regions in the order in which they are drawn. All guards are evaluated
+ * when the event occurs, including those after choices. A path through pseudostates is not taken if none of its
+ * branches holds.
  */
 final class Step {
     private final Guards guards;
@@ -28,7 +29,7 @@ final class Step {
         this.body = new Body(net, this::path);
     }
 
-    /** Transitions that are taken as one: from a state through pseudostates to where the machine rests. */
+    /** Transitions taken as one: a path from a state through pseudostates to the next stable vertex. */
     private record Take(Node state, List<Link> path) {
         Link first() {
             return path.get(0);
@@ -39,21 +40,21 @@ final class Step {
         }
     }
 
-    /** The machine starts. */
+    /** Starts the machine. */
     Outcome start() {
         body.enterTop();
         complete();
         return body.outcome();
     }
 
-    /** The machine comes to rest in a state, whatever leads there. */
+    /** Enters a state, whether or not a transition leads there. */
     Outcome startIn(Node state) {
         body.enterFrom(state);
         complete();
         return body.outcome();
     }
 
-    /** What a cause does to a machine that rests; null if nothing. */
+    /** Handles a cause in a stable machine; returns null if nothing happens. */
     @Nullable
     Outcome react(Snapshot before, Cause cause) {
         body.active().load(before);
@@ -70,7 +71,7 @@ final class Step {
         return body.outcome();
     }
 
-    /** Whether the event to which nothing reacted is deferred. */
+    /** Whether the event, to which nothing reacted, is deferred. */
     boolean isDeferring() {
         return deferring;
     }
@@ -95,7 +96,7 @@ final class Step {
         return withoutRivals(takes);
     }
 
-    /** Inner transitions go before those of the states around them. */
+    /** Inner transitions take precedence over those of enclosing states. */
     private void passOver(Node state) {
         for (Node outer = state; outer != null; outer = outer.zone.owner) {
             asleep.add(outer);
@@ -146,7 +147,10 @@ final class Step {
         return !link.isGuarded() || guards.holds(link.arc.guard());
     }
 
-    /** The way on through pseudostates; null if it ends in one of which no branch holds. */
+    /**
+     * The path that begins with {@code first} and continues through pseudostates; null if no branch of one of them
+     * holds.
+     */
     private @Nullable List<Link> path(Link first) {
         List<Link> path = new ArrayList<>();
         Link last = first;
@@ -192,7 +196,7 @@ final class Step {
         return true;
     }
 
-    /** Takes the transitions of states that are complete until there are none. */
+    /** Takes completion transitions until no state is complete. */
     private void complete() {
         Set<Object> passed = new HashSet<>();
         Deque<Node> waiting = body.completions();

@@ -18,7 +18,7 @@ public final class TimeUnits {
     }
 
     /**
-     * The chart with units.
+     * A copy of the chart in which every time trigger has a unit.
      *
      * @param unit milliseconds or seconds
      */

@@ -3,31 +3,31 @@ package org.evoloop.statechart;
 import java.util.List;
 
 /**
- * A node of a statechart, with an identity of its own that {@link Arc arcs} refer to.
+ * A node of a statechart. {@link Arc Arcs} refer to it by its key.
  *
  * <p>Threading: immutable.
  *
  * @since 0.1
  */
 public sealed interface Vertex {
-    /** Unique in its statechart, not empty; the id in the file where that has one. */
+    /** Unique in its statechart and not empty; the element's id in the file if it has one. */
     String key();
 
-    /** As drawn; may be empty for anything but a state. */
+    /** As drawn; may be empty except for a state. */
     String name();
 
-    /** Where it is drawn. */
+    /** Its place in the file. */
     Place place();
 
     /**
-     * A state: simple without regions, composite with one, orthogonal with several. The machine of a submachine state
-     * is expanded in its place, with keys of its own.
+     * A state: simple without regions, composite with one, orthogonal with several. A submachine state contains a copy
+     * of its machine, with separate keys.
      *
      * @param entry behaviors on entering, in order
      * @param exit behaviors on leaving, in order
-     * @param doActivities behaviors that run while it lasts
+     * @param doActivities behaviors that run while it is active
      * @param internal transitions that neither leave nor enter it
-     * @param deferred triggers that wait while it lasts
+     * @param deferred triggers that are deferred while it is active
      * @param connections its entry and exit points
      */
     record ChartState(
@@ -59,7 +59,7 @@ public sealed interface Vertex {
         }
     }
 
-    /** A vertex in which the machine never rests. */
+    /** A vertex that transitions pass through; {@link Kind#TERMINATE} ends the machine. */
     record Pseudostate(String key, String name, Place place, Kind kind) implements Vertex {}
 
     /** The end of a region. */
@@ -67,11 +67,11 @@ public sealed interface Vertex {
 
     /** The kinds of pseudostate of UML 2. */
     enum Kind {
-        /** Where a region begins. */
+        /** The start of a region. */
         INITIAL,
-        /** The substate that its state was in last. */
+        /** Enters the substate that was active last. */
         SHALLOW_HISTORY,
-        /** The substates, at every depth, that its state was in last. */
+        /** Enters the substates that were active last, at every depth. */
         DEEP_HISTORY,
         /** Waits for all regions that lead to it. */
         JOIN,

@@ -4,14 +4,14 @@ import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 
-/** A region with its neighbors. Written by {@link NetBuilder} alone. */
+/** A region, connected to its neighbors. Written only by {@link NetBuilder}. */
 final class Zone {
     final Region region;
-    /** The state that it is a part of; null for a top region. */
+    /** The state that it belongs to; null for a top region. */
     final @Nullable Node owner;
-    /** The number of regions around it. */
+    /** The number of enclosing regions. */
     final int depth;
-    /** In document order, outer before inner. */
+    /** In document order, outer regions before inner ones. */
     final int index;
 
     final List<Node> nodes = new ArrayList<>();
@@ -29,7 +29,7 @@ final class Zone {
     }
 
     /**
-     * The innermost region around both; the machine itself, which null stands for, if they are in different top
+     * The innermost region that contains both; null, which means the machine itself, if they are in different top
      * regions.
      */
     static @Nullable Zone common(Zone one, Zone other) {

@@ -1,11 +1,10 @@
 /**
- * State machines as UML draws them: hierarchy, orthogonal regions, pseudostates, guards and behaviors, as values
- * without checks; and {@link org.evoloop.statechart.Flattening}, which finds the flat machine that accepts the same
- * events. On its way a chart becomes a net of nodes, the rules are checked, every state in which the machine can rest
- * is explored one run to completion at a time, states that only remember differently are merged, and what is found gets
- * names.
+ * State machines as UML draws them: hierarchy, orthogonal regions, pseudostates, guards and behaviors, as unchecked
+ * values. {@link org.evoloop.statechart.Flattening} finds the flat machine that accepts the same events. It connects a
+ * chart's vertices to a net, checks the rules, explores every stable state one run-to-completion step at a time, merges
+ * states that differ only in irrelevant memory, and names the result.
  *
- * <p>This room may use {@code org.evoloop.statemachine} alone.
+ * <p>This package may use only {@code org.evoloop.statemachine}.
  */
 @NullMarked
 package org.evoloop.statechart;

@@ -9,7 +9,7 @@ import org.evoloop.statechart.Statechart;
 import org.evoloop.statechart.Vertex;
 import org.evoloop.xmi.dialect.Problems;
 
-/** Finds guards that nobody asks: those of transitions that are taken in any case. */
+/** Finds guards that are never evaluated, because their transitions are always taken. */
 final class DefaultGuards {
     private static final Set<Vertex.Kind> DEFAULTS =
             Set.of(Vertex.Kind.INITIAL, Vertex.Kind.SHALLOW_HISTORY, Vertex.Kind.DEEP_HISTORY);

@@ -9,7 +9,7 @@ import java.util.Set;
 import org.evoloop.statemachine.ModelException;
 
 /**
- * Finds an application's model files, in whatever directory it is started.
+ * Finds an application's model files, whatever the working directory is.
  *
  * @since 0.1
  */

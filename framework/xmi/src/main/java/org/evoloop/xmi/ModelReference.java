@@ -15,21 +15,21 @@ import org.evoloop.statemachine.StateMachine;
  *
  * @param file the XMI file
  * @param machine diagram name, machine name or id; empty for the file's only machine
- * @param timeUnit the unit of time triggers whose number has none, milliseconds or seconds; empty to refuse those
+ * @param timeUnit the unit of time triggers given as a bare number, milliseconds or seconds; empty to refuse them
  * @since 0.1
  */
 public record ModelReference(Path file, Optional<String> machine, Optional<ChronoUnit> timeUnit) {
 
-    /** A reference that requires units in time triggers. */
+    /** A reference that requires a unit in every time trigger. */
     public ModelReference(Path file, Optional<String> machine) {
         this(file, machine, Optional.empty());
     }
 
     /**
-     * Parses the unit of time triggers of an option.
+     * Parses an option's unit of time triggers.
      *
      * @param abbreviation {@code ms} or {@code s}
-     * @throws ModelException if it is another one
+     * @throws ModelException for anything else
      */
     public static ChronoUnit unit(String abbreviation) {
         return switch (abbreviation.strip()) {
@@ -97,8 +97,8 @@ public record ModelReference(Path file, Optional<String> machine, Optional<Chron
     }
 
     /**
-     * The file beside this one that is named after it and the machine, if that exists, else after it only: for the
-     * machine b of {@code a.xml}, {@code a.b} or {@code a} with the ending. It need not exist.
+     * A file beside this one with the given ending. For the machine b of {@code a.xml} that is {@code a.b} plus the
+     * ending if such a file exists, else {@code a} plus the ending, which may not exist.
      *
      * @param ending such as {@code .properties.txt}
      */

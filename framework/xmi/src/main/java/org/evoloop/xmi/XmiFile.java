@@ -33,7 +33,7 @@ public final class XmiFile {
     private final String exporter;
     private final List<XmiMachine> machines;
 
-    /** @param exporter as the file calls the tool that wrote it */
+    /** @param exporter the file's name for the tool that wrote it */
     private XmiFile(String file, String exporter, List<XmiMachine> machines) {
         this.file = file;
         this.exporter = exporter;
@@ -41,8 +41,8 @@ public final class XmiFile {
     }
 
     /**
-     * Preloads the bindings for Astah's files, which takes longer than reading a file. A program that has other things
-     * to do before it reads calls this on another thread; reading in the meantime waits for it.
+     * Preloads the bindings for Astah's files, which takes longer than reading a file. A program that has other work to
+     * do first can call this on another thread; reads that start in the meantime wait for it.
      */
     public static void prepare() {
         AstahDialect.prepare();
@@ -59,7 +59,7 @@ public final class XmiFile {
     }
 
     /**
-     * Reads a model that is not a file of its own, such as a resource of a jar.
+     * Reads a model that is not a separate file, such as a resource in a jar.
      *
      * @param name its name in messages
      * @param bytes closed in any case
@@ -99,7 +99,7 @@ public final class XmiFile {
     }
 
     /**
-     * A copy that uses this unit for time triggers whose number has none.
+     * A copy that uses this unit for time triggers given as a bare number.
      *
      * @param unit milliseconds or seconds
      */
@@ -115,7 +115,7 @@ public final class XmiFile {
         return machines;
     }
 
-    /** What {@link #machine(String)} takes for each machine of the file, in the file's order. */
+    /** The reference to pass to {@link #machine(String)} for each machine of the file, in the file's order. */
     public List<String> references() {
         return machines.stream().map(machine -> file + "#" + machine.name()).toList();
     }

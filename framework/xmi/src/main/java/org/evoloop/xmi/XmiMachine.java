@@ -43,14 +43,12 @@ public final class XmiMachine {
         return drawn.id();
     }
 
-    /** The machine's own name, often the tool's default such as {@code StateMachine0}; may be empty. */
+    /** The machine's own name, often a default of the tool such as {@code StateMachine0}; may be empty. */
     public String machineName() {
         return drawn.name();
     }
 
-    /**
-     * The name of the diagram that shows the machine, which is the one that its author sees; empty if there is none.
-     */
+    /** The name of the diagram that shows the machine, which is the name its author sees; empty if there is none. */
     public Optional<String> diagramName() {
         return drawn.diagramName().filter(name -> !name.isEmpty());
     }

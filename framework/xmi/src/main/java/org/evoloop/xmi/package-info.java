@@ -1,8 +1,8 @@
 /**
- * Reads state machines from files of modelling tools: one entry, {@link org.evoloop.xmi.XmiFile}, and behind it one
- * {@link org.evoloop.xmi.dialect.XmiDialect} a way of writing, each in a package of its own below this one. Whatever a
- * file holds, memory stays bounded and a problem becomes one {@link org.evoloop.statemachine.ModelException} with file,
- * line and how to fix it.
+ * Reads state machines from files of modelling tools. The entry point is {@link org.evoloop.xmi.XmiFile}. Behind it,
+ * each format has a {@link org.evoloop.xmi.dialect.XmiDialect} in its own package. Whatever a file contains, memory
+ * stays bounded, and a problem becomes one {@link org.evoloop.statemachine.ModelException} with file, line and how to
+ * fix it.
  *
  * <p>This package may use {@code org.evoloop.statechart} and {@code org.evoloop.statemachine}.
  */

@@ -5,11 +5,11 @@ import java.util.stream.Collectors;
 import org.evoloop.statechart.Arc;
 import org.evoloop.statechart.Spontaneous;
 
-/** The text at a transition, as UML writes it. */
+/** The label of a transition in UML's notation. */
 public final class ArcLabel {
     private ArcLabel() {}
 
-    /** {@code trigger, trigger [guard] / effect; effect {local}}, without what is not there. */
+    /** {@code trigger, trigger [guard] / effect; effect {local}}; missing parts are left out. */
     public static String of(Arc arc) {
         String triggers = arc.triggers().stream()
                 .map(trigger -> arc.spontaneous().contains(trigger) ? Spontaneous.mark(trigger) : trigger)
@@ -18,7 +18,7 @@ public final class ArcLabel {
         return arc.kind() == Arc.Kind.LOCAL ? (label + " {local}").strip() : label;
     }
 
-    /** The same from its parts, each of which may be empty. */
+    /** Builds the label from its parts, each of which may be empty. */
     public static String of(String triggers, String guard, List<String> effects) {
         StringBuilder label = new StringBuilder(triggers);
         if (!guard.isEmpty()) {

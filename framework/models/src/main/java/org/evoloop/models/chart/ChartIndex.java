@@ -19,9 +19,8 @@ import org.evoloop.statechart.Vertex.Kind;
 import org.evoloop.statechart.Vertex.Pseudostate;
 
 /**
- * All parts of a chart in its order, whatever their depth, each with a name that no other part has: a state's own name
- * if it is the only one of that name, else its path {@code Outer.Inner}; a pseudostate's name, made up from its kind
- * where it has none or where it is taken.
+ * All elements of a chart, in its order and at any depth, each with a unique name. A state has its own name if that is
+ * unique, else its path {@code Outer.Inner}. A pseudostate without a unique name gets one made from its kind.
  *
  * <p>Threading: immutable.
  */
@@ -93,7 +92,7 @@ public final class ChartIndex {
         return name;
     }
 
-    /** What kind of vertex it is, in UML's words: {@code state}, {@code final}, {@code shallowHistory} and so on. */
+    /** The kind of a vertex, in UML's words: {@code state}, {@code final}, {@code shallowHistory} and so on. */
     public static String kind(Vertex vertex) {
         if (vertex instanceof Pseudostate pseudostate) {
             String[] words = pseudostate.kind().name().toLowerCase(Locale.ROOT).split("_", -1);
@@ -111,12 +110,12 @@ public final class ChartIndex {
         return vertex instanceof Pseudostate pseudostate && pseudostate.kind() == Kind.INITIAL;
     }
 
-    /** Every vertex, outer ones before those inside. */
+    /** Every vertex; outer ones come before the vertices inside them. */
     public Collection<Vertex> vertices() {
         return List.copyOf(vertices.values());
     }
 
-    /** Every state, composite ones too. */
+    /** Every state, including composite ones. */
     public List<ChartState> states() {
         return vertices.values().stream()
                 .filter(ChartState.class::isInstance)
@@ -124,17 +123,17 @@ public final class ChartIndex {
                 .toList();
     }
 
-    /** Every transition, internal ones and those of initial pseudostates too. */
+    /** Every transition, including internal ones and those of initial pseudostates. */
     public List<Arc> arcs() {
         return List.copyOf(arcs);
     }
 
-    /** Every transition of the vertex {@code key}, internal ones too. */
+    /** Every transition of the vertex {@code key}, including internal ones. */
     public List<Arc> leaving(String key) {
         return leaving.getOrDefault(key, List.of());
     }
 
-    /** Every transition but those that only say where a region starts. */
+    /** Every transition except those of initial pseudostates. */
     public List<Arc> transitions() {
         return arcs.stream().filter(arc -> !isInitial(vertex(arc.source()))).toList();
     }
@@ -144,22 +143,22 @@ public final class ChartIndex {
         return arcs.stream().filter(arc -> isInitial(vertex(arc.source()))).toList();
     }
 
-    /** Names of all events, declared ones first. */
+    /** The names of all events, declared ones first. */
     public List<String> events() {
         return List.copyOf(events);
     }
 
-    /** The name of the vertex {@code key}, different from all others. */
+    /** The unique name of the vertex {@code key}. */
     public String name(String key) {
         return names.getOrDefault(vertex(key).key(), key);
     }
 
-    /** The key of the state around the vertex {@code key}; empty at the top. */
+    /** The key of the state that contains the vertex {@code key}; empty at the top level. */
     public String parentKey(String key) {
         return parents.getOrDefault(key, "");
     }
 
-    /** The name of the state around the vertex {@code key}; empty at the top. */
+    /** The name of the state that contains the vertex {@code key}; empty at the top level. */
     public String parent(String key) {
         String parent = parentKey(key);
         return parent.isEmpty() ? "" : name(parent);
@@ -174,9 +173,7 @@ public final class ChartIndex {
         return vertex;
     }
 
-    /**
-     * Name of the vertex in which {@code region} starts; empty if it has no initial pseudostate that leads anywhere.
-     */
+    /** The name of the vertex in which {@code region} starts; empty if no initial pseudostate leads to one. */
     public String initial(Region region) {
         return region.vertices().stream()
                 .filter(ChartIndex::isInitial)

@@ -14,7 +14,7 @@ import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.Transition;
 
-/** A flat machine as a chart of one region, so that it can be shown like one that was drawn. */
+/** A flat machine as a chart with one region, so that it can be shown like a drawn one. */
 public final class FlatChart {
     private static final String INITIAL = "initial";
 
@@ -31,7 +31,7 @@ public final class FlatChart {
                 machine.events().stream().map(Event::name).distinct().toList());
     }
 
-    /** A chart of any states and transitions, such as those of two machines together. */
+    /** A chart of any states and transitions, for example of two machines together. */
     public static Statechart of(
             String name,
             State initial,

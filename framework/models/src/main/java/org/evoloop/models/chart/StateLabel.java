@@ -4,11 +4,11 @@ import java.util.List;
 import java.util.stream.Stream;
 import org.evoloop.statechart.Vertex.ChartState;
 
-/** The text in a state, as UML writes it. */
+/** The text inside a state, in UML's notation. */
 public final class StateLabel {
     private StateLabel() {}
 
-    /** What stands below the state's name, a line each. */
+    /** The lines below the state's name. */
     public static List<String> belowName(ChartState state) {
         return Stream.of(
                         state.entry().stream().map(behavior -> "entry / " + behavior),

@@ -1,8 +1,8 @@
 /**
- * What every way of showing a machine needs: flat machines as charts, names that tell all parts of a chart apart, and
- * the labels of transitions.
+ * Shared by all output formats: flat machines as charts, unique names for the elements of a chart, and the labels of
+ * transitions.
  *
- * <p>This room may use {@code statemachine} and {@code statechart}. It is pure.
+ * <p>This package may use {@code statemachine} and {@code statechart}. It does no I/O.
  */
 @NullMarked
 package org.evoloop.models.chart;

@@ -16,7 +16,7 @@ import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.Transition;
 
-/** Where the parts of a flat machine stand in the drawing that it comes from, as well as names tell. */
+/** Locates the elements of a flat machine in its drawing, as far as their names allow. */
 public final class Drawing {
     private final String file;
     private final ChartIndex index;
@@ -24,11 +24,11 @@ public final class Drawing {
     private final Map<List<String>, List<Vertex>> leaves = new HashMap<>();
 
     /**
-     * Where things stand in {@code chart}.
+     * Locates elements in {@code chart}.
      *
      * @param file for messages
      * @param flattening of the chart
-     * @param machine the same flat machine, maybe with other names
+     * @param machine the same flat machine, possibly with other names
      */
     public Drawing(String file, Statechart chart, Flattening flattening, StateMachine machine) {
         this.file = file;
@@ -44,7 +44,7 @@ public final class Drawing {
         return find(element).isPresent();
     }
 
-    /** {@code robot.xml, line 12, id ek-39}, or the file alone if nothing in it has the name. */
+    /** {@code robot.xml, line 12, id ek-39}; only the file if the element is not found. */
     public String place(Element element) {
         String where = find(element).map(Place::toString).orElse("");
         return where.isEmpty() ? file : file + ", " + where;
@@ -74,7 +74,9 @@ public final class Drawing {
         return index.arcs().stream().filter(arc -> arc.triggers().contains(event));
     }
 
-    /** The one that leaves the state or a state around it, the inner one first; else any of the event. */
+    /**
+     * The transition that leaves the state or an enclosing state, innermost first; else any transition with the event.
+     */
     private Optional<Arc> transition(Transition flat) {
         String event = flat.event().name();
         for (Vertex leaf : leaves(flat.source())) {

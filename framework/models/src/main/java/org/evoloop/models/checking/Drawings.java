@@ -8,7 +8,7 @@ public record Drawings(Drawing original, Drawing evolved) {
         return element.side() == Element.ModelRole.ORIGINAL ? original : evolved;
     }
 
-    /** {@code robot.xml, line 12, id ek-39}, or the file alone. */
+    /** {@code robot.xml, line 12, id ek-39}, or only the file. */
     public String place(Element element) {
         return of(element).place(element);
     }

@@ -18,11 +18,11 @@ import org.evoloop.statechart.Arc;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.Transition;
 
-/** Findings as pictures: the machines with the way that leads there, and the element that is concerned, in colour. */
+/** Findings as pictures: the machines, with the path to the finding and the affected element in colour. */
 public final class FindingDiagram {
     private FindingDiagram() {}
 
-    /** Both machines where something happens in both; else the one that is concerned. */
+    /** Both machines if the path runs through both, else only the affected one. */
     public static List<Diagram> of(ModelPair pair, Finding finding) {
         Stream<Diagram> original = Stream.of(draw(pair.original(), Element.ModelRole.ORIGINAL, finding));
         Stream<Diagram> evolved = Stream.of(draw(pair.evolved(), Element.ModelRole.NEW, finding));
@@ -32,7 +32,7 @@ public final class FindingDiagram {
         return (finding.element().side() == Element.ModelRole.ORIGINAL ? original : evolved).toList();
     }
 
-    /** What happens in time, for findings in which that matters. */
+    /** The timing diagrams, for findings in which time matters. */
     public static List<Timing> timings(List<Finding> findings) {
         return findings.stream()
                 .filter(finding -> !finding.timed().isEmpty())

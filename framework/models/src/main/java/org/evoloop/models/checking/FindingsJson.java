@@ -13,14 +13,14 @@ import org.evoloop.evolution.Turn;
 import org.evoloop.models.format.Json;
 import org.jspecify.annotations.Nullable;
 
-/** Findings for programs, in the shape that docs/models.md promises: components are the keys, in this order. */
+/** Findings as JSON, in the shape that docs/models.md promises: components are the keys, in this order. */
 public record FindingsJson(List<Row> findings, List<OffRow> switchedOff, List<Verdict> times) {
 
     /**
      * A finding.
      *
      * @param machine {@code original} or {@code new}
-     * @param example what happens until it shows, from the start; often nothing
+     * @param example the events from the start to the finding; often empty
      * @param timed the same with times, where they matter
      */
     public record Row(
@@ -34,12 +34,12 @@ public record FindingsJson(List<Row> findings, List<OffRow> switchedOff, List<Ve
             List<Happening> example,
             List<Timed> timed) {}
 
-    /** A finding that its author has switched off; {@code where} the switch stands. */
+    /** A finding that its author has switched off; {@code where} is the place of that setting. */
     public record OffRow(String rule, String machine, String element, String message, String reason, String where) {}
 
     /**
-     * What a time property comes to; {@code worstNanos} is null if there is no bound, both are if it never comes to
-     * that.
+     * The result of a time property. {@code worstNanos} is null if there is no bound; both times are null if the
+     * measured situation never occurs.
      */
     public record Verdict(
             String property,
@@ -49,7 +49,9 @@ public record FindingsJson(List<Row> findings, List<OffRow> switchedOff, List<Ve
             @Nullable Long worstNanos,
             long moments) {}
 
-    /** Something that happens at a time; {@code sending} is the event on its way to the device then, or null. */
+    /**
+     * Something that happens at a time; {@code sending} is the event on its way to the device at that time, or null.
+     */
     public record Timed(
             long atNanos,
             String what,
@@ -57,15 +59,15 @@ public record FindingsJson(List<Row> findings, List<OffRow> switchedOff, List<Ve
             String newState,
             @Nullable String sending) {}
 
-    /** An event and where it leads. */
+    /** An event and the states after it. */
     public record Happening(String event, boolean deviceActed, String originalState, String newState) {}
 
     /**
      * The text for {@code findings}.
      *
-     * @param off findings that do not count
-     * @param verdicts what time properties come to
-     * @param places where in a file an element stands
+     * @param off findings that were switched off
+     * @param verdicts the results of time properties
+     * @param places gives an element's place in its file
      */
     public static String write(
             List<Finding> findings,

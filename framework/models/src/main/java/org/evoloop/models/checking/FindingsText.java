@@ -11,16 +11,16 @@ import org.evoloop.check.RuleSwitches.SwitchedOff;
 import org.evoloop.check.timing.TimeVerdict;
 import org.evoloop.evolution.Turn;
 
-/** Findings for people: a paragraph each. */
+/** Findings as text, one paragraph each. */
 public final class FindingsText {
     private FindingsText() {}
 
     /**
      * The text for {@code findings}.
      *
-     * @param off findings that do not count
-     * @param verdicts what time properties come to
-     * @param places where in a file an element stands
+     * @param off findings that were switched off
+     * @param verdicts the results of time properties
+     * @param places gives an element's place in its file
      */
     public static String write(
             List<Finding> findings,

@@ -10,18 +10,18 @@ import org.evoloop.check.Finding;
 import org.evoloop.check.Rule;
 
 /**
- * Makes one finding of those about the same thing in a drawing: a transition that leaves a state around others is many
- * transitions of the flat machine, and a state beside a region many states.
+ * Merges findings about the same element of a drawing. Flattening turns a transition that leaves a composite state into
+ * many transitions, and a state in one of several regions into many states.
  */
 public final class SamePlace {
     private static final int NAMED = 3;
 
     private SamePlace() {}
 
-    /** What is equal in findings that have one cause. */
+    /** Findings with equal causes are merged. */
     private record Cause(Rule rule, Element.ModelRole side, String place, String event) {}
 
-    /** The same findings, in order, of each cause one. */
+    /** The findings in order, one for each cause. */
     public static List<Finding> merge(List<Finding> findings, Drawings drawings) {
         Map<Object, List<Finding>> byCause = new LinkedHashMap<>();
         for (Finding finding : findings) {
@@ -31,7 +31,7 @@ public final class SamePlace {
         return byCause.values().stream().map(SamePlace::one).toList();
     }
 
-    /** The finding itself if nothing else has its cause. */
+    /** The cause of the finding, or the finding itself if it cannot be merged. */
     private static Object cause(Finding finding, Drawings drawings) {
         Element element = finding.element();
         if (!drawings.show(element)) {

@@ -7,7 +7,7 @@ import org.evoloop.check.TimedEvent;
 import org.evoloop.check.timing.Span;
 import org.evoloop.models.diagram.Timing;
 
-/** What happens in time until a finding shows, for people and as a picture. */
+/** The timed events that lead to a finding, as text and as a picture. */
 final class TimedWay {
     private TimedWay() {}
 
@@ -23,7 +23,7 @@ final class TimedWay {
         return String.join("; ", told);
     }
 
-    /** The timing diagram of {@code finding}, which has times. */
+    /** The timing diagram of {@code finding}, which has timed events. */
     static Timing picture(Finding finding) {
         return new Timing(
                 finding.rule().id() + ": " + finding.message(),

@@ -1,9 +1,9 @@
 /**
- * What {@code check} says: findings with their places in the files, for people, for programs, and as pictures of the
- * events that lead to them.
+ * The output of {@code check}: findings with their places in the files, as text, as JSON, and as pictures of the events
+ * that lead to them.
  *
- * <p>This room may use {@code statemachine}, {@code statechart}, {@code evolution} of the framework, and {@code chart},
- * {@code diagram} and {@code format}. It is pure; the rules are the framework's.
+ * <p>This package may use {@code statemachine}, {@code statechart}, {@code evolution} of the framework, and {@code
+ * chart}, {@code diagram} and {@code format}. It does no I/O; the rules belong to the framework.
  */
 @NullMarked
 package org.evoloop.models.checking;

@@ -16,7 +16,7 @@ import org.evoloop.statechart.Vertex;
 import org.evoloop.statechart.Vertex.ChartState;
 import org.evoloop.statechart.Vertex.Pseudostate;
 
-/** What is to be drawn of a chart. */
+/** Turns a chart into a diagram. */
 public final class ChartDiagram {
     private final Function<Vertex, Tone> vertexTone;
     private final Function<Arc, Tone> arcTone;
@@ -28,12 +28,12 @@ public final class ChartDiagram {
         this.arcTone = arcTone;
     }
 
-    /** The plain diagram of {@code chart}. */
+    /** The diagram of {@code chart} without tones. */
     public static Diagram of(Statechart chart) {
         return of(chart, vertex -> Tone.PLAIN, arc -> Tone.PLAIN);
     }
 
-    /** The diagram of {@code chart} with a tone for each of its parts. */
+    /** The diagram of {@code chart} with a tone for each element. */
     public static Diagram of(Statechart chart, Function<Vertex, Tone> vertexTone, Function<Arc, Tone> arcTone) {
         ChartDiagram builder = new ChartDiagram(vertexTone, arcTone);
         List<Node> nodes = chart.regions().size() == 1

@@ -3,12 +3,12 @@ package org.evoloop.models.diagram;
 import java.util.List;
 
 /**
- * What is to be drawn of one state machine, before anybody knows where.
+ * What to draw of one state machine, before layout.
  *
  * <p>Threading: immutable.
  *
- * @param title stands above it; empty for none
- * @param edges between nodes of any depth
+ * @param title the heading above it; empty for none
+ * @param edges between nodes at any depth
  */
 public record Diagram(String title, List<Node> nodes, List<Edge> edges) {
     public Diagram {
@@ -20,9 +20,9 @@ public record Diagram(String title, List<Node> nodes, List<Edge> edges) {
      * A node.
      *
      * @param key unique in the diagram
-     * @param name drawn in a state and under anything else but an initial pseudostate
+     * @param name shown inside states, below other shapes, and not at initial pseudostates
      * @param notes the lines of a state's second compartment: behaviors and internal transitions
-     * @param children nodes inside; for an orthogonal state its regions
+     * @param children the nodes inside; for an orthogonal state its regions
      */
     public record Node(String key, Shape shape, String name, List<String> notes, List<Node> children, Tone tone) {
         public Node {
@@ -30,7 +30,7 @@ public record Diagram(String title, List<Node> nodes, List<Edge> edges) {
             children = List.copyOf(children);
         }
 
-        /** A node without anything inside. */
+        /** A node without children. */
         public static Node of(String key, Shape shape, String name, Tone tone) {
             return new Node(key, shape, name, List.of(), List.of(), tone);
         }
@@ -61,29 +61,29 @@ public record Diagram(String title, List<Node> nodes, List<Edge> edges) {
         TERMINATE
     }
 
-    /** What a part says besides being there. */
+    /** What an element's colour says about it. */
     public enum Tone {
-        /** Nothing more. */
+        /** Nothing special. */
         PLAIN,
-        /** The new model adds it. */
+        /** Added by the new model. */
         ADDED,
-        /** The new model leads it elsewhere, or has it do something else. */
+        /** Has another target or other effects in the new model. */
         REROUTED,
-        /** Where the original model led what is rerouted. */
+        /** The former target of a rerouted transition. */
         FORMER,
-        /** The new model lacks it. */
+        /** Removed by the new model. */
         REMOVED,
-        /** Part of a counter-example. */
+        /** Part of a counterexample. */
         MARKED,
-        /** In a swap of models events are sent to keep it. */
+        /** During a swap of models, events are sent to keep this state. */
         SENDING,
-        /** A swap of models waits until it is left. */
+        /** A swap of models waits until this state is left. */
         WAITING,
-        /** No swap of models is possible in it. */
+        /** A swap of models is impossible in this state. */
         STUCK,
-        /** Other models decide otherwise what happened in it. */
+        /** Other models decided an event differently in this state. */
         OTHERWISE,
-        /** A property is broken in it. */
+        /** A property was broken in this state. */
         BROKEN
     }
 }

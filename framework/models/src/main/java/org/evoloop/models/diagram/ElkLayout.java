@@ -39,14 +39,17 @@ import org.evoloop.models.diagram.Layout.Box;
 import org.evoloop.models.diagram.Layout.Point;
 import org.evoloop.models.diagram.Layout.Wire;
 
-/** Places a diagram with ELK's layered layout: edges mostly run one way, with right angles, and labels have room. */
+/**
+ * Lays out a diagram with ELK's layered algorithm: most edges run in one direction, have right angles, and leave room
+ * for labels.
+ */
 final class ElkLayout {
-    /** What looks best on a screen and on a page. */
+    /** Looks best on a screen and on a page. */
     private static final double WISHED_ASPECT = 1.5;
 
     private static final double MARGIN = 16;
 
-    /** Between self-loops on one side of a state. */
+    /** The distance between self-loops on one side of a state. */
     private static final double LOOP_GAP = 12;
 
     static {
@@ -67,8 +70,8 @@ final class ElkLayout {
     }
 
     /**
-     * The better of two ways to lay it out, from left to right and from top to bottom. With states inside states only
-     * the first, in which no edge crosses the upper compartments of a frame.
+     * The better of two layouts, left to right and top to bottom. With nested states only left to right, where no edge
+     * crosses the upper compartment of a frame.
      */
     static Layout of(Diagram diagram) {
         boolean flat = diagram.nodes().stream().allMatch(node -> node.children().isEmpty());
@@ -78,7 +81,10 @@ final class ElkLayout {
                 .orElseThrow();
     }
 
-    /** Nodes that must come first are too much for ELK in some cyclic graphs in graphs; then they stand anywhere. */
+    /**
+     * ELK fails on some nested cyclic graphs whose initial nodes must come first. Those are laid out without that
+     * constraint.
+     */
     private static Layout arrange(Diagram diagram, Direction direction) {
         try {
             return new ElkLayout(diagram, direction, LayerConstraint.FIRST).arrange();
@@ -91,7 +97,7 @@ final class ElkLayout {
         return badness(layout.width(), layout.height());
     }
 
-    /** Small is good, and so is the shape of a page. */
+    /** Lower is better: small, and close to the shape of a page. */
     static double badness(double width, double height) {
         return width * height * (1 + Math.abs(Math.log(width / height / WISHED_ASPECT)));
     }
@@ -166,7 +172,7 @@ final class ElkLayout {
         }
     }
 
-    /** How long the two sides must be along which the node's self-loops stand in this direction. */
+    /** The length needed on the two sides that carry the node's self-loops in this direction. */
     private double roomForLoops(Node node, Direction along) {
         List<List<String>> labels = diagram.edges().stream()
                 .filter(edge ->
@@ -185,7 +191,8 @@ final class ElkLayout {
     }
 
     /**
-     * Whether its name stands under it: where there is no room inside. Nobody asks for that of an initial pseudostate.
+     * Whether its name is drawn below it because there is no room inside. The name of an initial pseudostate is not
+     * drawn.
      */
     static boolean hasNameBelow(Node node) {
         return switch (node.shape()) {

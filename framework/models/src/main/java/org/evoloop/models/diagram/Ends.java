@@ -6,11 +6,14 @@ import org.evoloop.models.diagram.Diagram.Shape;
 import org.evoloop.models.diagram.Layout.Box;
 import org.evoloop.models.diagram.Layout.Point;
 
-/** Leads the ends of edges, which the layout puts on a node's bounding box, to the line of round and slanted shapes. */
+/**
+ * Moves the ends of edges from a node's bounding box, where the layout puts them, to the outline of round and slanted
+ * shapes.
+ */
 final class Ends {
     private Ends() {}
 
-    /** The same way, from the outline of {@code source} to that of {@code target}. */
+    /** The same path, but from the outline of {@code source} to the outline of {@code target}. */
     static List<Point> onOutlines(List<Point> points, Box source, Box target) {
         List<Point> touching = new ArrayList<>(points);
         touching.set(0, outline(source, points.get(0), points.get(1)));
@@ -19,7 +22,7 @@ final class Ends {
         return touching;
     }
 
-    /** Where the line from {@code outside} to {@code end}, level or upright, meets the shape. */
+    /** Where the horizontal or vertical line from {@code outside} to {@code end} meets the shape. */
     private static Point outline(Box box, Point end, Point outside) {
         boolean level = end.y() == outside.y();
         double offset = level ? end.y() - box.centreY() : end.x() - box.centreX();
@@ -32,7 +35,7 @@ final class Ends {
                 : new Point(end.x(), box.centreY() + Math.copySign(reach, outside.y() - box.centreY()));
     }
 
-    /** How far the shape reaches from its centre line, {@code offset} beside its centre; negative for rectangles. */
+    /** The half-width of the shape at distance {@code offset} from its centre line; negative for rectangles. */
     private static double reach(Shape shape, double radius, double offset) {
         return switch (shape) {
             case STATE, REGION, BAR, TERMINATE -> -1;

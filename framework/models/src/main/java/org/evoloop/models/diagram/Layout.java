@@ -3,7 +3,7 @@ package org.evoloop.models.diagram;
 import java.util.List;
 
 /**
- * A diagram with everything in its place, in pixels from its left upper corner.
+ * A diagram with all coordinates, in pixels from the top left corner.
  *
  * <p>Threading: immutable.
  *
@@ -17,7 +17,7 @@ record Layout(double width, double height, List<Box> boxes, List<Wire> wires) {
 
     record Point(double x, double y) {}
 
-    /** A node and its left upper corner. */
+    /** A node with its top left corner and its size. */
     record Box(Diagram.Node node, double x, double y, double width, double height) {
         double centreX() {
             return x + width / 2;
@@ -31,9 +31,9 @@ record Layout(double width, double height, List<Box> boxes, List<Wire> wires) {
     /**
      * An edge.
      *
-     * @param points from its source to its target, with right angles between
+     * @param points from source to target, with right angles between
      * @param label the lines of its label
-     * @param at the left upper corner of the label
+     * @param at the top left corner of the label
      */
     record Wire(Diagram.Edge edge, List<Point> points, List<String> label, Point at) {
         Wire {

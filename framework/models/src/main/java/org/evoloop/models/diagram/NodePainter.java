@@ -63,7 +63,9 @@ final class NodePainter {
         svg.line(cssClass, x1, y1, x2, y2);
     }
 
-    /** The dashed lines between the regions of an orthogonal state, which the layout puts in a row or in a column. */
+    /**
+     * Draws the dashed lines between the regions of an orthogonal state, which the layout puts in a row or in a column.
+     */
     private void regions(Box frame) {
         List<Box> regions = frame.node().children().stream()
                 .filter(child -> child.shape() == Shape.REGION)

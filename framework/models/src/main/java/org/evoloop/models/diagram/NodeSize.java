@@ -3,7 +3,7 @@ package org.evoloop.models.diagram;
 import java.util.List;
 import org.evoloop.models.diagram.Diagram.Node;
 
-/** How large nodes are drawn, in pixels, and how their text is broken. */
+/** The sizes of nodes, in pixels, and the line breaks of their text. */
 final class NodeSize {
     static final double MARGIN = 12;
     static final double NAME_MARGIN = 6;
@@ -28,7 +28,7 @@ final class NodeSize {
         return TextSize.wrap(text, LABEL_WIDTH, false);
     }
 
-    /** What the name and the notes of a state need. */
+    /** The width that the name and the notes of a state need. */
     static double textWidth(Node node) {
         double widest = Math.max(TextSize.width(name(node), true), TextSize.width(notes(node), false));
         return Math.max(widest + 2 * MARGIN, 70);
@@ -39,14 +39,14 @@ final class NodeSize {
         return TextSize.height(name(node)) + 2 * NAME_MARGIN;
     }
 
-    /** The height of the compartments of a state, without what is inside it. */
+    /** The height of the compartments of a state, without its children. */
     static double textHeight(Node node) {
         double notes = node.notes().isEmpty() ? 0 : TextSize.height(notes(node)) + 2 * NAME_MARGIN;
         double least = node.notes().isEmpty() && node.children().isEmpty() ? 40 : 0;
         return Math.max(nameHeight(node) + notes, least);
     }
 
-    /** The diameter of what is drawn around a point. */
+    /** The diameter of a shape drawn around a point; 0 for states and regions. */
     static double diameter(Diagram.Shape shape) {
         return switch (shape) {
             case INITIAL, ENTRY_POINT, EXIT_POINT, TERMINATE -> 16;

@@ -3,7 +3,7 @@ package org.evoloop.models.diagram;
 import java.util.Locale;
 import org.evoloop.models.diagram.Diagram.Tone;
 
-/** The colours of each tone, and what the legend says of it. */
+/** The colours of each tone, and its text in the legend. */
 enum Palette {
     PLAIN(Tone.PLAIN, "#333", "#ffffee", "1.5", "", "kept"),
     ADDED(Tone.ADDED, "#0b62a8", "#e4f0fb", "2", "", "added by the new model"),
@@ -37,12 +37,12 @@ enum Palette {
         return valueOf(tone.name());
     }
 
-    /** The class attribute of its parts. */
+    /** The CSS class of its elements. */
     String cssClass() {
         return tone.name().toLowerCase(Locale.ROOT);
     }
 
-    /** For the legend. */
+    /** The text in the legend. */
     String meaning() {
         return meaning;
     }
@@ -58,7 +58,7 @@ enum Palette {
                 """.formatted(cssClass(), line, fill, strokeWidth, dashed);
     }
 
-    /** The head of its arrows; UML's are open. */
+    /** The SVG marker of its arrowheads, which are open as in UML. */
     String marker() {
         return """
                 <marker id="arrow-%s" viewBox="0 0 10 10" refX="9" refY="5" markerWidth="10" markerHeight="10" \

@@ -7,15 +7,15 @@ import java.util.stream.IntStream;
 import org.evoloop.models.diagram.Layout.Point;
 
 /**
- * Where the frames of several machines stand: in their order, row by row, so that the whole has about the shape of a
+ * The places of the frames of several machines: in order, row by row, so that the whole has roughly the shape of a
  * page.
  *
- * @param places the left upper corner of each frame
+ * @param places the top left corner of each frame
  */
 record Shelves(double width, double height, List<Point> places) {
     static final double GAP = 16;
 
-    /** Above each machine, for its name. */
+    /** The height above each machine, for its name. */
     static final double HEADING = 32;
 
     Shelves {
@@ -30,7 +30,7 @@ record Shelves(double width, double height, List<Point> places) {
         return layout.height() + HEADING;
     }
 
-    /** The best of all rows that are as wide as the first one, two, three and so on of the frames. */
+    /** Tries rows as wide as the first one, two, three and so on of the frames, and takes the best. */
     static Shelves of(List<Layout> layouts) {
         return IntStream.rangeClosed(1, layouts.size())
                 .mapToObj(first -> within(layouts, rowWidth(layouts.subList(0, first))))

@@ -13,8 +13,8 @@ import org.evoloop.models.diagram.Layout.Wire;
 import org.evoloop.program.Svg;
 
 /**
- * Writes diagrams as one SVG picture: a frame each, and a legend if a part has a tone of its own. The text is the same
- * for the same diagrams, on every machine.
+ * Writes diagrams as one SVG picture: a frame for each, and a legend if an element has a special tone. Equal diagrams
+ * give the same text on every machine.
  */
 public final class SvgWriter {
     private static final double GAP = Shelves.GAP;
@@ -32,7 +32,7 @@ public final class SvgWriter {
             .label { paint-order: stroke; stroke: #fff; stroke-width: 4px; stroke-linejoin: round }
             """;
 
-    /** Stands behind the colours, which it overrules. */
+    /** Comes after the colours in the stylesheet, and so overrides them. */
     private static final String FRAME_STYLE = ".state .frame, .pseudostate .hollow { fill: #fff }\n";
 
     private final Svg svg;
@@ -41,17 +41,17 @@ public final class SvgWriter {
         this.svg = svg;
     }
 
-    /** The picture of {@code diagrams}, beside and below each other. */
+    /** A picture of {@code diagrams}. */
     public static String write(String title, List<Diagram> diagrams) {
         return write(title, diagrams, Table.NONE);
     }
 
-    /** The same with a table below. */
+    /** A picture with a table below. */
     public static String write(String title, List<Diagram> diagrams, Table table) {
         return write(title, diagrams, table, List.of());
     }
 
-    /** The same with timing diagrams below. */
+    /** A picture with timing diagrams below. */
     public static String write(String title, List<Diagram> diagrams, List<Timing> timings) {
         return write(title, diagrams, Table.NONE, timings);
     }
@@ -118,7 +118,7 @@ public final class SvgWriter {
         return tones;
     }
 
-    /** What the legend tells: what is plain only where something else has come or gone. */
+    /** The tones in the legend. Plain is explained only beside tones for added, removed or changed elements. */
     private static Set<Tone> explained(Set<Tone> tones) {
         Set<Tone> explained = EnumSet.copyOf(tones);
         if (EnumSet.of(Tone.PLAIN, Tone.MARKED, Tone.OTHERWISE, Tone.BROKEN).containsAll(tones)) {
@@ -156,7 +156,7 @@ public final class SvgWriter {
         }
     }
 
-    /** Through {@code points}, with round corners. */
+    /** A path through {@code points}, with round corners. */
     private static String path(List<Point> points) {
         Point start = points.get(0);
         StringBuilder path = new StringBuilder("M" + Svg.pair(start.x(), start.y()));
@@ -172,7 +172,7 @@ public final class SvgWriter {
         return path.append(" L").append(Svg.pair(end.x(), end.y())).toString();
     }
 
-    /** A little from {@code corner} towards {@code next}, at most half the way. */
+    /** A point near {@code corner}, towards {@code next}, at most half-way. */
     private static Point towards(Point corner, Point next) {
         double length = Math.hypot(next.x() - corner.x(), next.y() - corner.y());
         double part = length == 0 ? 0 : Math.min(CORNER, length / 2) / length;

@@ -4,15 +4,15 @@ import java.util.List;
 import org.evoloop.models.diagram.Diagram.Tone;
 
 /**
- * What stands under the machines of a picture, row by row.
+ * A table below the machines of a picture.
  *
  * <p>Threading: immutable.
  *
- * @param caption stands above it; empty if there is none, and then there must be no rows
- * @param heading what each column is
+ * @param caption the text above it; empty if there is no table, which then has no rows
+ * @param heading the names of the columns
  */
 public record Table(String caption, List<String> heading, List<Row> rows) {
-    /** Nothing. */
+    /** No table. */
     static final Table NONE = new Table("", List.of(), List.of());
 
     public Table {
@@ -20,7 +20,7 @@ public record Table(String caption, List<String> heading, List<Row> rows) {
         rows = List.copyOf(rows);
     }
 
-    /** A row, with a cell for each column. */
+    /** A row, with one cell per column. */
     public record Row(Tone tone, List<String> cells) {
         public Row {
             cells = List.copyOf(cells);

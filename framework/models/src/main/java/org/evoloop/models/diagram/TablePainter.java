@@ -5,7 +5,7 @@ import java.util.List;
 import org.evoloop.models.diagram.Diagram.Tone;
 import org.evoloop.program.Svg;
 
-/** Paints a table; the text of a cell is broken into lines where it is long. */
+/** Draws a table; long text in a cell is wrapped. */
 final class TablePainter {
     static final String STYLE = ".column { font-weight: bold }\n";
 
@@ -53,7 +53,7 @@ final class TablePainter {
         return row.stream().mapToDouble(TextSize::height).max().orElse(0) + PADDING;
     }
 
-    /** Its left upper corner is where the group is that was opened last. */
+    /** Draws the table at the origin of the group opened last. */
     void paint(Svg svg) {
         svg.text("column", 0, TextSize.ASCENT, caption);
         double top = CAPTION;

@@ -4,17 +4,17 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * How much room text takes. The widths are those of DejaVu Sans, one of the widest common fonts, so that text fits
- * wherever the picture is looked at, and pictures are the same wherever they are made.
+ * Measures text. The widths are those of DejaVu Sans, one of the widest common fonts: text then fits on every machine,
+ * and pictures are the same wherever they are made.
  */
 final class TextSize {
     static final double FONT_SIZE = 13;
     static final double LINE_HEIGHT = 17;
 
-    /** From the top of a line to its base line. */
+    /** From the top of a line to its baseline. */
     static final double ASCENT = 12.75;
 
-    /** From blank to tilde, in hundredths of the font's size. */
+    /** The widths of space to tilde, in hundredths of the font size. */
     private static final int[] WIDTHS = {
         32, 40, 46, 84, 64, 95, 78, 27, 39, 39, 50, 84, 32, 36, 32, 34, 64, 64, 64, 64, 64, 64, 64, 64, 64, 64, 34, 34,
         84, 84, 84, 53, 100, 68, 69, 70, 77, 63, 58, 77, 75, 29, 29, 66, 56, 86, 75, 79, 60, 79, 69, 63, 61, 73, 68, 99,
@@ -22,7 +22,7 @@ final class TextSize {
         39, 63, 59, 82, 59, 59, 52, 64, 34, 64, 84
     };
 
-    /** What other alphabets need at most, and what a Chinese, Japanese or Korean character needs. */
+    /** The largest width in other alphabets, and the width of a Chinese, Japanese or Korean character. */
     private static final int OTHER = 80;
 
     private static final int SQUARE = 100;
@@ -56,7 +56,7 @@ final class TextSize {
         return codePoint >= 0x1100 && (codePoint < 0x1160 || codePoint >= 0x2E80);
     }
 
-    /** Breaks {@code text} into lines of at most {@code width} pixels; none for an empty text. */
+    /** Breaks {@code text} into lines of at most {@code width} pixels; returns no lines for an empty text. */
     static List<String> wrap(String text, double width, boolean bold) {
         List<String> lines = new ArrayList<>();
         String rest = text.strip();
@@ -68,7 +68,7 @@ final class TextSize {
         return lines;
     }
 
-    /** How many characters of {@code text} go on its first line, at least one. */
+    /** How many characters of {@code text} fit on its first line; at least one. */
     private static int fitting(String text, double width, boolean bold) {
         if (width(text, bold) <= width) {
             return text.length();
@@ -90,7 +90,10 @@ final class TextSize {
         return most;
     }
 
-    /** Whether a word may be broken between two characters: behind punctuation, and before a capital letter. */
+    /**
+     * Whether a word may be broken between two characters: after punctuation, before a capital letter, and between wide
+     * characters.
+     */
     private static boolean isSeam(char before, char after) {
         return "_-.,;:/&|".indexOf(before) >= 0
                 || (Character.isLowerCase(before) && Character.isUpperCase(after))

@@ -3,13 +3,13 @@ package org.evoloop.models.diagram;
 import java.util.List;
 
 /**
- * What is to be drawn of something that happens in time.
+ * What to draw of events in time.
  *
  * <p>Threading: immutable.
  *
- * @param title stands above it
- * @param lifelines what has states, one below the other
- * @param moments what happens, in order of time
+ * @param title the heading above it
+ * @param lifelines the names of the lanes: a device, a model, or what is sent, from top to bottom
+ * @param moments in order of time
  */
 public record Timing(String title, List<String> lifelines, List<Moment> moments) {
     public Timing {
@@ -18,9 +18,9 @@ public record Timing(String title, List<String> lifelines, List<Moment> moments)
     }
 
     /**
-     * Something happens.
+     * One event.
      *
-     * @param time as it is shown
+     * @param time as shown
      * @param what the event
      * @param states of each lifeline from then on; empty for none
      */

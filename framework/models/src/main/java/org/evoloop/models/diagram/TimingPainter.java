@@ -6,8 +6,8 @@ import java.util.List;
 import org.evoloop.program.Svg;
 
 /**
- * Paints a timing diagram in UML's notation: a lifeline a lane, a state a level, time from left to right. Each
- * happening has a column of its own, so that lengths of time that differ a thousandfold can be read side by side.
+ * Draws a timing diagram in UML's notation: a lane for each lifeline, a level for each state, time from left to right.
+ * Each event has its own column, so that durations that differ a thousandfold stay readable side by side.
  */
 final class TimingPainter {
     static final String STYLE = """
@@ -19,7 +19,7 @@ final class TimingPainter {
 
     private static final double TITLE = 28;
 
-    /** How much larger headings are. */
+    /** The font size of headings, relative to other text. */
     private static final double HEADING = 1.31;
 
     private static final double LEVEL = 24;
@@ -68,7 +68,7 @@ final class TimingPainter {
         return height + LANE;
     }
 
-    /** Its left upper corner is where the group is that was opened last. */
+    /** Draws the diagram at the origin of the group opened last. */
     void paint(Svg svg) {
         svg.rectangle("border", 0, 0, width(), height(), 4);
         svg.text("heading", PADDING, TextSize.ASCENT + PADDING, timing.title());

@@ -1,8 +1,8 @@
 /**
- * State machines as pictures: what is to be drawn ({@link org.evoloop.models.diagram.Diagram}), where it goes (Eclipse
- * ELK's layered layout), and the SVG.
+ * State machines as pictures: what to draw ({@link org.evoloop.models.diagram.Diagram}), its layout (Eclipse ELK's
+ * layered algorithm), and the SVG.
  *
- * <p>This room may use {@code statemachine} and {@code statechart}. It reads and writes no files.
+ * <p>This package may use {@code statemachine} and {@code statechart}. It reads and writes no files.
  */
 @NullMarked
 package org.evoloop.models.diagram;

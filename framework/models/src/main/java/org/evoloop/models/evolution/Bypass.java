@@ -17,7 +17,7 @@ import org.evoloop.statemachine.Transition;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What becomes of the controller's events while the converter is down, if they are passed on to the device unchanged.
+ * The effect of a bypass: while the converter is down, the controller's events are passed on to the device unchanged.
  *
  * <p>Threading: immutable.
  *
@@ -29,13 +29,13 @@ public record Bypass(ModelPair pair, List<Line> lines, List<Configuration> stopp
         stopped = List.copyOf(stopped);
     }
 
-    /** What an event does that is passed on. */
+    /** The effect of an event that is passed on. */
     public enum Kind {
-        /** What it does with the converter. */
+        /** The same as with the converter. */
         SAME,
         /** The device does something else than with the converter. */
         OTHER,
-        /** The device does nothing with it in this state. */
+        /** The device ignores it in this state. */
         IGNORED,
         /** The device has no such event. */
         UNKNOWN
@@ -44,15 +44,15 @@ public record Bypass(ModelPair pair, List<Line> lines, List<Configuration> stopp
     /**
      * One event in one pair of states.
      *
-     * @param device where the device is after it
-     * @param decision what the converter would have made of it
-     * @param found where both models stand when the converter is back and finds the device
+     * @param device the device's state after it
+     * @param decision what the converter would have decided
+     * @param found both models' states after the converter is back and has located the device
      */
     public record Line(
             Configuration at, Event event, Kind kind, State device, Decision decision, Configuration found) {}
 
     /**
-     * For each event of a controller in each pair of states that can be reached.
+     * Analyses each event of a controller in each reachable pair of states.
      *
      * @param pair a valid one
      */
@@ -71,7 +71,7 @@ public record Bypass(ModelPair pair, List<Line> lines, List<Configuration> stopp
         return new Bypass(pair, lines, stopped);
     }
 
-    /** What a controller may send there: neither timers nor what only the device itself can take. */
+    /** The events that a controller may send there: no time events, and none that only the device itself can raise. */
     private static Set<Event> asked(Configuration at, DecisionTable table) {
         ModelPair pair = table.models();
         Set<Event> asked = new LinkedHashSet<>();

@@ -8,9 +8,7 @@ import org.evoloop.models.evolution.Bypass.Line;
 import org.evoloop.models.format.Json;
 import org.evoloop.statemachine.Event;
 
-/**
- * What a bypass means, for programs, in the shape that docs/models.md promises: components are the keys, in this order.
- */
+/** A bypass as JSON, in the shape that docs/models.md promises: components are the keys, in this order. */
 public record BypassJson(
         String original, @JsonProperty("new") String evolved, List<Row> bypass, List<Stopped> stopped) {
 
@@ -24,13 +22,13 @@ public record BypassJson(
             Converted converter,
             Where found) {}
 
-    /** What the converter would do: send these events and be there. */
+    /** What the converter would do: the events it would send and the states after them. */
     public record Converted(boolean possible, List<String> events, String originalState, String newState) {}
 
-    /** Where both models stand. */
+    /** The states of both models. */
     public record Where(String originalState, String newState) {}
 
-    /** What does not run: the function of a new state, and the timers of a state. */
+    /** What would not run: the function of a new state, and the timers of a state. */
     public record Stopped(String originalState, String newState, boolean function, List<String> timers) {}
 
     public static String write(Bypass bypass) {

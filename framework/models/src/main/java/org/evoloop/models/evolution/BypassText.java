@@ -9,7 +9,7 @@ import org.evoloop.models.evolution.Bypass.Kind;
 import org.evoloop.models.evolution.Bypass.Line;
 import org.evoloop.statemachine.Event;
 
-/** What a bypass means, for people. */
+/** A bypass as text. */
 public final class BypassText {
     private BypassText() {}
 

@@ -46,7 +46,7 @@ public final class DifferenceDiagram {
                 arc -> arcTones.getOrDefault(arc, Tone.PLAIN));
     }
 
-    /** Internal transitions as loops too, where a colour tells what becomes of them. */
+    /** Internal transitions are drawn as loops, so that they can have a colour. */
     private static void add(List<Transition> some, Tone tone, List<Transition> all, Map<Arc, Tone> tones) {
         for (Transition transition : some) {
             Transition drawn = new Transition(

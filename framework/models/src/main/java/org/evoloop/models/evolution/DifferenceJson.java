@@ -7,10 +7,10 @@ import org.evoloop.models.evolution.ModelDifference.Parts;
 import org.evoloop.models.format.Json;
 import org.evoloop.statemachine.Transition;
 
-/** A difference for programs, in the shape that docs/models.md promises: components are the keys, in this order. */
+/** A difference as JSON, in the shape that docs/models.md promises: components are the keys, in this order. */
 public record DifferenceJson(Ends machines, Ends initial, Names states, Names events, Transitions transitions) {
 
-    /** Something that both models have, each its own. */
+    /** A value of each model. */
     public record Ends(String original, @JsonProperty("new") String evolved) {}
 
     public record Names(List<String> kept, List<String> added, List<String> removed) {

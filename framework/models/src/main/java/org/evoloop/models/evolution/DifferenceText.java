@@ -7,7 +7,7 @@ import org.evoloop.models.chart.ArcLabel;
 import org.evoloop.models.evolution.ModelDifference.Parts;
 import org.evoloop.statemachine.Transition;
 
-/** A difference for people. */
+/** A difference as text. */
 public final class DifferenceText {
     private static final String NONE = "-";
 

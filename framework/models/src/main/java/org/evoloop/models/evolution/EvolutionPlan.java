@@ -16,11 +16,11 @@ import org.evoloop.evolution.Step;
 import org.evoloop.statemachine.Transition;
 
 /**
- * What the converter will do: a line for each transition of the new model in each pair of states that can be reached.
+ * What the converter will do: one line for each transition of the new model in each reachable pair of states.
  *
  * <p>Threading: immutable.
  *
- * @param unreached transitions of the new model that are taken in no pair of states that can be reached
+ * @param unreached transitions of the new model that are never taken in a reachable pair of states
  */
 public record EvolutionPlan(ModelPair pair, DeviceEvents device, List<Line> lines, List<Transition> unreached) {
     public EvolutionPlan {
@@ -28,28 +28,28 @@ public record EvolutionPlan(ModelPair pair, DeviceEvents device, List<Line> line
         unreached = List.copyOf(unreached);
     }
 
-    /** How a transition comes about. */
+    /** How a transition is carried out. */
     public enum Kind {
-        /** The device gets the event itself. */
+        /** The event itself is sent to the device. */
         SAME_EVENT,
-        /** The device gets one or more events of its own model. */
+        /** One or more events of the device's own model are sent to it. */
         PATH,
-        /** The device has taken the step by itself. */
+        /** The device has already taken the step by itself. */
         BY_DEVICE,
-        /** The device stands where it should already. */
+        /** The device is already in the right state. */
         NOTHING,
-        /** A new function starts, or goes on. */
+        /** A new function starts or continues. */
         NEW_FUNCTION,
-        /** Nobody can carry it out. */
+        /** It cannot be carried out. */
         IMPOSSIBLE
     }
 
     /**
      * One transition of the new model in one pair of states.
      *
-     * @param steps of the device, those that it takes itself too
-     * @param passed the states of the device on the way, without the last
-     * @param fallbacks what follows when a step fails, where the author has said so
+     * @param steps of the device, including those that it takes itself
+     * @param passed the device's intermediate states
+     * @param fallbacks what follows when a step fails, where the author has specified it
      * @param reason why it is impossible; else empty
      */
     public record Line(
@@ -66,12 +66,12 @@ public record EvolutionPlan(ModelPair pair, DeviceEvents device, List<Line> line
             passed = List.copyOf(passed);
         }
 
-        /** Whether the way leads through a state that does something by itself. */
+        /** Whether the path passes a state in which the device does something by itself. */
         public boolean isMarked() {
             return passed.stream().anyMatch(state -> !state.effects().isEmpty());
         }
 
-        /** What is sent, in order. */
+        /** The steps to be sent, in order. */
         public List<Step> sent() {
             return steps.stream().filter(step -> !step.byDevice()).toList();
         }

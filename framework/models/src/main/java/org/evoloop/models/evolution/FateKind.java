@@ -3,7 +3,7 @@ package org.evoloop.models.evolution;
 import org.evoloop.migration.Fate;
 import org.evoloop.models.diagram.Diagram.Tone;
 
-/** What becomes of a pair of states, from the best to the worst. */
+/** What a swap does in a pair of states, from best to worst. */
 enum FateKind {
     MAPS(Tone.PLAIN, "maps"),
     SENDS(Tone.SENDING, "sends"),
@@ -25,12 +25,12 @@ enum FateKind {
         return fate instanceof Fate.Waits ? WAITS : IMPOSSIBLE;
     }
 
-    /** How it is drawn. */
+    /** The tone in which it is drawn. */
     Tone tone() {
         return tone;
     }
 
-    /** What it is called in JSON. */
+    /** Its name in JSON. */
     String key() {
         return key;
     }

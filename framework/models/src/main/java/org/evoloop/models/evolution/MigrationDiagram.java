@@ -15,7 +15,7 @@ import org.evoloop.models.diagram.SvgWriter;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 
-/** The plan of a swap as a picture: the running new model, and in each of its states what becomes of it. */
+/** A swap's plan as a picture: the running new model, with the result of the swap in each of its states. */
 public final class MigrationDiagram {
     private MigrationDiagram() {}
 

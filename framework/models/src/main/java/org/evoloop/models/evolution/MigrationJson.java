@@ -10,16 +10,14 @@ import org.evoloop.models.format.Json;
 import org.evoloop.statemachine.Event;
 import org.jspecify.annotations.Nullable;
 
-/**
- * The plan of a swap for programs, in the shape that docs/models.md promises: components are the keys, in this order.
- */
+/** A swap's plan as JSON, in the shape that docs/models.md promises: components are the keys, in this order. */
 public record MigrationJson(Models from, Models to, boolean possible, List<Row> pairs) {
 
     /** The names of two models. */
     public record Models(
             String original, @JsonProperty("new") String evolved) {}
 
-    /** A pair of states, and what becomes of it; null for what it does not have. */
+    /** A pair of states and the result of the swap in it. Values that do not apply are null. */
     public record Row(
             String originalState,
             String newState,
@@ -32,7 +30,7 @@ public record MigrationJson(Models from, Models to, boolean possible, List<Row> 
             List<String> uncertain,
             @Nullable String reason) {}
 
-    /** A timer or a function, and what becomes of it. */
+    /** A timer or a function, and what the swap does with it. */
     public record Part(String part, String name, String becomes, String how) {}
 
     public static String write(ModelPair before, ModelPair after, Migration migration) {

@@ -10,7 +10,7 @@ import org.evoloop.migration.Fate;
 import org.evoloop.migration.Migration;
 import org.evoloop.statemachine.Event;
 
-/** The plan of a swap for people. */
+/** A swap's plan as text. */
 public final class MigrationText {
     private MigrationText() {}
 
@@ -20,7 +20,7 @@ public final class MigrationText {
         lines.add("(device, system)");
         migration.lines().forEach(line -> lines.add(line.at() + "  " + what(line.fate())));
         lines.add(sum(migration));
-        // One state waits with many of the device's: what can be done about it is said once.
+        // A state of the new model may wait in many states of the device; the remedy is printed only once.
         migration.lines().stream()
                 .map(Migration.Line::fate)
                 .filter(Fate.Waits.class::isInstance)

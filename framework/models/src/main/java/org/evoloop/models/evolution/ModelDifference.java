@@ -11,13 +11,14 @@ import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.Transition;
 
 /**
- * What the new model keeps, adds, reroutes and removes. States are the same if their names are, whatever a machine
- * remembers in them, events if their names are, transitions if they leave the same state on the same event.
+ * What the new model keeps, adds, reroutes and removes. Two states are the same if their names are, whatever the
+ * machine remembers in them; two events if their names are; two transitions if they leave the same state on the same
+ * event.
  *
  * <p>Threading: immutable.
  *
  * @param transitions without those that are rerouted
- * @param rerouted transitions that lead elsewhere or have other effects
+ * @param rerouted transitions with another target or other effects
  */
 public record ModelDifference(
         Parts<State> states, Parts<Event> events, Parts<Transition> transitions, List<Rerouted> rerouted) {
@@ -25,7 +26,7 @@ public record ModelDifference(
         rerouted = List.copyOf(rerouted);
     }
 
-    /** Each in the order of the model that has it, the new one for what both have. */
+    /** Each in the order of its model; {@code kept} in the order of the new model. */
     public record Parts<T>(List<T> kept, List<T> added, List<T> removed) {
         public Parts {
             kept = List.copyOf(kept);
@@ -42,10 +43,10 @@ public record ModelDifference(
         }
     }
 
-    /** The same source and event in both models. */
+    /** Two transitions with the same source and event, one of each model. */
     public record Rerouted(Transition before, Transition after) {}
 
-    /** The difference between both models of {@code pair}. */
+    /** The difference between the two models of {@code pair}. */
     public static ModelDifference of(ModelPair pair) {
         List<Transition> kept = new ArrayList<>();
         List<Transition> added = new ArrayList<>();

@@ -13,7 +13,7 @@ import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.jspecify.annotations.Nullable;
 
-/** A plan for programs, in the shape that docs/models.md promises: components are the keys, in this order. */
+/** A plan as JSON, in the shape that docs/models.md promises: components are the keys, in this order. */
 public record PlanJson(
         String original,
         @JsonProperty("new") String evolved,
@@ -24,7 +24,7 @@ public record PlanJson(
         List<Row> plan,
         List<TransitionJson> neverTaken) {
 
-    /** One transition in one pair of states; {@code function} and {@code reason} are null where there is none. */
+    /** One transition in one pair of states. {@code function} and {@code reason} are null where they do not apply. */
     public record Row(
             String originalState,
             String newState,
@@ -37,10 +37,10 @@ public record PlanJson(
             @Nullable String function,
             @Nullable String reason) {}
 
-    /** A state that is passed, and what the device does there. */
+    /** An intermediate state and the device's effects in it. */
     public record Through(String state, List<String> effects) {}
 
-    /** What follows when an event cannot be sent in a state; {@code events} is null if no way leads there. */
+    /** What follows when an event cannot be sent in a state; {@code events} is null if no path leads there. */
     public record OnFailed(
             String event,
             String originalState,

@@ -10,7 +10,7 @@ import org.evoloop.evolution.Step;
 import org.evoloop.models.evolution.EvolutionPlan.Line;
 import org.evoloop.statemachine.Event;
 
-/** A plan for people. */
+/** A plan as text. */
 public final class PlanText {
     private PlanText() {}
 

@@ -4,7 +4,7 @@ import org.evoloop.models.format.Json;
 import org.evoloop.statemachine.Transition;
 import org.jspecify.annotations.Nullable;
 
-/** A transition for programs, with the keys that {@code show} uses; null for what it does not have. */
+/** A transition as JSON, with the keys that {@code show} uses; null for missing parts. */
 public record TransitionJson(
         String source,
         String trigger,

@@ -1,9 +1,10 @@
 /**
- * What an evolution is, for people and for programs: the difference of two models, and its plan, a line for each
- * transition of the new model in each pair of states that can be reached.
+ * An evolution as text, JSON and pictures: the difference of two models, and its plan, with one line for each
+ * transition of the new model in each reachable pair of states.
  *
- * <p>This room may use {@code statemachine}, {@code statechart}, {@code evolution} of the framework, and {@code chart},
- * {@code diagram} and {@code format}. It is pure, and decides nothing: decisions come from the framework's table.
+ * <p>This package may use {@code statemachine}, {@code statechart}, {@code evolution} of the framework, and {@code
+ * chart}, {@code diagram} and {@code format}. It does no I/O and makes no decisions; they come from the framework's
+ * decision table.
  */
 @NullMarked
 package org.evoloop.models.evolution;

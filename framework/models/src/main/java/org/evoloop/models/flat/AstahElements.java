@@ -9,7 +9,7 @@ import javax.xml.stream.XMLStreamException;
 import javax.xml.stream.XMLStreamWriter;
 import org.evoloop.models.chart.ArcLabel;
 
-/** The elements of Astah's dialect, one a line; names of UML's elements are URL-encoded, as Astah does. */
+/** Writes the elements of Astah's dialect, one per line. Names in UML elements are URL-encoded, as Astah does. */
 final class AstahElements {
     private static final String UML = "org.omg.xmi.namespace.UML";
     private static final String JUDE = "http://objectclub.esm.co.jp/Jude/namespace/";
@@ -25,7 +25,7 @@ final class AstahElements {
         }
     }
 
-    /** A step of the writer; memory does not refuse to be written to. */
+    /** A writing step. Writing to memory cannot fail. */
     @FunctionalInterface
     private interface Step {
         void run() throws XMLStreamException;
@@ -40,7 +40,7 @@ final class AstahElements {
         return this;
     }
 
-    /** All that stands before the first machine. */
+    /** Everything before the first machine. */
     void head() {
         write(() -> {
             xml.writeStartDocument("UTF-8", "1.0");
@@ -59,7 +59,7 @@ final class AstahElements {
         open("Model", "model", "").open("Namespace.ownedElement");
     }
 
-    /** All that stands behind the last machine, with the diagram that names it. */
+    /** Everything after the last machine, including the diagram that names it. */
     String foot(String machineId, String diagramName) {
         close(2);
         write(() -> {
@@ -78,7 +78,7 @@ final class AstahElements {
         return text.toString();
     }
 
-    /** Opens a role: an element that only holds others. */
+    /** Opens a role: an element that only contains others. */
     AstahElements open(String role) {
         return write(() -> {
             xml.writeCharacters("\n");
@@ -86,7 +86,7 @@ final class AstahElements {
         });
     }
 
-    /** Opens an element of its own. */
+    /** Opens an element with an id and a name. */
     AstahElements open(String element, String id, String name) {
         return open(element).write(() -> {
             xml.writeAttribute("xmi.id", id);
@@ -115,7 +115,7 @@ final class AstahElements {
                 .close(1);
     }
 
-    /** A transition; what is empty is not there. */
+    /** A transition; empty parts are left out. */
     void transition(String id, String source, String target, String trigger, String guard, List<String> effects) {
         open("Transition", id, ArcLabel.of(trigger, guard, effects));
         actions("Transition.effect", id + "-a", effects);
@@ -130,7 +130,7 @@ final class AstahElements {
         close(1);
     }
 
-    /** Behaviors in their role; nothing if there are none. */
+    /** Behaviors in their role; writes nothing if there are none. */
     void actions(String role, String idPrefix, List<String> names) {
         all(role, "Action", idPrefix, names);
     }
@@ -145,7 +145,7 @@ final class AstahElements {
         }
     }
 
-    /** The events that a state defers; nothing if there are none. */
+    /** The events that a state defers; writes nothing if there are none. */
     void deferrable(String idPrefix, List<String> events) {
         all("State.deferrableEvent", "Event", idPrefix, events);
     }

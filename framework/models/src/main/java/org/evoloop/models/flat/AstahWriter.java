@@ -11,9 +11,9 @@ import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.Transition;
 
 /**
- * Writes a flat machine in the dialect of Astah (XMI 1.1 of UML 1.4) so that the same machine is read back.
+ * Writes a flat machine in the dialect of Astah (XMI 1.1 of UML 1.4). Reading the file gives the same machine.
  *
- * <p>UML has one guard a transition. Several go one behind the other, with junctions between.
+ * <p>In UML a transition has one guard. Several guards become a chain of transitions with junctions between them.
  */
 public final class AstahWriter {
     private static final String MACHINE = "machine";
@@ -31,9 +31,14 @@ public final class AstahWriter {
     }
 
     /**
-     * What the document cannot say, a line each: timers and activities that outlast a transition, since flat states
-     * have nothing around them; internal transitions with several guards, which become one text; that states differ
-     * only in what the machine remembers; and that an event is deferred under a guard.
+     * What the document cannot express, one line each:
+     *
+     * <ul>
+     *   <li>timers and activities that continue across a transition, since flat states have no enclosing state
+     *   <li>several guards of an internal transition, which become one text
+     *   <li>states that differ only in what the machine remembers
+     *   <li>an event that is deferred under a guard
+     * </ul>
      */
     public static List<String> losses(StateMachine machine) {
         List<String> losses = new ArrayList<>();
@@ -58,7 +63,7 @@ public final class AstahWriter {
         return losses;
     }
 
-    /** The document. */
+    /** The XML text of {@code machine}. */
     public static String write(StateMachine machine) {
         return new AstahWriter(machine).document();
     }
@@ -94,7 +99,7 @@ public final class AstahWriter {
             Transition transition = transitions.get(number);
             if (transition.internal() && transition.source().equals(state)) {
                 xml.open("State.internalTransition");
-                // Nothing can stand between the parts of what leads nowhere.
+                // An internal transition cannot have junctions.
                 String guard = String.join(" and ", transition.event().guards());
                 String id = id(state);
                 xml.transition("t" + number, id, id, trigger(transition), guard, transition.effects());

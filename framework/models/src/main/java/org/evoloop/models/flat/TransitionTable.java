@@ -8,7 +8,10 @@ import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.Transition;
 
-/** A flat machine as a table, a line for each transition; of one state and event the first whose guard holds counts. */
+/**
+ * A flat machine as a table, one line per transition. For a state and an event, the first transition whose guard holds
+ * is taken.
+ */
 public final class TransitionTable {
     private static final List<String> HEAD = List.of("state", "event", "guard", "effects", "next state");
 
@@ -60,7 +63,7 @@ public final class TransitionTable {
                 transition.target() + (transition.internal() ? " (internal)" : ""));
     }
 
-    /** In columns of a terminal, where Chinese, Japanese and Korean characters take two. */
+    /** The width in terminal columns; Chinese, Japanese and Korean characters take two. */
     private static int width(String cell) {
         return cell.codePoints().map(point -> point >= 0x1100 ? 2 : 1).sum();
     }

@@ -1,7 +1,7 @@
 /**
- * Flat machines for people and for other tools.
+ * Flat machines as a table and as a file for Astah.
  *
- * <p>This room may use {@code statemachine} and {@code chart}. It is pure.
+ * <p>This package may use {@code statemachine} and {@code chart}. It does no I/O.
  */
 @NullMarked
 package org.evoloop.models.flat;

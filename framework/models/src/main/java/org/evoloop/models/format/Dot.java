@@ -13,7 +13,7 @@ import org.evoloop.statechart.Vertex;
 import org.evoloop.statechart.Vertex.ChartState;
 import org.evoloop.statechart.Vertex.Pseudostate;
 
-/** Machines in Graphviz's language: one digraph, a cluster for each machine, composite state and region. */
+/** Machines in Graphviz's language: one digraph, with a cluster for each machine, composite state and region. */
 public final class Dot {
     private final StringBuilder text = new StringBuilder();
     private final Map<String, String> ids = new HashMap<>();
@@ -34,7 +34,7 @@ public final class Dot {
     }
 
     private void machine(Statechart chart) {
-        // Keys are unique within a chart only.
+        // Keys are unique only within a chart.
         ids.clear();
         ChartIndex index = new ChartIndex(chart);
         String prefix = "m" + clusters + "_";
@@ -68,7 +68,7 @@ public final class Dot {
             line(depth, id + " [label=" + quote(compartments(state)) + "];");
         } else {
             cluster(depth, compartments(state), "rounded");
-            // Edges need a node to end at; it stands for the whole cluster.
+            // An edge must end at a node; this one stands for the whole cluster.
             line(depth + 1, id + " [shape=point, style=invis];");
             state.connections().forEach(point -> vertex(point, depth + 1));
             state.regions().forEach(region -> region(region, state.regions().size() > 1, depth + 1));

@@ -14,18 +14,18 @@ import org.evoloop.statechart.Vertex.Pseudostate;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Machines for programs, in the shape that docs/models.md promises: components are the keys, in this order.
+ * Machines as JSON, in the shape that docs/models.md promises: components are the keys, in this order.
  *
  * <p>Threading: immutable.
  */
 public record MachineJson(List<Machine> machines) {
 
     /**
-     * One machine. The first five are all that a flat machine has; the others tell the rest of a hierarchical one.
+     * One machine. A flat machine has only the first five values; the others describe a hierarchical one.
      *
-     * @param states names, composite states and final states too
-     * @param initial null if the machine does not say where it starts
-     * @param initialTransitions those of initial pseudostates, with what is done on starting
+     * @param states names, including composite and final states
+     * @param initial null if the machine has no initial state
+     * @param initialTransitions the transitions of initial pseudostates, with their effects
      */
     public record Machine(
             String name,
@@ -38,7 +38,7 @@ public record MachineJson(List<Machine> machines) {
             List<Point> pseudostates,
             List<Transition> initialTransitions) {}
 
-    /** A transition for one trigger; null for what it does not have. */
+    /** A transition for one trigger; null for missing parts. */
     public record Transition(
             String source,
             @Nullable String trigger,
@@ -47,7 +47,7 @@ public record MachineJson(List<Machine> machines) {
             String target,
             String kind) {}
 
-    /** A state and what is drawn in it; {@code parent} is null at the top. */
+    /** A state with its behaviors; {@code parent} is null at the top level. */
     public record Nesting(
             String state,
             @Nullable String parent,
@@ -57,14 +57,14 @@ public record MachineJson(List<Machine> machines) {
             List<String> exit,
             List<String> deferred) {}
 
-    /** A region; {@code state} is null for one of the machine itself. */
+    /** A region; {@code state} is null for a region of the machine itself. */
     public record Part(
             @Nullable String state,
             @Nullable String name,
             List<String> states,
             @Nullable String initial) {}
 
-    /** A pseudostate; {@code kind} is UML's word. */
+    /** A pseudostate; {@code kind} is UML's term. */
     public record Point(String name, String kind, @Nullable String parent) {}
 
     /** The JSON text for {@code charts}. */

@@ -10,7 +10,7 @@ import org.evoloop.statechart.Statechart;
 import org.evoloop.statechart.Vertex;
 import org.evoloop.statechart.Vertex.ChartState;
 
-/** A machine for people: each vertex with what is in it and where its transitions lead. */
+/** A machine as text: each vertex with its contents and its transitions. */
 public final class MachineText {
     private final ChartIndex index;
     private final StringBuilder text = new StringBuilder();
@@ -19,7 +19,7 @@ public final class MachineText {
         this.index = index;
     }
 
-    /** The text for {@code charts}, a blank line between two. */
+    /** The text for {@code charts}, separated by blank lines. */
     public static String write(List<Statechart> charts) {
         return charts.stream().map(MachineText::of).collect(Collectors.joining("\n"));
     }

@@ -16,7 +16,7 @@ import org.evoloop.statechart.Vertex.FinalState;
 import org.evoloop.statechart.Vertex.Kind;
 import org.evoloop.statechart.Vertex.Pseudostate;
 
-/** Machines in PlantUML's language, a diagram each. */
+/** Machines in PlantUML's language, one diagram each. */
 public final class PlantUml {
     private final ChartIndex index;
     private final Map<String, String> aliases = new HashMap<>();
@@ -42,7 +42,7 @@ public final class PlantUml {
         return writer.text.toString();
     }
 
-    /** Transitions stand with the region that holds them. */
+    /** A transition is written in the region that contains it. */
     private void regions(List<Region> regions, int depth) {
         for (int i = 0; i < regions.size(); i++) {
             if (i > 0) {

@@ -1,7 +1,7 @@
 /**
- * Machines as text: for people, as JSON, in Graphviz's dot and in PlantUML's language.
+ * Machines as plain text, as JSON, in Graphviz's dot and in PlantUML's language.
  *
- * <p>This room may use {@code chart} and {@code statechart}. It is pure.
+ * <p>This package may use {@code chart} and {@code statechart}. It does no I/O.
  */
 @NullMarked
 package org.evoloop.models.format;

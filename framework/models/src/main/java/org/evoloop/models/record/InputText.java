@@ -8,7 +8,7 @@ import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Step;
 import org.evoloop.statemachine.State;
 
-/** What a converter was told, in words. */
+/** The converter's inputs as text. */
 final class InputText {
     private InputText() {}
 

@@ -9,7 +9,7 @@ import org.evoloop.journal.JournalRecord;
 import org.evoloop.models.format.Json;
 import org.jspecify.annotations.Nullable;
 
-/** Records for programs. */
+/** Journal records as JSON. */
 public final class RecordJson {
     private RecordJson() {}
 
@@ -40,7 +40,7 @@ public final class RecordJson {
             long records,
             boolean cutOff) {}
 
-    /** One line, without its end. */
+    /** A record on one line, without a line terminator. */
     public static String line(JournalRecord written) {
         Occurrence occurrence = occurrence(written);
         return Json.line(new Line(
@@ -60,7 +60,7 @@ public final class RecordJson {
                 written.endings()));
     }
 
-    /** The same of a segment. */
+    /** A segment on one line, without a line terminator. */
     public static String line(SegmentInfo segment) {
         return Json.line(new Segment(
                 segment.segment(),

@@ -12,7 +12,7 @@ import org.evoloop.models.format.Json;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Records in an SQLite database.
+ * Journal records in an SQLite database.
  *
  * <p>Threading: not thread-safe.
  */
@@ -24,7 +24,7 @@ public final class RecordTable implements AutoCloseable {
     private final PreparedStatement segment;
     private int waiting;
 
-    /** @param file for the database, which does not exist @throws SQLException if it cannot be made */
+    /** @param file the database, which must not exist yet @throws SQLException if it cannot be created */
     public RecordTable(String file) throws SQLException {
         database = DriverManager.getConnection("jdbc:sqlite:" + file);
         database.setAutoCommit(false);
@@ -91,7 +91,7 @@ public final class RecordTable implements AutoCloseable {
         waiting = 0;
     }
 
-    /** Completes the database. */
+    /** Commits everything added. */
     public void commit() throws SQLException {
         flush();
         segment.executeBatch();

@@ -5,15 +5,15 @@ import java.time.format.DateTimeFormatter;
 import java.util.Locale;
 import org.evoloop.journal.JournalRecord;
 
-/** Records for people, one line each. */
+/** Journal records as text, one line each. */
 public final class RecordText {
     static final DateTimeFormatter TIME = DateTimeFormatter.ofPattern("uuuu-MM-dd HH:mm:ss.SSSSSS", Locale.ROOT);
 
     private RecordText() {}
 
     /**
-     * The line without its end: time of day, monotonic clock in seconds, kind, what it is, where the converter was
-     * then, which events ended, and doubts.
+     * A record on one line, without a line terminator: time of day, monotonic clock in seconds, kind, content, the
+     * converter's states, the events that ended, and doubts.
      */
     public static String line(JournalRecord shown, ZoneId zone) {
         String what = InputText.of(shown.input());
@@ -26,7 +26,7 @@ public final class RecordText {
         if (!shown.doubt().isEmpty()) {
             line.append("  IN DOUBT: ").append(shown.doubt());
         }
-        // A record is one line, whatever a component has said.
+        // A component's text may contain line breaks, but a record is one line.
         return line.toString().replaceAll("\\R", " ");
     }
 }

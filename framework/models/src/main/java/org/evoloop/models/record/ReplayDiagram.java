@@ -22,24 +22,24 @@ import org.evoloop.rehearsal.Verdict;
 import org.evoloop.statemachine.State;
 
 /**
- * What other models would have made of a journal's events as a picture: the other new model, and in each of its states
- * what was decided differently there; below, event by event, both reasons.
+ * A replay as a picture: the other new model, with the decisions that differed noted in its states. A table below lists
+ * both decisions for each event.
  */
 public final class ReplayDiagram {
     private static final int MOST_NOTES = 6;
     private static final int MOST_ROWS = 200;
     private static final String ARROW = " \u2192 ";
 
-    /** A row of the table, which is in order of time. */
+    /** A table row with its time, by which the rows are sorted. */
     private record Line(Instant at, Table.Row row) {}
 
     private ReplayDiagram() {}
 
     /**
-     * The picture.
+     * Draws the picture.
      *
      * @param pair the other models
-     * @param file whose properties were watched
+     * @param file the properties that were watched
      */
     public static String write(ModelPair pair, DryRun.Result result, PropertyFile file, ZoneId zone) {
         String title = pair.evolved().name();

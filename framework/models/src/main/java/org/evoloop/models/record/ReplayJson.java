@@ -12,10 +12,10 @@ import org.evoloop.rehearsal.Difference;
 import org.evoloop.rehearsal.Verdict;
 import org.jspecify.annotations.Nullable;
 
-/** What other models would have made of a journal's events, for programs: components are the keys, in this order. */
+/** A replay of a journal's events on other models as JSON: components are the keys, in this order. */
 public record ReplayJson(long events, List<Row> differences, List<Standing> properties) {
 
-    /** An event that differs; null for what would not have happened. */
+    /** An event that was handled differently. {@code then} or {@code now} is null where the event did not occur. */
     public record Row(
             String time,
             String event,
@@ -23,7 +23,7 @@ public record ReplayJson(long events, List<Row> differences, List<Standing> prop
             @Nullable Told then,
             @Nullable Told now) {}
 
-    /** What became of it. */
+    /** How the event was handled. */
     public record Told(
             Where before,
             Where after,
@@ -35,7 +35,10 @@ public record ReplayJson(long events, List<Row> differences, List<Standing> prop
     public record Where(
             String original, @JsonProperty("new") String evolved) {}
 
-    /** A property of the other models, {@code kept}, {@code open} or {@code broken}; null for what did not break it. */
+    /**
+     * A property of the other models: {@code kept}, {@code open} or {@code broken}. The values after {@code standing}
+     * are null unless it was broken.
+     */
     public record Standing(
             String name,
             String file,
@@ -49,7 +52,7 @@ public record ReplayJson(long events, List<Row> differences, List<Standing> prop
     /**
      * All differences, in order.
      *
-     * @param file whose properties were watched
+     * @param file the properties that were watched
      */
     public static String write(DryRun.Result result, PropertyFile file) {
         return Json.write(new ReplayJson(

@@ -10,15 +10,15 @@ import org.evoloop.journal.DryRun;
 import org.evoloop.journal.DryRun.Broken;
 import org.evoloop.rehearsal.Difference;
 
-/** What other models would have made of a journal's events, for people. */
+/** A replay of a journal's events on other models as text. */
 public final class ReplayText {
     private ReplayText() {}
 
     /**
-     * Three lines for each event that differs, a line for each property that is broken or open, and how many there
-     * were.
+     * Three lines for each event that was handled differently, one line for each property that is broken or open, and
+     * the totals.
      *
-     * @param file whose properties were watched
+     * @param file the properties that were watched
      */
     public static String write(DryRun.Result result, PropertyFile file, ZoneId zone) {
         List<String> lines = new ArrayList<>();

@@ -1,8 +1,7 @@
 /**
- * What the records of a journal look like: a line for people, JSON for programs, and a database; and what other models
- * would have made of its events.
+ * A journal's records as text, as JSON and in a database, and the results of replaying its events on other models.
  *
- * <p>This room may use {@code org.evoloop.models.format}, {@code chart} and {@code diagram}, and {@code
+ * <p>This package may use {@code org.evoloop.models.format}, {@code chart} and {@code diagram}, and {@code
  * org.evoloop.journal} and {@code check.temporal}.
  */
 @NullMarked

@@ -4,7 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import org.evoloop.statemachine.State;
 
-/** The names of the classes of new states. A state keeps its class, whatever states come and go beside it. */
+/** The class names for new states. A state keeps its class name when other states are added or removed. */
 final class FunctionNames {
     private static final String PACKAGE = "package ";
 
@@ -15,7 +15,7 @@ final class FunctionNames {
 
     private FunctionNames() {}
 
-    /** @param text as {@link #text} writes it; empty for a new project */
+    /** @param text as written by {@link #text}; empty for a new project */
     static FunctionNames parse(String text) {
         FunctionNames parsed = new FunctionNames();
         for (String line : text.lines().toList()) {
@@ -46,12 +46,12 @@ final class FunctionNames {
         return name;
     }
 
-    /** On one line, whatever is in the name. */
+    /** A key on one line, whatever the name contains. */
     private static String key(State state) {
         return JavaText.literal(state.name());
     }
 
-    /** For {@link #parse}. */
+    /** The text that {@link #parse} reads. */
     String text(String wanted) {
         StringBuilder text = new StringBuilder(PACKAGE).append(wanted).append('\n');
         used.forEach(

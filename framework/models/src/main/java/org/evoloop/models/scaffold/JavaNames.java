@@ -5,24 +5,24 @@ import java.util.Locale;
 import java.util.Set;
 
 /**
- * Java names made from the names of a model, which may hold anything. Names are ASCII, since not every machine can have
- * files with other names, and differ in more than capital letters.
+ * Makes Java names from a model's names, which may contain any character. Names are ASCII, since not every file system
+ * supports others, and never differ only in case.
  *
- * <p>Threading: not thread-safe; it remembers the names that are taken.
+ * <p>Threading: not thread-safe; it remembers the names in use.
  */
 final class JavaNames {
     private final Set<String> taken = new HashSet<>();
 
-    /** Takes a name, so that none is made up that is like it. */
+    /** Marks a name as used, so that none like it is made. */
     JavaNames reserve(String name) {
         taken.add(name.toLowerCase(Locale.ROOT));
         return this;
     }
 
     /**
-     * A name that is free.
+     * An unused name.
      *
-     * @param core made by {@link #camel}, maybe with more around it
+     * @param core made by {@link #camel}, possibly with a prefix or suffix
      */
     String free(String core) {
         String name = core;
@@ -33,9 +33,9 @@ final class JavaNames {
     }
 
     /**
-     * The letters and digits of {@code text}, each word with a capital letter, as a part of a Java name.
+     * The letters and digits of {@code text} as part of a Java name, each word with a capital letter.
      *
-     * @param otherwise what to say of a text of which nothing is left
+     * @param otherwise the name if no letter or digit is left
      */
     static String camel(String text, String otherwise) {
         StringBuilder name = new StringBuilder();
@@ -55,7 +55,7 @@ final class JavaNames {
         return Character.isDigit(name.charAt(0)) ? otherwise + name : name.toString();
     }
 
-    /** The same with a small first letter. */
+    /** The same name with a lower-case first letter. */
     static String small(String camel) {
         return Character.toLowerCase(camel.charAt(0)) + camel.substring(1);
     }

@@ -1,6 +1,6 @@
 package org.evoloop.models.scaffold;
 
-/** Text of a model inside Java source. */
+/** A model's text inside Java source code. */
 final class JavaText {
     private JavaText() {}
 
@@ -20,7 +20,7 @@ final class JavaText {
         return literal.append('"').toString();
     }
 
-    /** Inside a comment, where neither its end nor a tag nor an escape of Java's may come about. */
+    /** Text for a comment: it cannot end the comment and contains no tags or Java escapes. */
     static String comment(String text) {
         return text.replace("&", "&amp;")
                 .replace("\\", "&#92;")

@@ -15,11 +15,11 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
- * The directory of a project. What was generated is kept in {@value #GENERATED} as it was, so that later on what its
- * owner wrote can be told from it.
+ * A generated project's directory. An unmodified copy of the generated files is kept in {@value #GENERATED}, so that
+ * changes by the owner can be detected later.
  */
 final class ProjectDirectory {
-    /** Below the project's directory. */
+    /** Relative to the project's directory. */
     static final String GENERATED = ".scaffold";
 
     private static final String MODELS = "models/";
@@ -32,24 +32,24 @@ final class ProjectDirectory {
         this.directory = directory;
     }
 
-    /** Whether it was written by this program. */
+    /** Whether the directory contains a generated project. */
     static boolean isProject(Path directory) {
         return Files.isDirectory(directory.resolve(GENERATED));
     }
 
-    /** What was generated as {@code path} before; empty if nothing was. */
+    /** The text generated earlier as {@code path}; empty if there was none. */
     String generated(String path) throws IOException {
         Path kept = directory.resolve(GENERATED).resolve(path);
         return Files.exists(kept) ? Files.readString(kept) : "";
     }
 
     /**
-     * Writes the files of a project that are new or that nobody has changed.
+     * Writes the project's new files, and updates those that its owner has not changed.
      *
      * @param files by path, with slashes
-     * @return a line for each file about which its owner has to know something
-     * @throws IOException if one cannot be written
-     * @throws IllegalArgumentException if a model was changed there and elsewhere; nothing is written then
+     * @return one line for each file that the owner has to know about
+     * @throws IOException if a file cannot be written
+     * @throws IllegalArgumentException if a model was changed both in the project and outside; nothing is written then
      */
     List<String> write(Map<String, byte[]> files) throws IOException {
         for (Map.Entry<String, byte[]> file : files.entrySet()) {
@@ -83,7 +83,7 @@ final class ProjectDirectory {
         }
     }
 
-    /** Whether a file is there that is not as it was generated. */
+    /** Whether the file was written or changed by the owner. */
     private boolean isOwners(String path) throws IOException {
         Path before = directory.resolve(GENERATED).resolve(path);
         return !Files.exists(before) || Files.mismatch(before, directory.resolve(path)) >= 0;
@@ -118,7 +118,7 @@ final class ProjectDirectory {
         fresh.stream().filter(line -> !old.contains(line)).forEach(line -> report.add("  + " + line.strip()));
     }
 
-    /** What was generated before and would not be any more stays, since something of its owner's may need it. */
+    /** Reports files that would no longer be generated. They stay, since the owner's code may need them. */
     private void leftOver(Set<String> now) throws IOException {
         Path generated = directory.resolve(GENERATED);
         Set<String> before;
@@ -141,7 +141,7 @@ final class ProjectDirectory {
         Files.write(file, content);
     }
 
-    /** A file's text by path, for {@link #write}. */
+    /** Collects the files for {@link #write}. */
     static final class Content {
         private final Map<String, byte[]> files = new LinkedHashMap<>();
 

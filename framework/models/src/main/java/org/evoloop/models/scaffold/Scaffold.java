@@ -20,7 +20,7 @@ import org.evoloop.xmi.ModelReference;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A converter's project to begin with.
+ * Generates a starter project for a converter.
  *
  * <p>Threading: one thread.
  */
@@ -28,7 +28,7 @@ public final class Scaffold {
     private static final List<String> CLASSES = List.of(
             "Main", "Models", "Conditions", "MonitorEvent", "ExecuteCommand", "SimulatedDevice", "KnowledgeState");
 
-    /** Which class belongs to which new state. */
+    /** Maps new states to their classes. */
     private static final String FUNCTIONS = "functions.txt";
 
     private final ProjectDirectory.Content content = new ProjectDirectory.Content();
@@ -37,14 +37,14 @@ public final class Scaffold {
     private final Map<String, String> values = new LinkedHashMap<>(Versions.all());
 
     /**
-     * What is wanted.
+     * What to generate.
      *
-     * @param pair without anything that keeps a converter from being built
-     * @param original where its original model was read
-     * @param evolved where its new model was read
+     * @param pair has no errors that prevent a converter from being built
+     * @param original the source of its original model
+     * @param evolved the source of its new model
      * @param javaPackage see {@link #requirePackage}
      * @param directory see {@link #requireDirectory}
-     * @param properties file of the properties that the evolution must keep to; null if there is none
+     * @param properties the file of properties that the evolution must keep; null if there is none
      */
     public record Request(
             ModelPair pair,
@@ -63,7 +63,7 @@ public final class Scaffold {
     /**
      * Checks the name of a package.
      *
-     * @throws IllegalArgumentException if it cannot be one, or not one of everybody's machine
+     * @throws IllegalArgumentException if it is not a valid package name, or not valid on every machine
      */
     public static void requirePackage(String javaPackage) {
         boolean good = SourceVersion.isName(javaPackage, SourceVersion.RELEASE_17)
@@ -80,9 +80,10 @@ public final class Scaffold {
     /**
      * Checks the directory.
      *
-     * @param update whether it holds a project already
-     * @throws IllegalArgumentException if there is no project to be updated, or anything where one is to begin
-     * @throws IOException if nobody can tell
+     * @param update whether it already contains a project
+     * @throws IllegalArgumentException if there is no project to update, or if the directory for a new project is not
+     *     empty
+     * @throws IOException if it cannot be read
      */
     public static void requireDirectory(Path directory, boolean update) throws IOException {
         if (Files.exists(directory) && !Files.isDirectory(directory)) {
@@ -104,10 +105,10 @@ public final class Scaffold {
     }
 
     /**
-     * Writes the project, or brings it up to date. What its owner has written stays.
+     * Writes the project, or updates it. The owner's changes are kept.
      *
-     * @return what its owner has to know of each file
-     * @throws IllegalArgumentException if it is there in another package, or a model was changed there
+     * @return what the owner has to know about the files
+     * @throws IllegalArgumentException if the project has another package, or a model was changed in it
      * @throws IOException if it cannot be written
      */
     public static List<String> write(Request request) throws IOException {
@@ -157,7 +158,7 @@ public final class Scaffold {
                 .collect(Collectors.joining(", "));
     }
 
-    /** Copies the models under names that every machine can have. */
+    /** Copies the models under names that are valid on every machine. */
     private void models() throws IOException {
         boolean oneFile =
                 Files.isSameFile(request.original().file(), request.evolved().file());
@@ -174,7 +175,7 @@ public final class Scaffold {
         values.put("originalMachine", machine(request.original()));
         values.put("evolvedMachine", machine(request.evolved()));
         if (request.properties() != null) {
-            // Called like the new model, where a check looks for it.
+            // Named after the new model's file, so that the command check finds it.
             content.bytes("models/" + evolved + ".properties.txt", Files.readAllBytes(request.properties()));
         }
     }
@@ -202,7 +203,7 @@ public final class Scaffold {
         content.text(".gitignore", "target/\n");
     }
 
-    /** A class for each new state, and the lines that register them. */
+    /** Writes a class for each new state and returns the lines that register them. */
     private String functions(String sources, FunctionNames names) {
         StringBuilder registrations = new StringBuilder();
         for (State state : pair.evolved().states()) {
@@ -229,7 +230,7 @@ public final class Scaffold {
         return events.isEmpty() ? "no event" : events;
     }
 
-    /** How the function of a new state can raise an event that nobody else does; empty if there is none. */
+    /** A hint at how the new state's function can raise an event unknown to the device; empty if there is none. */
     private String ending(State state) {
         return pair.evolved().transitionsFrom(state).stream()
                 .map(transition -> transition.event().trigger())

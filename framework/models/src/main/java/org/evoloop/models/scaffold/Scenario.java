@@ -8,10 +8,10 @@ import org.evoloop.statemachine.Transition;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a test does to have a transition of the new model taken.
+ * The events with which a test takes a transition of the new model.
  *
- * @param happenings from the start; the last one is to trigger the transition
- * @param after where both models stand then
+ * @param happenings from the start; the last one triggers the transition
+ * @param after the states of both models afterwards
  */
 record Scenario(Transition transition, List<Happening> happenings, Configuration after) {
     Scenario {
@@ -21,9 +21,9 @@ record Scenario(Transition transition, List<Happening> happenings, Configuration
     /**
      * One event.
      *
-     * @param guards that hold when it comes, and no others
-     * @param byDevice whether the device does it of its own accord
-     * @param delay how long to wait for it; null if it comes without waiting
+     * @param guards the guards that hold when it occurs; all others do not
+     * @param byDevice whether the device raises it
+     * @param delay how long to wait for it; null for no wait
      */
     record Happening(
             String event,

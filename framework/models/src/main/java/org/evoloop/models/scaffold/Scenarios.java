@@ -25,7 +25,7 @@ import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.Transition;
 
-/** A scenario for each transition of the new model that a test can have taken. */
+/** Finds a scenario for each transition of the new model that a test can take. */
 final class Scenarios {
     private final ModelPair pair;
     private final DecisionTable table;
@@ -41,7 +41,10 @@ final class Scenarios {
         this.evolvedGuards = new GuardedTriggers(pair.evolved());
     }
 
-    /** By transition, in the new model's order; those that no test can have taken are not there. */
+    /**
+     * The shortest scenario of each transition, in the new model's order; transitions that no test can take are
+     * missing.
+     */
     Map<Transition, Scenario> all() {
         Map<State, List<Configuration>> byState = new LinkedHashMap<>();
         for (Configuration at : graph.configurations()) {
@@ -73,7 +76,7 @@ final class Scenarios {
         return table.device().isOwn(trigger);
     }
 
-    /** Whether the event can come there, and the guards that must hold for it lead to nothing else. */
+    /** Whether the event can occur there, and the guards required for it enable no other transition. */
     private boolean canHappen(Turn turn) {
         Configuration before = turn.decision().before();
         Event trigger = turn.event().trigger();
@@ -108,7 +111,7 @@ final class Scenarios {
         return new Happening(trigger.name(), guards(turn), isDevicesOwn(trigger), delay);
     }
 
-    /** Whether waiting for {@code duration} raises {@code trigger} and nothing else, in either model. */
+    /** Whether waiting for {@code duration} raises {@code trigger} before any other time event of either model. */
     private boolean comesFirst(Duration duration, Event trigger, Configuration at) {
         return Stream.concat(timers(pair.evolved(), at.evolved()), timers(pair.original(), at.original()))
                 .filter(other -> !other.equals(trigger))

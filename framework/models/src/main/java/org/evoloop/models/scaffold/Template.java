@@ -8,13 +8,13 @@ import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** Texts that come with this program, with places to be filled in: {@code ${name}}. */
+/** The templates of generated files, with placeholders {@code ${name}}. */
 final class Template {
     private static final Pattern PLACE = Pattern.compile("\\$\\{(\\w+)}");
 
     private Template() {}
 
-    /** The text {@code name}, filled in. @throws IllegalArgumentException if it has a place without a value */
+    /** The template {@code name}, filled in. @throws IllegalArgumentException if a placeholder has no value */
     static String fill(String name, Map<String, String> values) {
         return PLACE.matcher(text(name)).replaceAll(place -> {
             String value = values.get(place.group(1));
@@ -25,7 +25,7 @@ final class Template {
         });
     }
 
-    /** The text {@code name} as it is. */
+    /** The template {@code name}, unchanged. */
     static String text(String name) {
         return new String(bytes(name), StandardCharsets.UTF_8);
     }

@@ -8,13 +8,13 @@ import org.evoloop.models.scaffold.Scenario.Happening;
 import org.evoloop.statemachine.StateMachine;
 import org.evoloop.statemachine.Transition;
 
-/** The test methods of a project, one for each transition of the new model. */
+/** Writes the test methods of a project, one for each transition of the new model. */
 final class TestText {
     private final JavaNames names = new JavaNames();
     private final Map<Transition, Scenario> scenarios;
     private final boolean guarded;
 
-    /** @param guarded whether guards are drawn in either model */
+    /** @param guarded whether either model has guards */
     TestText(Map<Transition, Scenario> scenarios, boolean guarded) {
         this.scenarios = scenarios;
         this.guarded = guarded;

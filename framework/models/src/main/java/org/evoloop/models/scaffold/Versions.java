@@ -7,7 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Properties;
 
-/** The versions that this program was built with; a project gets the same. */
+/** The versions that this program was built with; a generated project uses the same. */
 final class Versions {
     private static final Map<String, String> ALL = read();
 
@@ -25,7 +25,7 @@ final class Versions {
         return versions;
     }
 
-    /** By the names of the file {@code versions.properties}. */
+    /** By their names in the file {@code versions.properties}. */
     static Map<String, String> all() {
         return new LinkedHashMap<>(ALL);
     }

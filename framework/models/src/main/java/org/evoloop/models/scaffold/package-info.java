@@ -1,8 +1,9 @@
 /**
- * A converter's project to begin with: it builds, its tests pass and it runs before its owner has written a line.
+ * Generates a starter project for a converter. It builds, passes its tests and runs before its owner has written any
+ * code.
  *
- * <p>This room may use {@code statemachine}, {@code evolution} and {@code xmi} of the framework. It writes files, below
- * the directory that it is given and nowhere else.
+ * <p>This package may use {@code statemachine}, {@code evolution} and {@code xmi} of the framework. It writes files
+ * only below the given directory.
  */
 @NullMarked
 package org.evoloop.models.scaffold;

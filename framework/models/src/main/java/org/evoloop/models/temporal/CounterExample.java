@@ -17,11 +17,10 @@ import org.evoloop.check.temporal.MomentGraph.Edge;
 import org.evoloop.evolution.Turn;
 
 /**
- * What happens when a formula does not hold, as far as one sequence of events can show it: to where an {@code always}
- * is broken, or once around where what should come never does. That nothing leads to something shows in where this
- * ends.
+ * Finds a sequence of events that shows why a formula does not hold, as far as one sequence can: it ends where an
+ * {@code always} is violated, or where a required moment can no longer occur, after at most one loop.
  *
- * <p>Which moments satisfy what is {@link ModelChecker M3C's} to say.
+ * <p>{@link ModelChecker M3C} decides which moments satisfy a formula.
  */
 final class CounterExample {
     private final MomentGraph graph;
@@ -35,14 +34,14 @@ final class CounterExample {
         this.end = start;
     }
 
-    /** Turns from the initial moment on, along which {@code formula} is seen not to hold there. */
+    /** The events from the initial moment that show that {@code formula} does not hold there. */
     static List<Turn> of(Formula formula, MomentGraph graph, ModelChecker checker) {
         CounterExample example = new CounterExample(graph, checker, graph.initial());
         example.refute(formula);
         return List.copyOf(example.turns);
     }
 
-    /** Goes on to where it shows that {@code formula} does not hold at the end of the example. */
+    /** Extends the example until it shows that {@code formula} does not hold at its current end. */
     private void refute(Formula formula) {
         if (formula instanceof Formula.And and) {
             refute(fails(and.left()).test(end) ? and.left() : and.right());
@@ -66,7 +65,8 @@ final class CounterExample {
     }
 
     /**
-     * To the nearest moment in which neither holds, along moments in which {@code left} alone does; false if none is.
+     * Extends the example to the nearest moment in which neither holds, through moments in which only {@code left}
+     * holds. Returns false if there is none.
      */
     private boolean breakOff(Formula left, Formula right) {
         Predicate<Moment> both = fails(left).and(fails(right));
@@ -97,7 +97,10 @@ final class CounterExample {
         return next.isPresent();
     }
 
-    /** The shortest way to a moment that is {@code wanted}, over moments that are {@code passable}. */
+    /**
+     * Extends the example by the shortest path to a {@code wanted} moment through {@code passable} ones. Returns false
+     * if there is none.
+     */
     private boolean walk(Predicate<Moment> passable, Predicate<Moment> wanted) {
         Map<Moment, List<Edge>> ways = new HashMap<>(Map.of(end, List.of()));
         Queue<Moment> frontier = new ArrayDeque<>(List.of(end));
@@ -120,7 +123,7 @@ final class CounterExample {
         return false;
     }
 
-    /** On until it goes around or ends, where {@code never} stays true, past moments in which {@code without} is. */
+    /** Extends the example through moments that satisfy both, until it loops or ends. */
     private void stay(Predicate<Moment> never, Predicate<Moment> without) {
         Set<Moment> seen = new HashSet<>();
         boolean goesOn = true;

@@ -34,7 +34,7 @@ import org.evoloop.statemachine.ModelException;
 
 /**
  * Asks M3C, the model checker of AutomataLib, whether a formula holds in a moment. Plain propositions are looked up;
- * all temporal logic is M3C's.
+ * M3C decides all temporal formulas.
  *
  * <p>Threading: not thread-safe; it remembers the answers.
  */
@@ -85,12 +85,12 @@ final class ModelChecker {
             }
         }
         kripke.setInitialNode(nodes.get(moment));
-        // A procedure must have an end; the converter has none, so nothing leads there.
+        // M3C requires a final node. The converter has none, so no edge leads to this one.
         kripke.setFinalNode(kripke.addNode(Set.of()));
         return solve(new DefaultCFMPS<>(MAIN, Map.of(MAIN, kripke)), translate(formula));
     }
 
-    /** By M3C's ADD solver: its BDD solver is mistaken about negations, see {@code docs/adr}. */
+    /** Uses M3C's ADD solver. Its BDD solver is wrong about negations, see {@code docs/adr}. */
     private static boolean solve(DefaultCFMPS<String, Atom> system, FormulaNode<String, Atom> formula) {
         try {
             return M3CSolvers.typedADDSolver(system).solve(formula);

@@ -15,14 +15,14 @@ import org.evoloop.evolution.DecisionTable;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.evolution.Turn;
 
-/** Checks the properties that are written down beside the models. */
+/** Checks the properties written beside the models. */
 public final class PropertyCheck {
     private PropertyCheck() {}
 
     /**
-     * A finding for each property that does not hold, with the events that show it.
+     * Returns a finding for each property that does not hold, with the events that show it.
      *
-     * @throws org.evoloop.statemachine.ModelException if the pair is no evolution
+     * @throws org.evoloop.statemachine.ModelException if the pair is not an evolution
      */
     public static List<Finding> run(CheckInput input, PropertyFile file) {
         ModelPair pair = input.pair();

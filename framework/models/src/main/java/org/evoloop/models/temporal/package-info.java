@@ -1,8 +1,9 @@
 /**
- * Properties of an evolution, checked by M3C of AutomataLib over every moment that can be reached; the language is
- * {@code org.evoloop.check.temporal}'s. {@link org.evoloop.models.temporal.PropertyCheck} is the way in.
+ * Checks the properties of an evolution with M3C of AutomataLib over every reachable moment. The language of properties
+ * belongs to {@code org.evoloop.check.temporal}. The entry point is {@link org.evoloop.models.temporal.PropertyCheck}.
  *
- * <p>This room may use {@code statemachine}, {@code evolution} and {@code check} of the framework. It reads no files.
+ * <p>This package may use {@code statemachine}, {@code evolution} and {@code check} of the framework. It reads no
+ * files.
  */
 @NullMarked
 package org.evoloop.models.temporal;

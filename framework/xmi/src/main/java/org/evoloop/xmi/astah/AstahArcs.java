@@ -34,14 +34,14 @@ final class AstahArcs {
     }
 
     /**
-     * @param key of the vertex of another machine that it stands for; empty if there is none, which is a problem
-     * already
+     * @param key of the vertex of another machine that it refers to; empty if there is none, which has already been
+     *     reported
      */
     void addStub(String id, String key) {
         keysById.put(id, key);
     }
 
-    /** Those between vertices; when the vertices are known. */
+    /** The transitions between vertices. All vertices must have been added. */
     List<Arc> all(List<Transition> transitions) {
         List<Arc> arcs = new ArrayList<>();
         for (Transition transition : transitions) {
@@ -54,7 +54,7 @@ final class AstahArcs {
         return arcs;
     }
 
-    /** Those of a state that do not leave it. */
+    /** The internal transitions of a state. */
     List<Arc> internal(State state) {
         List<Arc> arcs = new ArrayList<>();
         for (Transition transition : state.internalTransitions()) {
@@ -72,7 +72,7 @@ final class AstahArcs {
         return arcs;
     }
 
-    /** The key of the vertex at this end; empty if there is none, which is then a problem. */
+    /** The key of the vertex at this end; if there is none, reports a problem and returns an empty text. */
     private String end(Transition transition, List<End> ends, String role) {
         List<String> ids = ids(ends);
         if (ids.size() != 1 || ids.get(0).isEmpty()) {
@@ -127,7 +127,7 @@ final class AstahArcs {
                 kind);
     }
 
-    /** What the text on the transition says beyond its elements; nothing if it is not about their trigger. */
+    /** The parts of the transition's label that its elements lack; nothing if the label names another trigger. */
     private static AstahLabel missing(String text, String trigger, String guard, String effect) {
         AstahLabel label = AstahLabel.parse(text);
         if (!trigger.isEmpty() && !label.trigger().isEmpty() && !label.trigger().equals(trigger)) {
@@ -153,7 +153,7 @@ final class AstahArcs {
         return guards.isEmpty() ? "" : guards.get(0).name();
     }
 
-    /** The event's name; empty if there is none, which is then a problem. */
+    /** The event's name; if there is none, reports a problem and returns an empty text. */
     String eventName(Event event, Element owner) {
         String name = event.idref().isEmpty() ? event.name() : file.eventNames().get(event.idref());
         String whose = "the trigger of " + owner.word() + " " + owner.label();

@@ -23,9 +23,9 @@ import org.evoloop.xmi.astah.AstahXml.SubmachineState;
 import org.evoloop.xmi.dialect.Problems;
 import org.jspecify.annotations.Nullable;
 
-/** Turns the bindings of a machine, and of those it includes, into a {@link Statechart}. */
+/** Turns the bindings of a machine, and of the machines it includes, into a {@link Statechart}. */
 final class AstahChart {
-    /** Submachines within submachines multiply. */
+    /** Limits nested submachines, whose elements multiply. */
     private static final int MAX_ELEMENTS = 500_000;
 
     private static final int MAX_INCLUSIONS = 100;
@@ -44,7 +44,7 @@ final class AstahChart {
 
     private final AstahFile file;
     private final Problems problems;
-    /** Ids of the machines that are being read, each inside of the one before. */
+    /** Ids of the machines being read, from outermost to innermost. */
     private final Set<String> including = new HashSet<>();
 
     private int elementCount;
@@ -73,11 +73,11 @@ final class AstahChart {
     }
 
     /**
-     * The regions of a machine, with its transitions in the first of them.
+     * The regions of a machine; all its transitions are in the first one.
      *
-     * @param prefix of the keys, so that a machine can be included twice
-     * @param byName takes the keys of the machine's vertices, by name; of names that are used twice an empty key
-     * @param borderPoints takes the entry and exit points of the machine itself
+     * @param prefix of the keys, so that a machine can be included more than once
+     * @param byName receives the keys of the machine's vertices by name; empty keys for ambiguous names
+     * @param borderPoints receives the entry and exit points of the machine itself
      */
     private List<Region> machine(
             AstahUnmarshaller.Result source,
@@ -121,7 +121,7 @@ final class AstahChart {
         return false;
     }
 
-    /** What one machine's elements have in common. */
+    /** What the elements of one machine share. */
     private record Scope(String prefix, Map<String, String> byName, AstahArcs arcs) {
         String key(Element element) {
             return prefix + element.id();
@@ -150,7 +150,7 @@ final class AstahChart {
         return regions;
     }
 
-    /** Astah's top and regions are states, of which nobody could draw the behavior. */
+    /** In Astah's files, the top and the regions are states, but no behavior can be drawn for them. */
     private void refuseBehavior(State region, String what) {
         List<Element> behavior = new ArrayList<>();
         List.of(region.entries, region.exits, region.doActivities)

@@ -8,19 +8,19 @@ import org.evoloop.xmi.dialect.XmiHead;
 import org.evoloop.xmi.dialect.XmiStream;
 
 /**
- * XMI 1.1 of a UML 1.4 model as Astah (formerly JUDE) writes it. Machines stand anywhere in the model; the names of
- * their diagrams follow behind it, in an extension of Astah's own, of which nothing else is needed.
+ * XMI 1.1 of a UML 1.4 model as written by Astah (formerly JUDE). Machines may be anywhere in the model. The names of
+ * their diagrams come after the model, in Astah's own extension, of which nothing else is needed.
  */
 public final class AstahDialect implements XmiDialect {
     private static final String MENU = "Tools > XML Input & Output > Save as XML Project";
 
-    /** What the books about one machine cost besides its elements, about. */
+    /** The approximate memory for one machine's bookkeeping, besides its elements. */
     private static final int BYTES_PER_MACHINE = 500;
 
     private static final String EXPORTER = "Jomt XMI writer";
     private static final String JUDE = "http://objectclub.esm.co.jp/Jude/namespace/";
 
-    /** Has the bindings made, if they were not. */
+    /** Creates the JAXB bindings if they do not exist yet. */
     public static void prepare() {
         AstahUnmarshaller.prepare();
     }
@@ -57,7 +57,7 @@ public final class AstahDialect implements XmiDialect {
             while (more) {
                 if (atDefinition("StateMachine")) {
                     machine();
-                    // JAXB leaves the stream behind the end tag, maybe at a start tag.
+                    // JAXB leaves the stream after the end tag, possibly at a start tag.
                     more = stream.isStartElement() || stream.nextElementWithin(0);
                     continue;
                 }
@@ -73,7 +73,7 @@ public final class AstahDialect implements XmiDialect {
             return machines;
         }
 
-        /** The same element name serves definitions and references. */
+        /** The same element name is used for definitions and for references. */
         private boolean atDefinition(String localName) {
             return stream.at(AstahXml.UML, localName)
                     && stream.attribute("xmi.idref").isEmpty();

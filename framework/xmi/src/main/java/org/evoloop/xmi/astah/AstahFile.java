@@ -4,7 +4,7 @@ import java.util.HashMap;
 import java.util.Map;
 
 /**
- * What machines of one file say about each other.
+ * What the machines of a file need to know about each other.
  *
  * @param diagramNames by machine id
  * @param eventNames by event id

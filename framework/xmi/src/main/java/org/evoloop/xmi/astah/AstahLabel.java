@@ -4,19 +4,19 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * What the text on a transition says: {@code trigger [guard] / effect}, each part optional. Astah builds it from the
- * elements; in files of other hands it may be all there is.
+ * The parts of a transition's label: {@code trigger [guard] / effect}, each optional. Astah builds the label from the
+ * transition's elements; other writers may give only the label.
  *
  * @param trigger empty if there is none
  * @param guard without brackets; empty if there is none
  * @param effect empty if there is none
  */
 record AstahLabel(String trigger, String guard, String effect) {
-    /** A guard stands before the end or the slash, so that an index in a trigger such as {@code a[1].x} is none. */
+    /** A guard comes before the end or the slash, so that an index in a trigger such as {@code a[1].x} is not one. */
     private static final Pattern FORM =
             Pattern.compile("(?<trigger>[^\\[/]*?)\\s*(?:\\[(?<guard>.*?)\\])?\\s*(?:/\\s*(?<effect>.*))?");
 
-    /** A text that has not this form is a trigger as a whole. */
+    /** Parses a label. A text of another form is only a trigger. */
     static AstahLabel parse(String text) {
         Matcher form = FORM.matcher(text);
         if (!form.matches()) {

@@ -5,12 +5,12 @@ import org.evoloop.statechart.Statechart;
 import org.evoloop.xmi.dialect.DrawnMachine;
 import org.evoloop.xmi.dialect.Problems;
 
-/** A state machine of an Astah file, as it stands there. */
+/** A state machine of an Astah file, uninterpreted. */
 final class AstahMachine implements DrawnMachine {
     private final AstahUnmarshaller.Result result;
     private final AstahFile file;
 
-    /** @param file complete when the file has been read to its end */
+    /** @param file complete once the file has been read to its end */
     AstahMachine(AstahUnmarshaller.Result result, AstahFile file) {
         this.result = result;
         this.file = file;

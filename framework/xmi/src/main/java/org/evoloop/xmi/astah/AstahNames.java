@@ -5,15 +5,15 @@ import java.nio.charset.StandardCharsets;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
-/** How Astah writes names. */
+/** Decodes names as Astah writes them. */
 final class AstahNames {
     private static final Pattern CONTROL_CHARACTERS = Pattern.compile("[\\p{Cc}\\u2028\\u2029]+");
 
     private AstahNames() {}
 
     /**
-     * The name as it was drawn: Astah writes the names of UML elements, not of diagrams, through {@code URLEncoder}.
-     * What cannot be decoded was written by hand and stays.
+     * The name as drawn. Astah writes the names of UML elements, but not of diagrams, through {@code URLEncoder}. A
+     * name that cannot be decoded was written by hand and is returned unchanged.
      */
     static String decode(String written) {
         try {
@@ -23,7 +23,7 @@ final class AstahNames {
         }
     }
 
-    /** One line without blanks around it: a line break, with the blanks around it, becomes one space. */
+    /** The name on one line and stripped: a line break, with the blanks around it, becomes one space. */
     static String tidy(String name) {
         return CONTROL_CHARACTERS
                 .splitAsStream(name)

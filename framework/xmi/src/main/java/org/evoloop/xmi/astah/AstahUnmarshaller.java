@@ -17,12 +17,12 @@ import org.evoloop.xmi.dialect.XmiStream;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Unmarshals one {@code UML:StateMachine} from the stream and finds everything in it that the bindings do not name:
- * JAXB would drop it without a word. An element is bound exactly if JAXB makes an object of it, which its listener
- * tells before the next event is asked for.
+ * Unmarshals one {@code UML:StateMachine} from the stream, and reports everything in it that has no binding. JAXB would
+ * ignore that silently. An element has a binding exactly if JAXB creates an object for it, which its listener reports
+ * before the next event is read.
  */
 final class AstahUnmarshaller extends StreamReaderDelegate {
-    /** What repeats other elements or says nothing about behaviour. */
+    /** Elements that repeat others. */
     private static final Set<String> REPEATED =
             Set.of("StateVertex.container", "StateVertex.outgoing", "StateVertex.incoming", "Transition.stateMachine");
 
@@ -40,7 +40,7 @@ final class AstahUnmarshaller extends StreamReaderDelegate {
 
     private record Reference(int line, AstahXml.@Nullable Element owner) {}
 
-    /** Takes long on a small computer, so not before the first machine. */
+    /** Takes long on a small computer, so it is created only for the first machine. */
     private static final class Context {
         static final JAXBContext JAXB = create();
 
@@ -63,9 +63,9 @@ final class AstahUnmarshaller extends StreamReaderDelegate {
     }
 
     /**
-     * What one state machine of the file says.
+     * The contents of one state machine.
      *
-     * @param problems what the bindings do not name, and ids that are used twice or not at all
+     * @param problems elements without a binding, ids that are used twice, and references to unknown ids
      * @param definedIds the ids of the other elements
      * @param events the triggers, in the order of the file
      */
@@ -124,7 +124,7 @@ final class AstahUnmarshaller extends StreamReaderDelegate {
         if (open == null) {
             return event;
         }
-        // JAXB would gather all text, even blanks; no element of a machine has any.
+        // JAXB would collect all text, even white space; no element of a machine has text.
         while (event != START_ELEMENT && event != END_ELEMENT) {
             if ((event == CHARACTERS || event == CDATA) && !stream.isWhiteSpace()) {
                 problems.add(stream.line(), "text between the elements" + owner() + "; remove it");
@@ -138,7 +138,7 @@ final class AstahUnmarshaller extends StreamReaderDelegate {
         return event;
     }
 
-    /** Goes to the end tag of an element that JAXB made nothing of. */
+    /** Advances to the end tag of an element without a binding. */
     private void passUnbound() {
         String name = stream.getLocalName();
         if (WITHOUT_MEANING.contains(name)) {
@@ -153,7 +153,7 @@ final class AstahUnmarshaller extends StreamReaderDelegate {
         }
     }
 
-    /** @param role whether the element only holds the elements that have a name and an id */
+    /** @param role whether the element only contains the elements that have a name and an id */
     private void refuseElement(AstahConstruct construct, boolean role) {
         int depth = stream.depth();
         int before = problems.count();
@@ -188,7 +188,7 @@ final class AstahUnmarshaller extends StreamReaderDelegate {
         return id;
     }
 
-    /** Notes the id and the reference of the current start tag. */
+    /** Records the id and the reference of the current start tag. */
     private void visit() {
         String id = stream.attribute("xmi.id");
         if (!id.isEmpty()) {
@@ -202,7 +202,7 @@ final class AstahUnmarshaller extends StreamReaderDelegate {
             }
         }
         String idref = stream.attribute("xmi.idref");
-        // An event may stand outside the machine; so does a submachine.
+        // Events and submachines may be defined outside the machine.
         if (!idref.isEmpty()
                 && !stream.at(AstahXml.UML, "Event")
                 && !(open instanceof AstahXml.Submachine)
@@ -210,7 +210,7 @@ final class AstahUnmarshaller extends StreamReaderDelegate {
             stream.keep(idref.length());
         }
         for (int i = 0; i < stream.getAttributeCount(); i++) {
-            // JAXB takes these as orders to itself.
+            // JAXB interprets these attributes.
             if (XMLConstants.W3C_XML_SCHEMA_INSTANCE_NS_URI.equals(stream.getAttributeNamespace(i))) {
                 problems.add(
                         stream.line(), "unknown attribute " + stream.getAttributeName(i) + owner() + "; remove it");
@@ -233,7 +233,7 @@ final class AstahUnmarshaller extends StreamReaderDelegate {
         return of(open);
     }
 
-    /** {@code " of state 'On'"}: the nearest element around that the author can see. */
+    /** {@code " of state 'On'"}: the nearest enclosing element that the author can see. */
     private static String of(AstahXml.@Nullable Element element) {
         for (AstahXml.Element near = element; near != null; near = near.parent) {
             if (!near.word().isEmpty() && !near.name().isEmpty()) {

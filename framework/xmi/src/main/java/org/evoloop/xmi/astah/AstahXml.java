@@ -17,23 +17,23 @@ import org.evoloop.xmi.dialect.Problems;
 import org.jspecify.annotations.Nullable;
 
 /**
- * JAXB bindings of a state machine in Astah's XMI 1.1: UML 1.4, where an element such as {@code State}
- * holds role elements such as {@code StateVertex.outgoing}, which hold elements again.
+ * JAXB bindings of a state machine in Astah's XMI 1.1 of UML 1.4. There, an element such as {@code State} contains role
+ * elements such as {@code StateVertex.outgoing}, which contain elements again.
  *
- * <p>Only what can be used is bound; {@link AstahUnmarshaller} finds the rest. Roles are lists even where UML allows
- * one, since of several JAXB would keep the last without a word.
+ * <p>Only supported constructs have bindings; {@link AstahUnmarshaller} finds the rest. Roles are lists even where UML
+ * allows only one, since JAXB would silently keep the last of several.
  */
 final class AstahXml {
     static final String UML = "org.omg.xmi.namespace.UML";
 
     private AstahXml() {}
 
-    /** A list that mostly holds one element or none. */
+    /** A list that mostly has one element or none. */
     private static <T> List<T> few() {
         return new ArrayList<>(0);
     }
 
-    /** Accepts an attribute whatever it says, and lets go of the text. */
+    /** Accepts an attribute with any value, and discards the value. */
     static final class WithoutMeaning extends XmlAdapter<String, String> {
         @Override
         public @Nullable String unmarshal(String text) {
@@ -46,7 +46,7 @@ final class AstahXml {
         }
     }
 
-    /** What every element has. */
+    /** The attributes of every element. */
     @XmlAccessorType(XmlAccessType.FIELD)
     abstract static class Element {
         @XmlAttribute(name = "xmi.id")
@@ -61,7 +61,7 @@ final class AstahXml {
         @Nullable
         String writtenName;
 
-        // Astah's own, without meaning in UML.
+        // Astah's own attribute, without meaning in UML.
         @XmlAttribute
         @XmlJavaTypeAdapter(WithoutMeaning.class)
         @Nullable
@@ -91,7 +91,7 @@ final class AstahXml {
             return idref == null ? "" : idref;
         }
 
-        /** Decoded, empty if there is none. */
+        /** The decoded name; empty if there is none. */
         String name() {
             return writtenName == null ? "" : AstahNames.decode(writtenName);
         }
@@ -101,7 +101,7 @@ final class AstahXml {
             return Problems.label(name(), id());
         }
 
-        /** How the author calls such an element; empty if its like is not seen in a diagram. */
+        /** The author's term for such an element; empty if it is not visible in a diagram. */
         String word() {
             return "";
         }
@@ -122,7 +122,7 @@ final class AstahXml {
         }
     }
 
-    /** {@code UML:StateMachine.top}: one nameless state that holds the others. */
+    /** {@code UML:StateMachine.top}: one nameless state that contains the others. */
     static final class Top extends Element {
         @XmlElements({
             @XmlElement(name = "CompositeState", type = State.class),
@@ -137,12 +137,12 @@ final class AstahXml {
         List<Transition> transitions = few();
     }
 
-    /** What a transition may leave or enter. */
+    /** A possible source or target of a transition. */
     abstract static class Vertex extends Element {}
 
     /** {@code UML:CompositeState}, which Astah writes for every state, or {@code UML:SimpleState}. */
     static class State extends Vertex {
-        // Always true in Astah's files, whatever was drawn.
+        // Always true in Astah's files, whatever is drawn.
         @XmlAttribute
         @XmlJavaTypeAdapter(WithoutMeaning.class)
         @Nullable
@@ -213,7 +213,7 @@ final class AstahXml {
     /** {@code UML:StateMachine} with an {@code xmi.idref}. */
     static final class MachineReference extends Element {}
 
-    /** {@code UML:StubState}: stands in a submachine state for a state of the submachine that has the same name. */
+    /** {@code UML:StubState}: inside a submachine state, refers to the submachine's state of the same name. */
     static final class StubState extends Vertex {
         @XmlAttribute
         @Nullable
@@ -224,7 +224,7 @@ final class AstahXml {
             return "stub state";
         }
 
-        /** The name of the state that it stands for. */
+        /** The name of the state that it refers to. */
         String reference() {
             return referenceState == null || referenceState.isBlank() ? name() : AstahNames.decode(referenceState);
         }
@@ -263,7 +263,7 @@ final class AstahXml {
         }
     }
 
-    /** {@code UML:Transition}; its name is its whole label, built by Astah from trigger, guard and effect. */
+    /** {@code UML:Transition}; its name is its whole label, which Astah builds from trigger, guard and effect. */
     static final class Transition extends Element {
         @XmlElement(name = "Transition.trigger")
         List<Events> triggers = few();
@@ -292,7 +292,7 @@ final class AstahXml {
         List<Event> events = few();
     }
 
-    /** {@code UML:Event}: a definition of its own for each transition, or a reference. */
+    /** {@code UML:Event}: a separate definition for each transition, or a reference. */
     static final class Event extends Element {}
 
     /** {@code UML:Transition.guard}. */
@@ -310,9 +310,9 @@ final class AstahXml {
         List<Action> actions = few();
     }
 
-    /** {@code UML:Action}: its name is what is done. */
+    /** {@code UML:Action}: its name is the action's text. */
     static final class Action extends Element {
-        // Always the same in Astah's files.
+        // Has the same value in all of Astah's files.
         @XmlAttribute
         @XmlJavaTypeAdapter(WithoutMeaning.class)
         @Nullable
@@ -330,6 +330,6 @@ final class AstahXml {
         List<VertexReference> vertices = few();
     }
 
-    /** {@code UML:StateVertex}: always the abstract name, whatever it refers to. */
+    /** {@code UML:StateVertex}: always this abstract name, whatever it refers to. */
     static final class VertexReference extends Element {}
 }

@@ -5,10 +5,10 @@ import java.io.InputStream;
 import java.util.function.BiFunction;
 import org.evoloop.statemachine.ModelException;
 
-/** Counts what a parser reads, so that no token and no file can be endless. */
+/** Limits the bytes that a parser reads, per token and per file. */
 final class BoundedInput extends InputStream {
     private static final int MAX_FILE_BYTES = 1 << 30;
-    /** A parser holds each tag, comment and the like as a whole. */
+    /** A parser keeps a whole tag, comment and the like in memory. */
     private static final int MAX_TOKEN_BYTES = 4 << 20;
 
     private final InputStream bytes;
@@ -16,13 +16,13 @@ final class BoundedInput extends InputStream {
     private long fileBytes;
     private long tokenBytes;
 
-    /** @param refusal makes an exception of what is wrong and how to fix it */
+    /** @param refusal makes an exception from a message and a remedy */
     BoundedInput(InputStream bytes, BiFunction<String, String, ModelException> refusal) {
         this.bytes = bytes;
         this.refusal = refusal;
     }
 
-    /** The parser has finished one token and begins the next. */
+    /** Restarts the count, since the parser begins a new token. */
     void startToken() {
         tokenBytes = 0;
     }

@@ -9,8 +9,8 @@ import org.evoloop.statechart.Arc;
 import org.evoloop.statemachine.ModelException;
 
 /**
- * One machine within a chart, with the keys of its vertices. The machine of a submachine state is a scope of its own
- * within that of the state, so that the states of a machine that is used twice have two keys.
+ * One machine within a chart, with the keys of its vertices. The machine of a submachine state has its own scope inside
+ * that of the state, so that each use of a machine has separate keys.
  *
  * <p>Threading: for one thread.
  *
@@ -23,7 +23,7 @@ public final class ChartScope<M extends UmlElement> {
     private final M machine;
     private final String prefix;
     private final List<M> enclosing;
-    /** Of the whole chart, since machines that use machines that use machines grow beyond any measure. */
+    /** Counted for the whole chart, since nested submachines can grow beyond any limit. */
     private final int[] vertices;
 
     private final Map<String, String> keys = new HashMap<>();
@@ -38,7 +38,7 @@ public final class ChartScope<M extends UmlElement> {
         this.vertices = vertices;
     }
 
-    /** The scope of the machine that is read. */
+    /** The scope of a top-level machine. */
     public static <M extends UmlElement> ChartScope<M> of(M machine) {
         return new ChartScope<>(machine, "", List.of(), new int[1]);
     }
@@ -90,7 +90,10 @@ public final class ChartScope<M extends UmlElement> {
         return Optional.ofNullable(keys.get(id));
     }
 
-    /** The scope of a submachine state's machine; empty, with a problem, if the chart would be infinite. */
+    /**
+     * Opens a scope for a submachine state's machine. Returns nothing, and reports a problem, if the chart would be
+     * infinite.
+     */
     public Optional<ChartScope<M>> open(M state, M submachine, Problems problems) {
         List<M> outer = new ArrayList<>(enclosing);
         outer.add(machine);

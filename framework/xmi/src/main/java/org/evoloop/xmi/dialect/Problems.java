@@ -17,7 +17,7 @@ public final class Problems {
     private final Set<Problem> notes = new LinkedHashSet<>();
 
     private record Problem(int line, String text) {
-        /** What stands nowhere comes last. */
+        /** Problems without a line come last. */
         int order() {
             return line > 0 ? line : Integer.MAX_VALUE;
         }
@@ -28,7 +28,7 @@ public final class Problems {
         }
     }
 
-    /** Adds everything that was found earlier. */
+    /** Adds all problems and notes found earlier. */
     public void addAll(Problems earlier) {
         earlier.listed.forEach(problem -> add(problem.line(), problem.text()));
         unlisted += earlier.unlisted;
@@ -36,7 +36,7 @@ public final class Problems {
     }
 
     /**
-     * Adds a problem, unless it is there already.
+     * Adds a problem, unless it is already there.
      *
      * @param line counted from 1; 0 if it has no line
      * @param text the problem, with kind, name and id of the element, and how to fix it
@@ -54,7 +54,7 @@ public final class Problems {
     }
 
     /**
-     * Adds a note for the author on something readable: how it was interpreted, or that it has no meaning.
+     * Adds a note for the author about something readable: how it was interpreted, or that it has no meaning.
      *
      * @param line as in {@link #add}
      * @param text as in {@link #add}
@@ -65,7 +65,7 @@ public final class Problems {
         }
     }
 
-    /** The name of a state, or its id if it has none, which is noted. */
+    /** The name of a state. If it has none, its id; that is noted. */
     public String nameOrId(String name, String id, int line) {
         if (!name.isEmpty() || id.isEmpty()) {
             return name;
@@ -92,7 +92,7 @@ public final class Problems {
         return listed.size() + unlisted;
     }
 
-    /** One problem a line, in the file's order. */
+    /** All problems, one per line, in the file's order. */
     @Override
     public String toString() {
         String lines = listed.stream()
@@ -102,14 +102,14 @@ public final class Problems {
         return unlisted == 0 ? lines : lines + "\n  and " + unlisted + " more";
     }
 
-    /** The text in quotes, truncated if it would make a message unreadable. */
+    /** The text in quotes, truncated if it is too long for a message. */
     public static String quote(String text) {
         return text.length() <= QUOTED_CHARACTERS
                 ? "'" + text + "'"
                 : "'" + text.substring(0, QUOTED_CHARACTERS) + "...'";
     }
 
-    /** For messages: name and id. */
+    /** The name and id, for messages. */
     public static String label(String name, String id) {
         return quote(name) + " (id " + quote(id) + ")";
     }

@@ -3,32 +3,32 @@ package org.evoloop.xmi.dialect;
 import org.evoloop.statechart.Place;
 
 /**
- * An element of UML in a file, of whichever version.
+ * A UML element in a file, of any UML version.
  *
  * <p>Threading: immutable once the file has been read.
  */
 public interface UmlElement {
-    /** Where it stands. */
+    /** The element of the file. */
     XmlNode node();
 
-    /** The file in which it stands, for messages. */
+    /** The file that contains it, for messages. */
     String file();
 
-    /** Empty if the file gives none. */
+    /** Its id; empty if the file gives none. */
     String id();
 
-    /** The class of UML, such as {@code Transition}; empty if the file gives none. */
+    /** Its UML class, such as {@code Transition}; empty if the file gives none. */
     String type();
 
-    /** With single spaces; empty if it has none. */
+    /** Its name with single spaces; empty if it has none. */
     String name();
 
-    /** Where it starts in the file, counted from 1. */
+    /** Its first line in the file, counted from 1. */
     default int line() {
         return node().line();
     }
 
-    /** Where it is drawn. */
+    /** Its place in the file. */
     default Place place() {
         return new Place(id(), line());
     }

@@ -6,7 +6,7 @@ import org.evoloop.statechart.Statechart;
 /**
  * A state machine of a UML file, uninterpreted.
  *
- * @param reading gives the chart of a title, see {@link #statechart}
+ * @param reading builds the chart with the given title, see {@link #statechart}
  */
 public record UmlMachine(UmlElement element, BiFunction<String, Problems, Statechart> reading) implements DrawnMachine {
 

@@ -15,7 +15,7 @@ import javax.xml.namespace.QName;
  * @param attributes the root's attributes, by name with prefix as written
  * @param namespaces the namespaces that the root declares
  * @param version the root's version of XMI, empty if it has none
- * @param exporter the name that the writing tool gives for itself, empty if none
+ * @param exporter the writing tool's name for itself, empty if none
  * @param line the root's line
  */
 public record XmiHead(
@@ -26,7 +26,7 @@ public record XmiHead(
     }
 
     /**
-     * Reads the root's start tag and the header; leaves the stream at the header's end, at the first other start tag
+     * Reads the root's start tag and the header. Leaves the stream at the header's end, at the first other start tag
      * ({@code isStartElement}), or at the root's end if that is empty.
      */
     public static XmiHead read(XmiStream stream) {
@@ -61,7 +61,7 @@ public record XmiHead(
         return new XmiHead(root, attributes, namespaces, version, exporter, line);
     }
 
-    /** The root without its contents. */
+    /** The root without its children. */
     public XmlNode node() {
         List<String> pairs = new ArrayList<>();
         attributes.forEach((name, value) -> pairs.addAll(List.of(name, value)));

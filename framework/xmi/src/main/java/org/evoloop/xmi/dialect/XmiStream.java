@@ -23,18 +23,18 @@ import org.evoloop.statemachine.ModelException;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The parser of one file: namespace-aware, without DTDs and entities, and with bounds on everything by which a file can
+ * The parser of one file: namespace-aware, without DTDs and entities, and with limits on everything by which a file can
  * make a parser or its caller use memory. Each refusal is a {@link ModelException} that names the file and the line.
  */
 public final class XmiStream extends StreamReaderDelegate implements AutoCloseable {
-    /** Astah nests two levels a package and two a composite state. */
+    /** Astah nests two levels per package and two per composite state. */
     private static final int MAX_DEPTH = 500;
 
-    /** The parser never forgets a name; a real file has some 200. */
+    /** The parser keeps every name in memory; a real file has some 200. */
     private static final int MAX_NAMES = 10_000;
     /** Enough for 100,000 transitions. */
     private static final int MAX_KEPT_BYTES = 256 << 20;
-    /** What an element costs besides its texts, about. */
+    /** The approximate memory for an element, besides its texts. */
     private static final int BYTES_PER_ELEMENT = 140;
 
     static final String EXPORT_AGAIN = "export it again from the tool that wrote it";
@@ -59,7 +59,7 @@ public final class XmiStream extends StreamReaderDelegate implements AutoCloseab
         if (Files.isDirectory(file)) {
             throw new ModelException(file + ": is a directory; name a file in it");
         }
-        // Nobody may ever write to a pipe, and a device need not end.
+        // Reading a pipe may block forever, and a device may never end.
         if (Files.exists(file) && !Files.isRegularFile(file)) {
             throw new ModelException(file + ": is a pipe or a device; save the model in a file and name that");
         }
@@ -74,12 +74,12 @@ public final class XmiStream extends StreamReaderDelegate implements AutoCloseab
         }
     }
 
-    /** Takes over {@code bytes} and closes them. */
+    /** Takes ownership of {@code bytes} and closes them. */
     public static XmiStream of(String file, InputStream bytes) {
         XmiStream stream = new XmiStream(file, new BufferedInputStream(bytes));
         try {
             Charset encoding = stream.encoding();
-            // A new decoder reports what it cannot decode; a reader's own would replace it without a word.
+            // A new decoder reports invalid bytes; the default decoder of a reader would replace them silently.
             stream.setParent(
                     factory().createXMLStreamReader(new InputStreamReader(stream.input, encoding.newDecoder())));
             return stream;
@@ -126,12 +126,12 @@ public final class XmiStream extends StreamReaderDelegate implements AutoCloseab
         }
     }
 
-    /** The file's name in messages. */
+    /** The file's name, for messages. */
     public String file() {
         return file;
     }
 
-    /** The number of open elements, the current one included. */
+    /** The number of open elements, including the current one. */
     public int depth() {
         return depth;
     }
@@ -141,7 +141,7 @@ public final class XmiStream extends StreamReaderDelegate implements AutoCloseab
         return getLocation().getLineNumber();
     }
 
-    /** Advances to the next start tag; false at the end of the element that is open at {@code outerDepth}. */
+    /** Advances to the next start tag. Returns false at the end of the element that is open at {@code outerDepth}. */
     public boolean nextElementWithin(int outerDepth) {
         while (true) {
             int event = next();
@@ -159,26 +159,26 @@ public final class XmiStream extends StreamReaderDelegate implements AutoCloseab
     public void skipElement() {
         int outerDepth = depth;
         while (nextElementWithin(outerDepth)) {
-            // Nothing in it is wanted.
+            // Its contents are not needed.
         }
     }
 
-    /** Whether the current event is a tag of this name. */
+    /** Whether the current event is a tag with this name. */
     public boolean at(String namespace, String localName) {
         String actual = getNamespaceURI();
         return getLocalName().equals(localName) && (actual == null ? "" : actual).equals(namespace);
     }
 
-    /** The attribute of this local name, empty if there is none. */
+    /** The attribute with this local name, empty if there is none. */
     public String attribute(String localName) {
         String value = getAttributeValue(null, localName);
         return value == null ? "" : value;
     }
 
     /**
-     * Counts an element with texts of this length, which stays in memory.
+     * Counts an element with texts of this length that stays in memory.
      *
-     * @throws ModelException if the file asks for too many
+     * @throws ModelException if the file needs too much memory
      */
     public void keep(int characters) {
         keptBytes += BYTES_PER_ELEMENT + characters;
@@ -248,7 +248,7 @@ public final class XmiStream extends StreamReaderDelegate implements AutoCloseab
         Throwable nested = cause.getNestedException();
         Location location = cause.getLocation();
         int line = location == null ? 0 : location.getLineNumber();
-        // The parser's own text starts with the position, which the message gives anyway.
+        // The parser's own text starts with the position, which the message already has.
         if (nested instanceof CharacterCodingException) {
             return new ModelException(
                     message("contains bytes that are invalid in its declared encoding", line, "save it in UTF-8"),

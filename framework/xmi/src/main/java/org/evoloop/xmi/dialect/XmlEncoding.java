@@ -6,11 +6,11 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * Which encoding the first bytes of a document announce (XML 1.0, appendix F). The parser could find out by itself, but
- * it complains of a wrong byte on the standard error stream.
+ * Finds the encoding that a document announces in its first bytes (XML 1.0, appendix F). The parser could find it
+ * itself, but writes complaints about wrong bytes to standard error.
  */
 final class XmlEncoding {
-    /** More than any XML declaration needs. */
+    /** Longer than any XML declaration needs to be. */
     static final int HEAD_BYTES = 256;
 
     private static final Pattern DECLARATION =
@@ -18,7 +18,7 @@ final class XmlEncoding {
 
     private XmlEncoding() {}
 
-    /** The length of a byte order mark in UTF-8, which Java's decoder would take for text. */
+    /** The length of a UTF-8 byte order mark, which Java's decoder would treat as text. */
     static int utf8MarkBytes(byte[] head) {
         return head.length >= 3 && (head[0] & 0xFF) == 0xEF && (head[1] & 0xFF) == 0xBB && (head[2] & 0xFF) == 0xBF
                 ? 3

@@ -10,11 +10,11 @@ import javax.xml.stream.XMLStreamConstants;
 import org.jspecify.annotations.Nullable;
 
 /**
- * An element of a file with its contents, for dialects whose elements refer to each other. It is made from the part of
- * a file that a dialect requests, within the bounds of {@link XmiStream#keep}.
+ * An element of a file with its contents, for dialects whose elements refer to each other. Dialects build it only for
+ * the parts of a file that they need, within the limits of {@link XmiStream#keep}.
  *
- * <p>Attributes of the XMI namespace, of whatever version, are named {@code xmi:id}, {@code xmi:type} and so on; those
- * of other namespaces by the prefix that the file gives them; {@code xsi:type} is {@code xmi:type}.
+ * <p>Attributes of any version of the XMI namespace are named {@code xmi:id}, {@code xmi:type} and so on. Attributes of
+ * other namespaces have the prefix used in the file. {@code xsi:type} becomes {@code xmi:type}.
  *
  * <p>An element equals only itself.
  *
@@ -26,10 +26,10 @@ public final class XmlNode {
     private final String namespace;
     private final String name;
     private final int line;
-    /** Name, value, name, value and so on: there may be a million of these. */
+    /** Name, value, name, value and so on. Compact, since there may be a million of these. */
     private final String[] attributes;
 
-    /** Most hold none. */
+    /** Most elements have none. */
     private List<XmlNode> children = List.of();
 
     private String text = "";
@@ -70,16 +70,16 @@ public final class XmlNode {
     }
 
     /**
-     * An element that is not from a file.
+     * Creates an element that is not in a file.
      *
      * @param attributes names and values alternately
-     * @param from the element from which it takes the line and the namespace
+     * @param from the element whose line and namespace it gets
      */
     public static XmlNode made(XmlNode from, String name, List<String> attributes, List<XmlNode> children) {
         return new XmlNode(from, name, attributes, children);
     }
 
-    /** As {@link #attribute(String)}, for the element whose start tag is the current event. */
+    /** Like {@link #attribute(String)}, for the element whose start tag is the current event. */
     public static String attribute(XmiStream stream, String wanted) {
         for (int i = 0; i < stream.getAttributeCount(); i++) {
             if (attributeName(stream, i).equals(wanted)) {
@@ -108,21 +108,21 @@ public final class XmlNode {
         return uri.contains("XMI");
     }
 
-    /** The element whose start tag is the current event, without contents; does not move the stream. */
+    /** The element whose start tag is the current event, without children; does not move the stream. */
     public static XmlNode alone(XmiStream stream) {
         return new XmlNode(stream);
     }
 
     /**
-     * The element whose start tag is the current event; leaves the stream at its end tag.
+     * Reads the element whose start tag is the current event; leaves the stream at its end tag.
      *
-     * @param unwanted decides at a start tag whether to leave that element out
+     * @param unwanted decides at a start tag whether to skip that element
      */
     public static XmlNode read(XmiStream stream, Predicate<XmiStream> unwanted) {
         XmlNode node = new XmlNode(stream);
         List<XmlNode> children = null;
         int depth = stream.depth();
-        // Most elements hold none.
+        // Most elements have no text.
         StringBuilder text = null;
         while (true) {
             switch (stream.next()) {
@@ -158,7 +158,7 @@ public final class XmlNode {
         return namespace;
     }
 
-    /** The name without prefix. */
+    /** The local name. */
     public String name() {
         return name;
     }
@@ -168,7 +168,7 @@ public final class XmlNode {
         return line;
     }
 
-    /** The text directly in it, stripped. */
+    /** The element's own text, without that of its children, stripped. */
     public String text() {
         return text;
     }
@@ -183,9 +183,9 @@ public final class XmlNode {
         return "";
     }
 
-    /** Names of all attributes. */
+    /** The names of all attributes. */
     public List<String> attributeNames() {
-        // A view, since they are looked at again and again.
+        // A view, since callers iterate over it very often.
         return new AbstractList<>() {
             @Override
             public String get(int index) {
@@ -199,12 +199,12 @@ public final class XmlNode {
         };
     }
 
-    /** All elements directly in it. */
+    /** All child elements. */
     public List<XmlNode> children() {
         return children;
     }
 
-    /** The elements of this name directly in it. */
+    /** The child elements with this name. */
     public List<XmlNode> children(String wanted) {
         List<XmlNode> found = new ArrayList<>();
         for (XmlNode child : children) {
@@ -215,7 +215,7 @@ public final class XmlNode {
         return found;
     }
 
-    /** The first element of this name directly in it. */
+    /** The first child element with this name. */
     public Optional<XmlNode> child(String wanted) {
         return children.stream().filter(child -> child.name.equals(wanted)).findFirst();
     }

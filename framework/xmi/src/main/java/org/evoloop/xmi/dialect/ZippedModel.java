@@ -11,16 +11,16 @@ import java.util.zip.ZipException;
 import java.util.zip.ZipFile;
 import org.evoloop.statemachine.ModelException;
 
-/** Files that are a zip with one XMI document in it, such as ArgoUML's projects ({@code .zargo}). */
+/** Unpacks zip files that contain one XMI document, such as ArgoUML's projects ({@code .zargo}). */
 final class ZippedModel {
     private static final int NAMES_LISTED = 10;
 
     private ZippedModel() {}
 
     /**
-     * What stands in a file, or in the document in it.
+     * The contents of a file, or of the document in it.
      *
-     * @throws ModelException if several documents are in it
+     * @throws ModelException if it contains several documents
      * @throws IOException if it cannot be read
      */
     static InputStream unpacked(Path file) throws IOException {
@@ -31,7 +31,7 @@ final class ZippedModel {
         try {
             zip = new ZipFile(file.toFile());
         } catch (ZipException damaged) {
-            // Whoever reads it says what it looks like.
+            // The parser will report that it is not XML.
             return Files.newInputStream(file);
         }
         try {

@@ -6,12 +6,13 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.evoloop.xmi.dialect.XmlNode;
 
-/** Executable content as texts, one an element; a converter's author binds them to code. */
+/** Executable content as texts, one per element; the converter's author binds them to code. */
 final class ScxmlActions {
     private ScxmlActions() {}
 
     /**
-     * Everything in {@code onentry}, {@code onexit}, {@code transition} and the like, in order; a target is none of it.
+     * All actions in {@code onentry}, {@code onexit}, {@code transition} and the like, in order; a {@code target}
+     * element is not an action.
      */
     static List<String> in(XmlNode block) {
         if (block.children().isEmpty()) {
@@ -26,7 +27,7 @@ final class ScxmlActions {
         return texts;
     }
 
-    /** What a data model holds at the beginning. */
+    /** The initial values of a data model. */
     static List<String> data(XmlNode datamodel) {
         return datamodel.children("data").stream().map(ScxmlActions::text).toList();
     }

@@ -24,9 +24,9 @@ import org.jspecify.annotations.Nullable;
 /**
  * Turns the transitions of a document into arcs.
  *
- * <p>A transition without an event is taken as soon as its condition holds: it becomes a completion transition where
- * one of its state's always holds, else a change trigger {@code when CONDITION}, as UML has it. The event {@code
- * done.state.ID} is the completion of that state.
+ * <p>A transition without an event is taken as soon as its condition holds. If one of the state's transitions without
+ * an event has no condition, it becomes a completion transition; otherwise a change trigger {@code when CONDITION}, as
+ * in UML. The event {@code done.state.ID} is the completion of that state.
  */
 final class ScxmlArcs {
     private static final Set<String> ATTRIBUTES = Set.of("event", "cond", "target", "type");
@@ -35,12 +35,17 @@ final class ScxmlArcs {
     private final ScxmlEvents events;
     private final Problems problems;
     private final Map<String, List<Arc>> arcs = new HashMap<>();
-    /** What an outer state does when an inner one is done comes after what the inner one does itself. */
+    /**
+     * An outer state's reactions to the completion of an inner one; they come after the inner state's own transitions.
+     */
     private final Map<String, List<Arc>> later = new HashMap<>();
 
     private final Map<String, List<Vertex>> forks = new HashMap<>();
     private final Map<ScxmlVertex, List<Arc>> internal = new HashMap<>();
-    /** By what some transition takes in any case, with or without a condition, the last state that has one. */
+    /**
+     * For each event that a transition always takes, alone or with a condition, the last state that has such a
+     * transition.
+     */
     private final Map<Object, ScxmlVertex> taken = new HashMap<>();
 
     ScxmlArcs(ScxmlTree tree, Problems problems) {
@@ -49,13 +54,13 @@ final class ScxmlArcs {
         this.problems = problems;
     }
 
-    /** Names the region in which this vertex stands: each child of a parallel state has one of its own. */
+    /** The name of the region that contains this vertex. Each child of a parallel state has a separate region. */
     String region(ScxmlVertex vertex) {
         ScxmlVertex parent = vertex.parent();
         return ScxmlTree.isParallel(parent) ? "around " + vertex.key() : regionIn(parent);
     }
 
-    /** Names the region of what stands in a state, or in the root for null. */
+    /** The name of the region for the contents of a state, or of the root for null. */
     String regionIn(@Nullable ScxmlVertex container) {
         return container == null ? "root" : "in " + container.key();
     }
@@ -74,7 +79,7 @@ final class ScxmlArcs {
         return internal.getOrDefault(state, List.of());
     }
 
-    /** Reads the transitions of all states in a container and further in. */
+    /** Reads the transitions of all states in a container, at any depth. */
     void readAll(@Nullable ScxmlVertex container) {
         for (ScxmlVertex vertex : tree.vertices(container)) {
             if (vertex.isHistory() && ScxmlTree.isParallel(container)) {
@@ -91,12 +96,15 @@ final class ScxmlArcs {
         }
     }
 
-    /** The key of what stands for a history of a parallel state in the region of one of its children. */
+    /** The key of the pseudostate that represents a parallel state's history in the region of one of its children. */
     String historyKey(ScxmlVertex history, ScxmlVertex child) {
         return history.key() + "#" + child.key();
     }
 
-    /** What leads to a history of a parallel state leads to those of all its regions; so does its default. */
+    /**
+     * Replaces a parallel state's history by a fork to one history per region. Its default transition is split in the
+     * same way.
+     */
     private void historyOfRegions(ScxmlVertex history, ScxmlVertex parallel) {
         Place place = history.place();
         String region = region(parallel);
@@ -125,7 +133,7 @@ final class ScxmlArcs {
         }
     }
 
-    /** The default of a history or the way to an initial state. */
+    /** Reads the default transition of a history or the transition to an initial state. */
     void unconditional(XmlNode transition, String source, String region, List<String> effects) {
         Supplier<String> label = () -> "transition in line " + transition.line();
         if (!transition.attribute("event").isEmpty()) {
@@ -136,7 +144,7 @@ final class ScxmlArcs {
         lead(source, region, targets, condition, label, effects, new Place("", transition.line()));
     }
 
-    /** An arc that is always taken. */
+    /** Adds an arc that is always taken. */
     void lead(
             String source,
             String region,
@@ -162,7 +170,7 @@ final class ScxmlArcs {
                         Arc.Kind.EXTERNAL));
     }
 
-    /** Ids of the targets; the drafts of SCXML had elements for them. */
+    /** The ids of the targets; drafts of SCXML had elements for them. */
     private static String ids(XmlNode transition) {
         String target = transition.attribute("target");
         return transition.children().isEmpty()
@@ -174,9 +182,9 @@ final class ScxmlArcs {
                         .strip();
     }
 
-    /** @param label made only where it is needed: there are a hundred thousand transitions */
+    /** @param label computed only when needed, since there may be a hundred thousand transitions */
     private void read(XmlNode transition, ScxmlVertex state, Supplier<String> label) {
-        // Here and below without iterators, which for a hundred thousand transitions would be most of what is made.
+        // Here and below, no iterators: with a hundred thousand transitions they would be most of the garbage.
         List<String> attributes = transition.attributeNames();
         for (int i = 0; i < attributes.size(); i++) {
             String attribute = attributes.get(i);
@@ -217,7 +225,10 @@ final class ScxmlArcs {
         }
     }
 
-    /** What no earlier transition of the state takes in any case: of several that hold, SCXML takes the first. */
+    /**
+     * The causes that no earlier transition of the state always takes. If several transitions are enabled, SCXML takes
+     * the first.
+     */
     private <T> List<T> free(List<T> causes, String condition, ScxmlVertex state) {
         boolean all = true;
         for (int i = 0; i < causes.size(); i++) {
@@ -261,7 +272,7 @@ final class ScxmlArcs {
                         && transition.attribute("cond").isBlank());
     }
 
-    /** @param done whose being done triggers the transition */
+    /** @param done the state whose completion triggers the transition */
     private void done(
             XmlNode transition,
             ScxmlVertex state,
@@ -320,7 +331,7 @@ final class ScxmlArcs {
                 new Arc(place, key, target(targets, label, place), triggers, guard, effects, kind));
     }
 
-    /** SCXML has no keywords, but lets attributes of other namespaces be. */
+    /** SCXML has no keywords, but allows attributes of other namespaces. */
     private static boolean isSpontaneous(XmlNode transition) {
         List<String> names = transition.attributeNames();
         for (int i = 0; i < names.size(); i++) {
@@ -390,7 +401,7 @@ final class ScxmlArcs {
         return fork;
     }
 
-    /** Lets a state be over as soon as it is entered. */
+    /** Completes a state as soon as it is entered. */
     void complete(ScxmlVertex state, FinalState end) {
         add(
                 arcs,

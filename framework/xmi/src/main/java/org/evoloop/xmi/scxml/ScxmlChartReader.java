@@ -41,7 +41,7 @@ final class ScxmlChartReader {
         return new Statechart(title, region.place(), List.of(region), List.of());
     }
 
-    /** What happens before the first state is entered: the data model gets its values, scripts are run. */
+    /** Collects what runs before the first state is entered: the data model's initial values and the scripts. */
     private void beginning(@Nullable ScxmlVertex container, List<String> effects) {
         for (XmlNode child : tree.rest(container)) {
             if (child.name().equals("datamodel")) {
@@ -57,7 +57,7 @@ final class ScxmlChartReader {
         tree.vertices(container).forEach(vertex -> beginning(vertex, effects));
     }
 
-    /** The region of everything directly in a state, or in the root for null. */
+    /** The region with the contents of a state, or of the root for null. */
     private Region region(@Nullable ScxmlVertex container, String name, Place place, List<String> effects) {
         String region = arcs.regionIn(container);
         List<Vertex> vertices = new ArrayList<>();
@@ -123,7 +123,7 @@ final class ScxmlChartReader {
         }
     }
 
-    /** A final state; one that does something on entering is a state that is completed at once. */
+    /** A final state. If it has entry or exit actions, it becomes a state that is completed at once. */
     private void end(ScxmlVertex vertex, List<Vertex> vertices) {
         String name = vertex.id();
         Place place = vertex.place();
@@ -176,7 +176,7 @@ final class ScxmlChartReader {
         return regions;
     }
 
-    /** A history of a parallel state is one of each of its regions. */
+    /** A parallel state's history becomes one history in each of its regions. */
     private void histories(ScxmlVertex parallel, ScxmlVertex child, List<Vertex> vertices) {
         for (ScxmlVertex vertex : parallel.inner()) {
             if (vertex.isHistory()) {
@@ -211,7 +211,7 @@ final class ScxmlChartReader {
                 : elements.stream().map(ScxmlActions::text).toList();
     }
 
-    /** The id; without one, which SCXML allows, the line tells states apart. */
+    /** The state's id. If it has none, which SCXML allows, its name is made from its line. */
     private String name(ScxmlVertex state) {
         if (!state.id().isEmpty()) {
             return state.id();

@@ -6,7 +6,7 @@ import org.evoloop.xmi.dialect.XmiDialect;
 import org.evoloop.xmi.dialect.XmiHead;
 import org.evoloop.xmi.dialect.XmiStream;
 
-/** State Chart XML: one machine a document. */
+/** State Chart XML (SCXML): one machine per document. */
 public final class ScxmlDialect implements XmiDialect {
 
     @Override

@@ -8,7 +8,7 @@ import org.evoloop.xmi.dialect.XmiStream;
 import org.evoloop.xmi.dialect.XmlNode;
 
 /**
- * What stands in a document.
+ * The contents of a document.
  *
  * <p>Threading: immutable.
  *
@@ -19,7 +19,7 @@ import org.evoloop.xmi.dialect.XmlNode;
  */
 record ScxmlDocument(String file, String namespace, Map<String, String> attributes, int line, List<XmlNode> children) {
 
-    /** @param stream as {@link XmiHead#read} leaves it */
+    /** @param stream positioned as {@link XmiHead#read} leaves it */
     static ScxmlDocument read(XmiHead head, XmiStream stream) {
         List<XmlNode> children = new ArrayList<>();
         boolean more = stream.isStartElement() || stream.nextElementWithin(0);
@@ -31,7 +31,7 @@ record ScxmlDocument(String file, String namespace, Map<String, String> attribut
                 stream.file(), head.root().getNamespaceURI(), head.attributes(), head.line(), List.copyOf(children));
     }
 
-    /** Of the root; empty if there is none. */
+    /** An attribute of the root; empty if there is none. */
     String attribute(String name) {
         return attributes.getOrDefault(name, "");
     }

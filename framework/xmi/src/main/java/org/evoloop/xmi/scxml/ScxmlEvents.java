@@ -16,9 +16,9 @@ import org.evoloop.xmi.dialect.XmlNode;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Which events a transition's descriptors match. {@code a} matches {@code a}, {@code a.b} and so on, {@code *}
- * everything (SCXML 1.0, section 3.12.1); of the endlessly many, these are the events that the document names anywhere,
- * and {@code *} for one that it does not name.
+ * Finds the events that a transition's descriptors match. {@code a} matches {@code a}, {@code a.b} and so on; {@code *}
+ * matches everything (SCXML 1.0, section 3.12.1). There are infinitely many such events; used are those named anywhere
+ * in the document, and {@code *} for any other.
  */
 final class ScxmlEvents {
     private static final String DONE = "done.state.";
@@ -32,7 +32,7 @@ final class ScxmlEvents {
     private final ScxmlTree tree;
     private final Problems problems;
     private final NavigableSet<String> named = new TreeSet<>();
-    /** By the attribute as written, of which there are far fewer than transitions. */
+    /** By the attribute as written; there are far fewer of these than transitions. */
     private final Map<String, List<String>> descriptors = new HashMap<>();
 
     private final Map<String, Matched> matched = new HashMap<>();
@@ -40,9 +40,9 @@ final class ScxmlEvents {
     /**
      * What the descriptors of an attribute match.
      *
-     * @param done states whose being done they match
+     * @param done states whose completion they match
      * @param triggers names of all other events
-     * @param anyDone whether they match the events of all states that can be done
+     * @param anyDone whether they match the completion of every state
      */
     record Matched(List<ScxmlVertex> done, List<String> triggers, boolean anyDone) {}
 
@@ -59,19 +59,19 @@ final class ScxmlEvents {
                 descriptors.computeIfAbsent(node.attribute("event"), ScxmlEvents::split);
             default -> {}
         }
-        // Most hold none, and an iterator for each would be thrown away.
+        // Most elements have no children; this avoids an iterator for each.
         if (!node.children().isEmpty()) {
             node.children().forEach(this::collect);
         }
     }
 
-    /** Each without what says no more than that it is a prefix. */
+    /** The descriptors without a suffix {@code .*} or {@code .}, which adds nothing. */
     private static List<String> split(String attribute) {
         List<String> names = new ArrayList<>();
         for (String descriptor : descriptors(attribute)) {
             String name = descriptor;
             if (descriptor.indexOf(' ') >= 0 || descriptor.indexOf('(') >= 0) {
-                // A time trigger is no prefix.
+                // A time trigger is not a prefix.
                 names.add(descriptor);
                 continue;
             }
@@ -83,7 +83,7 @@ final class ScxmlEvents {
         return names;
     }
 
-    /** Between white space, but for that in a time trigger. */
+    /** The descriptors, separated by white space; a time trigger may contain white space. */
     private static List<String> descriptors(String attribute) {
         Matcher descriptor = DESCRIPTOR.matcher(attribute.strip());
         List<String> found = new ArrayList<>(1);
@@ -106,7 +106,7 @@ final class ScxmlEvents {
         return state != null && state.canBeDone() ? state : null;
     }
 
-    /** What triggers a transition. */
+    /** The events that trigger a transition. */
     Matched matched(XmlNode transition) {
         String attribute = transition.attribute("event");
         Matched known = matched.get(attribute);
@@ -132,7 +132,7 @@ final class ScxmlEvents {
                 if (named.contains(descriptor)) {
                     triggers.add(descriptor);
                 }
-                // Whatever begins with the descriptor and a dot; in the order of characters a slash comes next.
+                // Everything that begins with the descriptor and a dot; the slash is the character after the dot.
                 triggers.addAll(named.subSet(descriptor + '.', descriptor + '/'));
                 anyDone |= DONE.startsWith(descriptor + '.');
             }
@@ -140,7 +140,10 @@ final class ScxmlEvents {
         return new Matched(List.copyOf(done), List.copyOf(triggers), anyDone);
     }
 
-    /** Refuses descriptors that match the end of any state, if one can end while the transition's state is active. */
+    /**
+     * Refuses descriptors that match the completion of every state, if one can complete while the transition's state is
+     * active.
+     */
     void requireNamed(Matched matched, XmlNode transition, ScxmlVertex state, Supplier<String> label) {
         if (matched.anyDone() && tree.mayHearOfDone(state)) {
             problems.add(

@@ -13,7 +13,7 @@ record ScxmlMachine(ScxmlDocument document) implements DrawnMachine {
         return "";
     }
 
-    /** As the root says, or else as the file is called, without its extension. */
+    /** The name given by the root, or else the file's name without its extension. */
     @Override
     public String name() {
         String name = document.attribute("name").strip();

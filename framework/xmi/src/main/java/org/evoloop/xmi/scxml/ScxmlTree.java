@@ -11,7 +11,7 @@ import org.evoloop.xmi.dialect.Problems;
 import org.evoloop.xmi.dialect.XmlNode;
 import org.jspecify.annotations.Nullable;
 
-/** The vertices of a document, by id and by where they stand. */
+/** The vertices of a document, by id and as a tree. */
 final class ScxmlTree {
     private static final Set<String> VERTICES = Set.of("state", "parallel", "final", "history");
 
@@ -54,7 +54,7 @@ final class ScxmlTree {
         return vertex;
     }
 
-    /** A key that no id can be. */
+    /** A new key that no id can equal. */
     String madeUpKey() {
         return "#" + ++madeUp;
     }
@@ -68,17 +68,17 @@ final class ScxmlTree {
         return byId.get(id);
     }
 
-    /** Elements directly in a vertex that are neither vertices nor transitions; for null all in the root. */
+    /** The elements directly in a vertex that are neither vertices nor transitions; for null, all in the root. */
     List<XmlNode> rest(@Nullable ScxmlVertex container) {
         return container == null ? document.children() : container.rest();
     }
 
-    /** Vertices directly in a state, or in the root for null. */
+    /** The vertices directly in a state, or in the root for null. */
     List<ScxmlVertex> vertices(@Nullable ScxmlVertex container) {
         return container == null ? outermost : container.inner();
     }
 
-    /** Whether a state can be done while this one is active, be it the same. */
+    /** Whether this state or another one can complete while this one is active. */
     boolean mayHearOfDone(ScxmlVertex state) {
         return all.stream()
                 .anyMatch(other -> other.canBeDone()
@@ -92,7 +92,7 @@ final class ScxmlTree {
         return container != null && container.isParallel();
     }
 
-    /** The innermost vertex in which all of these stand; null for the root. */
+    /** The innermost vertex that contains all of these; null for the root. */
     static @Nullable ScxmlVertex commonContainer(List<ScxmlVertex> some) {
         ScxmlVertex container = some.get(0).parent();
         while (container != null) {
@@ -106,9 +106,9 @@ final class ScxmlTree {
     }
 
     /**
-     * The vertices with these ids; an unknown one is a problem.
+     * The vertices with these ids; reports unknown ids.
      *
-     * @param ids with white space between them
+     * @param ids separated by white space
      */
     List<ScxmlVertex> targets(String ids, int line, Supplier<String> what) {
         StringTokenizer words = new StringTokenizer(ids);
@@ -117,7 +117,7 @@ final class ScxmlTree {
             String id = words.nextToken();
             ScxmlVertex target = byId.get(id);
             if (target != null) {
-                // Hardly ever more than one.
+                // There is rarely more than one.
                 found = found.isEmpty() ? List.of(target) : joined(found, target);
             } else {
                 problems.add(

@@ -7,10 +7,10 @@ import org.evoloop.xmi.dialect.XmlNode;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A {@code state}, {@code parallel}, {@code final} or {@code history}, and where it stands. What is in it is sorted
- * once: vertices, transitions and the rest.
+ * A {@code state}, {@code parallel}, {@code final} or {@code history}, with its position in the tree. Its contents are
+ * sorted once into vertices, transitions and the rest.
  *
- * <p>A vertex equals itself alone. Written by {@link ScxmlTree} alone.
+ * <p>A vertex equals only itself. Written only by {@link ScxmlTree}.
  */
 final class ScxmlVertex {
     private final XmlNode node;
@@ -22,7 +22,7 @@ final class ScxmlVertex {
     private final List<XmlNode> rest = new ArrayList<>();
 
     /**
-     * @param key its id, or one made up for it if it has none
+     * @param key its id, or a generated one
      * @param parent null in the root
      */
     ScxmlVertex(XmlNode node, String id, String key, @Nullable ScxmlVertex parent) {
@@ -36,7 +36,7 @@ final class ScxmlVertex {
         inner.add(vertex);
     }
 
-    /** What stands directly in it and is no vertex. */
+    /** Adds a child that is not a vertex. */
     void add(XmlNode child) {
         (child.name().equals("transition") ? transitions : rest).add(child);
     }
@@ -46,7 +46,7 @@ final class ScxmlVertex {
         return node;
     }
 
-    /** Stripped; empty if it has none. */
+    /** The id, stripped; empty if it has none. */
     String id() {
         return id;
     }
@@ -64,23 +64,23 @@ final class ScxmlVertex {
         return new Place(id, node.line());
     }
 
-    /** The vertex in which it stands; null for the root. */
+    /** The vertex that contains it; null for the root. */
     @Nullable
     ScxmlVertex parent() {
         return parent;
     }
 
-    /** Vertices directly in it. */
+    /** The vertices directly in it. */
     List<ScxmlVertex> inner() {
         return inner;
     }
 
-    /** Transitions directly in it. */
+    /** The transitions directly in it. */
     List<XmlNode> transitions() {
         return transitions;
     }
 
-    /** Elements of this name directly in it that are neither vertices nor transitions. */
+    /** The elements with this name directly in it that are neither vertices nor transitions. */
     List<XmlNode> elements(String name) {
         if (rest.isEmpty()) {
             return List.of();
@@ -88,7 +88,7 @@ final class ScxmlVertex {
         return rest.stream().filter(child -> child.name().equals(name)).toList();
     }
 
-    /** Elements directly in it that are neither vertices nor transitions. */
+    /** The elements directly in it that are neither vertices nor transitions. */
     List<XmlNode> rest() {
         return rest;
     }
@@ -109,17 +109,17 @@ final class ScxmlVertex {
         return node.name().equals("history");
     }
 
-    /** Whether something is in it. */
+    /** Whether it contains vertices. */
     boolean isComposite() {
         return isParallel() || !inner.isEmpty();
     }
 
-    /** Whether SCXML raises an event when it is done. */
+    /** Whether SCXML raises an event when it completes. */
     boolean canBeDone() {
         return isParallel() || inner.stream().anyMatch(ScxmlVertex::isFinal);
     }
 
-    /** Whether it stands in the container at any depth; everything stands in the root, which null stands for. */
+    /** Whether it is inside the container at any depth; everything is inside the root, which is null. */
     boolean isInside(@Nullable ScxmlVertex container) {
         ScxmlVertex outer = this;
         while (outer != null) {

@@ -10,9 +10,12 @@ import java.util.regex.Pattern;
 import org.evoloop.xmi.dialect.Problems;
 import org.evoloop.xmi.dialect.XmlNode;
 
-/** What may stand where in a document. Everything else is a problem, so that nothing is lost in silence. */
+/**
+ * The attributes and elements allowed in each element. Everything else is reported as a problem, so that nothing is
+ * lost silently.
+ */
 final class ScxmlVocabulary {
-    /** Namespaces of editors, which keep positions and colors in the document. */
+    /** Namespaces of editors, which store positions and colors in the document. */
     private static final Pattern EDITORS = Pattern.compile(".*(qt\\.io|editor|scxmlgui|layout|viewmeta|graph|draw).*");
 
     private static final Map<String, Set<String>> KNOWN = Map.of(
@@ -57,7 +60,7 @@ final class ScxmlVocabulary {
 
     private ScxmlVocabulary() {}
 
-    /** Reports everything in the element that nobody reads. */
+    /** Reports everything in the element that is not read. */
     static void check(XmlNode node, Problems problems) {
         check(
                 node.name(),
@@ -69,7 +72,7 @@ final class ScxmlVocabulary {
                 problems);
     }
 
-    /** The same for the root. */
+    /** Reports everything in the root that is not read. */
     static void check(ScxmlDocument document, Problems problems) {
         check(
                 "scxml",
@@ -105,12 +108,12 @@ final class ScxmlVocabulary {
         }
     }
 
-    /** Some documents say the namespace of the root, some that of its elements. */
+    /** Some documents use the namespace of the root, some that of SCXML's elements. */
     private static boolean isScxml(XmlNode child, String outer) {
         return child.namespace().equals(outer) || child.namespace().endsWith("/scxml");
     }
 
-    /** Whether this is a note of an editor to itself. */
+    /** Whether this is an editor's own data. */
     static boolean isEditors(XmlNode node) {
         return EDITORS.matcher(node.namespace().toLowerCase(Locale.ROOT)).matches();
     }

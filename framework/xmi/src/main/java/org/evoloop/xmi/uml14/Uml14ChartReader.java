@@ -18,7 +18,7 @@ import org.evoloop.xmi.dialect.TransitionEnd;
 
 /** Turns one machine into a chart. */
 final class Uml14ChartReader {
-    /** {@code branch} is what UML 1.3 called a junction. */
+    /** {@code branch} is the name of a junction in UML 1.3. */
     private static final Map<String, Kind> KINDS = Map.of(
             "", Kind.INITIAL,
             "initial", Kind.INITIAL,

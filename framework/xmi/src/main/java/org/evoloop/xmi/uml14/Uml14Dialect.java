@@ -7,7 +7,7 @@ import org.evoloop.xmi.dialect.XmiDialect;
 import org.evoloop.xmi.dialect.XmiHead;
 import org.evoloop.xmi.dialect.XmiStream;
 
-/** UML 1.x in XMI 1.x. Machines stand anywhere in the model; activity graphs are none. */
+/** UML 1.x in XMI 1.x. Machines may be anywhere in the model; activity graphs are not machines. */
 public final class Uml14Dialect implements XmiDialect {
 
     @Override

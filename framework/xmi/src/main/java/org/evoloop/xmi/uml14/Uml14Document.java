@@ -11,13 +11,13 @@ import org.evoloop.xmi.dialect.XmiStream;
 import org.evoloop.xmi.dialect.XmlNode;
 
 /**
- * What one file says of state machines: the machines, and by id all that a machine may refer to. Diagrams and the rest
- * of the model are not kept.
+ * What one file says about state machines: the machines, and by id everything that a machine may refer to. Diagrams and
+ * the rest of the model are not kept.
  *
  * <p>Threading: immutable once read.
  */
 final class Uml14Document {
-    /** Kept with all that is in them. */
+    /** Kept with all their contents. */
     private static final Set<String> WHOLE = Set.of(
             "StateMachine",
             "ActivityModel",
@@ -39,10 +39,10 @@ final class Uml14Document {
             "Procedure",
             "Transition");
 
-    /** Kept for their names, which are those of events and actions. */
+    /** Kept for their names, which events and actions use. */
     private static final Set<String> NAMED = Set.of("Signal", "Exception", "Operation", "Reception");
 
-    /** What tools write into the middle of a machine and that is none of it. */
+    /** Written by tools into the middle of a machine, but not part of it. */
     private static final Set<String> PRESENTATION = Set.of("taggedValue", "extension", "presentation", "Diagram");
 
     private final String file;
@@ -66,7 +66,7 @@ final class Uml14Document {
             } else if (definition && WHOLE.contains(type)) {
                 document.index(XmlNode.read(stream, Uml14Document::isPresentation));
             } else if (definition && NAMED.contains(type)) {
-                // What else is in an operation does not matter, and stays within its bounds.
+                // Only its name is needed, so the rest of an operation is skipped.
                 document.index(
                         XmlNode.read(stream, inner -> !inner.getLocalName().endsWith(".name")));
             }
@@ -76,7 +76,7 @@ final class Uml14Document {
         return document;
     }
 
-    /** Enterprise Architect writes a machine without anything in it beside the activity model that has its states. */
+    /** Enterprise Architect writes an empty machine beside the activity model that has the machine's states. */
     private void forgetShells() {
         if (machines.stream().anyMatch(Uml14Vertices::isActivityModelOfStates)) {
             machines.removeIf(machine -> machine.type().equals("StateMachine")
@@ -103,7 +103,7 @@ final class Uml14Document {
         node.children().forEach(this::index);
     }
 
-    /** As messages call it. */
+    /** The file's name in messages. */
     String file() {
         return file;
     }

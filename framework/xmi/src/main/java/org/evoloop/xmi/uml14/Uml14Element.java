@@ -8,9 +8,9 @@ import org.evoloop.xmi.dialect.UmlElement;
 import org.evoloop.xmi.dialect.XmlNode;
 
 /**
- * An element of UML 1.x. Its properties are attributes, or elements such as {@code UML:Transition.source} that hold
- * other elements, or in XMI 1.0 texts; classes of elements are the last part of their names, since XMI 1.0 writes
- * {@code Behavioral_Elements.State_Machines.Transition}.
+ * An element of UML 1.x. Its properties are attributes, or elements such as {@code UML:Transition.source} that contain
+ * other elements, or in XMI 1.0 texts. An element's class is the last part of its name, since XMI 1.0 writes {@code
+ * Behavioral_Elements.State_Machines.Transition}.
  */
 record Uml14Element(XmlNode node, Uml14Document document) implements UmlElement {
 
@@ -19,18 +19,18 @@ record Uml14Element(XmlNode node, Uml14Document document) implements UmlElement 
         return node.attribute("xmi.id");
     }
 
-    /** The class of UML, such as {@code SimpleState}. */
+    /** Its UML class, such as {@code SimpleState}. */
     @Override
     public String type() {
         return lastPart(node.name());
     }
 
-    /** {@code source} of {@code Transition.source}. */
+    /** {@code source} for {@code Transition.source}. */
     static String lastPart(String name) {
         return name.substring(name.lastIndexOf('.') + 1);
     }
 
-    /** Whether the node holds a property and is no element of UML. */
+    /** Whether the node is a property and not a UML element. */
     static boolean isProperty(XmlNode node) {
         return Character.isLowerCase(lastPart(node.name()).charAt(0));
     }
@@ -39,7 +39,7 @@ record Uml14Element(XmlNode node, Uml14Document document) implements UmlElement 
         return !node.attribute("xmi.idref").isEmpty() || !node.attribute("href").isEmpty();
     }
 
-    /** With single spaces; empty if it has none. */
+    /** Its name with single spaces; empty if it has none. */
     @Override
     public String name() {
         return text("name").strip().replaceAll("\\s+", " ");
@@ -63,7 +63,7 @@ record Uml14Element(XmlNode node, Uml14Document document) implements UmlElement 
                 .filter(child -> isProperty(child) && lastPart(child.name()).equals(property));
     }
 
-    /** Elements that stand in this one as a property; not those it refers to. */
+    /** The elements inside this one that belong to a property; without those it refers to. */
     List<Uml14Element> owned(String property) {
         return properties(property)
                 .flatMap(child -> child.children().stream())
@@ -72,7 +72,7 @@ record Uml14Element(XmlNode node, Uml14Document document) implements UmlElement 
                 .toList();
     }
 
-    /** Elements that are a property, in this one or by reference; an unknown one is a problem. */
+    /** The elements of a property, inside this one or by reference; reports unknown references. */
     List<Uml14Element> all(String property, Problems problems) {
         List<Uml14Element> found = new ArrayList<>();
         String ids = node.attribute(property).strip();

@@ -7,7 +7,7 @@ import org.evoloop.xmi.dialect.Problems;
 
 /** The texts of triggers, guards and actions. */
 final class Uml14Texts {
-    /** Words with which a text already says that it is a time or a change. */
+    /** A text that already begins with a keyword of a time or change trigger. */
     private static final Pattern SAYS_SO = Pattern.compile("(?i)(after|at|tm|when)\\b.*", Pattern.DOTALL);
 
     private final Problems problems;
@@ -16,7 +16,7 @@ final class Uml14Texts {
         this.problems = problems;
     }
 
-    /** Names of the events in this role, each once. */
+    /** The names of the events in this role, without repetition. */
     List<String> events(Uml14Element owner, String role) {
         List<String> names = new ArrayList<>();
         for (Uml14Element event : owner.all(role, problems)) {
@@ -43,7 +43,7 @@ final class Uml14Texts {
         };
     }
 
-    /** Rational XDE wraps the event of a transition into a namespace of an event without a name. */
+    /** Rational XDE wraps a transition's event into a namespace inside an event without a name. */
     private String wrapped(Uml14Element event) {
         return event.owned("namespace").stream()
                 .flatMap(namespace -> namespace.owned("ownedElement").stream())
@@ -59,7 +59,7 @@ final class Uml14Texts {
                 : word + said;
     }
 
-    /** The name that the author sees on the transition, or else that of what the event is about. */
+    /** The name that the author sees on the transition, or else the name of the signal or operation. */
     private String nameOr(Uml14Element element, String role) {
         return element.name().isEmpty()
                 ? element.all(role, problems).stream()
@@ -99,7 +99,7 @@ final class Uml14Texts {
                 .orElse("");
     }
 
-    /** Actions in this role, in order; one that says nothing at all does nothing. */
+    /** The actions in this role, in order; an action without any text is left out. */
     List<String> actions(Uml14Element owner, String role) {
         List<String> texts = new ArrayList<>();
         owner.all(role, problems).forEach(action -> action(action, texts));

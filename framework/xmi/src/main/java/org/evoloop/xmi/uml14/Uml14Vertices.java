@@ -6,7 +6,7 @@ import java.util.stream.Stream;
 import org.evoloop.xmi.dialect.ChartScope;
 import org.evoloop.xmi.dialect.Problems;
 
-/** Gives each vertex of a machine its key, and follows submachine states. */
+/** Assigns a key to each vertex of a machine, and follows submachine states. */
 final class Uml14Vertices {
     private static final Set<String> STATES = Set.of("SimpleState", "State", "CompositeState", "SubmachineState");
 
@@ -24,24 +24,27 @@ final class Uml14Vertices {
         return state.text("isConcurrent").equals("true");
     }
 
-    /** What is drawn in a state. */
+    /** The vertices in a state. */
     static List<Uml14Element> inside(Uml14Element state) {
         return Stream.concat(state.owned("subvertex").stream(), state.owned("substate").stream())
                 .toList();
     }
 
-    /** The composite state that holds everything else. */
+    /** The composite state that contains everything else. */
     static List<Uml14Element> tops(Uml14Element machine) {
         return machine.owned("top");
     }
 
-    /** Whether this is where Enterprise Architect keeps the states of a whole package; that of an activity has none. */
+    /**
+     * Whether Enterprise Architect stores the states of a whole package here. The activity model of an activity has no
+     * states.
+     */
     static boolean isActivityModelOfStates(Uml14Element element) {
         return element.type().equals("ActivityModel")
                 && tops(element).stream().flatMap(top -> inside(top).stream()).anyMatch(Uml14Vertices::isState);
     }
 
-    /** Makes all vertices of the scope's machine known. */
+    /** Registers all vertices of the scope's machine. */
     void define(ChartScope<Uml14Element> scope) {
         tops(scope.machine()).forEach(top -> content(scope, top, ""));
     }
@@ -49,7 +52,7 @@ final class Uml14Vertices {
     private void content(ChartScope<Uml14Element> scope, Uml14Element owner, String outerState) {
         for (Uml14Element vertex : inside(owner)) {
             if (isConcurrent(owner)) {
-                // A region: what is in it stands in the state.
+                // The vertex is a region; its contents belong to the state.
                 content(scope, vertex, outerState);
                 continue;
             }
@@ -69,7 +72,7 @@ final class Uml14Vertices {
         }
     }
 
-    /** A stub state is another name of a state of the submachine. */
+    /** A stub state is an alias for a state of the submachine. */
     private void stub(ChartScope<Uml14Element> scope, Uml14Element stub, Uml14Element state) {
         String path = stub.text("referenceState");
         String name = path.substring(path.lastIndexOf(':') + 1);

@@ -7,8 +7,8 @@ import org.evoloop.xmi.dialect.Problems;
 import org.evoloop.xmi.dialect.XmlNode;
 
 /**
- * What may stand in an element of a state machine: what is read, and what says nothing about behavior. Everything else
- * is a problem, so that nothing is lost in silence.
+ * The properties allowed in each element of a state machine: those that are read, and those that do not affect
+ * behavior. Everything else is reported as a problem, so that nothing is lost silently.
  */
 final class Uml14Vocabulary {
     private static final Set<String> ANYWHERE = Set.of(
@@ -65,11 +65,11 @@ final class Uml14Vocabulary {
         return Set.copyOf(both);
     }
 
-    /** Reports everything in the element that nobody reads. */
+    /** Reports everything in the element that is not read. */
     static void check(Uml14Element element, Problems problems) {
         Set<String> known = BY_TYPE.getOrDefault(element.type(), Set.of());
         for (String attribute : element.node().attributeNames()) {
-            // Those with a prefix are an extension of some tool.
+            // Attributes with another prefix are a tool's extension.
             String name = attribute.startsWith("xmi.") ? Uml14Element.lastPart(attribute) : attribute;
             String value = element.node().attribute(attribute);
             boolean saysNothing = value.isEmpty() || value.equals("false");

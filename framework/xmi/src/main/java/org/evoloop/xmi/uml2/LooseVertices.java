@@ -8,8 +8,8 @@ import java.util.Set;
 import org.evoloop.xmi.dialect.XmlNode;
 
 /**
- * States and transitions that stand in a package and not in a state machine, as Visual Paradigm writes them: those of
- * one package are one machine.
+ * States and transitions that are in a package and not in a state machine, as Visual Paradigm writes them. Those of one
+ * package become one machine.
  */
 final class LooseVertices {
     private static final Set<String> VERTICES = Set.of("State", "FinalState", "Pseudostate");
@@ -18,13 +18,13 @@ final class LooseVertices {
     private final Deque<Open> open = new ArrayDeque<>();
     private final List<Open> withVertices = new ArrayList<>();
 
-    /** A package, and what belongs to a machine in it. */
+    /** A package, and the parts of a machine in it. */
     private record Open(int depth, XmlNode element, List<XmlNode> shells, List<XmlNode> parts) {}
 
     /**
-     * A machine of loose vertices.
+     * A machine made of loose vertices.
      *
-     * @param shells machines without vertices that it takes the place of
+     * @param shells empty machines that it replaces
      */
     record Found(XmlNode machine, List<XmlNode> shells) {}
 
@@ -32,7 +32,7 @@ final class LooseVertices {
         return VERTICES.contains(type) || type.equals("Transition");
     }
 
-    /** A package begins. */
+    /** Enters a package. */
     void open(int depth, XmlNode element) {
         around(depth);
         open.push(new Open(depth, element, new ArrayList<>(), new ArrayList<>()));
@@ -45,7 +45,7 @@ final class LooseVertices {
         }
     }
 
-    /** A state machine has been read. */
+    /** Adds a state machine that has been read. */
     void machine(int depth, XmlNode machine) {
         around(depth);
         boolean shell = machine.children("region").stream()
@@ -55,7 +55,7 @@ final class LooseVertices {
         }
     }
 
-    /** A vertex or transition has been read. */
+    /** Adds a vertex or transition that has been read. */
     void add(int depth, XmlNode part) {
         around(depth);
         Open owner = open.element();
@@ -97,7 +97,7 @@ final class LooseVertices {
         return XmlNode.made(from, "region", List.of("xmi:type", "uml:Region"), tidy(parts));
     }
 
-    /** Each part in the role that UML gives it. */
+    /** Each part in the role that UML defines for it. */
     private static List<XmlNode> tidy(List<XmlNode> parts) {
         List<XmlNode> tidy = new ArrayList<>();
         for (XmlNode part : parts) {
@@ -115,7 +115,7 @@ final class LooseVertices {
         return tidy;
     }
 
-    /** What is in a state; vertices directly in it stand in a region of it. */
+    /** The contents of a state; vertices directly in it are put into a region. */
     private static List<XmlNode> inState(XmlNode state) {
         List<XmlNode> loose = new ArrayList<>();
         List<XmlNode> others = new ArrayList<>();

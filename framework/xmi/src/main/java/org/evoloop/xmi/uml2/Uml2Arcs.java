@@ -21,7 +21,7 @@ final class Uml2Arcs {
         this.triggers = triggers;
     }
 
-    /** The transition; none if it does not lead from a vertex to a vertex, which then is a problem. */
+    /** The transition; if it does not lead from a vertex to a vertex, reports a problem and returns nothing. */
     Optional<Arc> read(Uml2Element transition, ChartScope<Uml2Element> scope) {
         if (!transition.type().endsWith("Transition")) {
             problems.add(
@@ -70,7 +70,7 @@ final class Uml2Arcs {
         return key;
     }
 
-    /** Keys of the entry or exit point with this id, in each submachine state that has it. */
+    /** The keys of the entry or exit point with this id, in each submachine state that has it. */
     private static List<String> pointsOfSubmachines(String id, ChartScope<Uml2Element> scope) {
         return scope.submachines().stream()
                 .filter(submachine -> Uml2Vertices.points(submachine.machine()).stream()
@@ -80,7 +80,8 @@ final class Uml2Arcs {
     }
 
     /**
-     * As drawn, but by Enterprise Architect, which writes the word on every transition that its author left as it was.
+     * The kind as drawn, except for Enterprise Architect, which writes {@code local} on every transition whose kind the
+     * author has not changed.
      */
     private Arc.Kind local(Uml2Element transition, ChartScope<Uml2Element> scope, String source, String target) {
         if (!transition.document().isBy("Enterprise Architect")

@@ -52,7 +52,8 @@ final class Uml2ChartReader {
         List<Region> regions = content(scope);
         List<Pseudostate> points = points(machine, scope);
         if (!points.isEmpty() && !regions.isEmpty()) {
-            // Nobody enters or leaves this machine by them, but what they are connected with must not be lost.
+            // The points of a top-level machine are never used to enter or leave it, but their transitions must not be
+            // lost.
             Region first = regions.get(0);
             List<Vertex> vertices = new ArrayList<>(first.vertices());
             vertices.addAll(points);
@@ -69,7 +70,7 @@ final class Uml2ChartReader {
         return regions(scope.machine(), scope, drawn);
     }
 
-    /** All transitions first, since a tool may keep one anywhere. */
+    /** Reads all transitions first, since a tool may put one anywhere. */
     private void arcs(Uml2Element owner, ChartScope<Uml2Element> scope, Map<XmlNode, List<Arc>> drawn) {
         for (Uml2Element region : owner.owned("region")) {
             for (Uml2Element transition : region.owned("transition")) {
@@ -168,7 +169,7 @@ final class Uml2ChartReader {
                 connections);
     }
 
-    /** A constraint is a guard, or a remark about what the machine keeps to. */
+    /** A constraint is either a guard or a remark about an invariant. */
     private void noteOthersThanGuards(Uml2Element owner) {
         for (Uml2Element rule : owner.owned("ownedRule")) {
             if (!texts.isGuard(rule)) {

@@ -9,7 +9,7 @@ import org.evoloop.xmi.dialect.XmiHead;
 import org.evoloop.xmi.dialect.XmiStream;
 import org.evoloop.xmi.dialect.XmlNode;
 
-/** UML 2 in XMI 2.x. Machines stand anywhere in the model. */
+/** UML 2 in XMI 2.x. Machines may be anywhere in the model. */
 public final class Uml2Dialect implements XmiDialect {
 
     @Override

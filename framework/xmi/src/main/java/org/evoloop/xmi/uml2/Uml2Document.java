@@ -13,13 +13,13 @@ import org.evoloop.xmi.dialect.XmiStream;
 import org.evoloop.xmi.dialect.XmlNode;
 
 /**
- * What one file says of state machines: the machines, and by id all that a machine may refer to. Diagrams, profiles,
- * the insides of activities and the rest of the model are not kept.
+ * What one file says about state machines: the machines, and by id everything that a machine may refer to. Diagrams,
+ * profiles, the contents of activities and the rest of the model are not kept.
  *
  * <p>Threading: immutable once read.
  */
 final class Uml2Document {
-    /** Kept with all that is in them. */
+    /** Kept with all their contents. */
     private static final Set<String> WHOLE = Set.of(
             "StateMachine",
             "ProtocolStateMachine",
@@ -33,13 +33,15 @@ final class Uml2Document {
             "OpaqueBehavior",
             "FunctionBehavior");
 
-    /** Kept by name, since they give theirs to events and effects. */
+    /** Kept only by name, which events and effects use. */
     private static final Set<String> ALONE =
             Set.of("Signal", "Operation", "Reception", "Activity", "Interaction", "Port", "Property");
 
     private static final Set<String> PACKAGES = Set.of("Model", "Package", "Profile");
 
-    /** What activities and interactions are made of; a behavior is called by its name, whatever is in it. */
+    /**
+     * The contents of activities and interactions. They are not needed, since a behavior is referred to by its name.
+     */
     private static final Set<String> INSIDE_BEHAVIORS = Set.of(
             "node", "edge", "group", "structuredNode", "partition", "fragment", "lifeline", "message", "formalGate");
 
@@ -55,7 +57,7 @@ final class Uml2Document {
         this.exporter = head.exporter();
     }
 
-    /** @param stream as {@link XmiHead#read} leaves it */
+    /** @param stream positioned as {@link XmiHead#read} leaves it */
     static Uml2Document read(XmiHead head, XmiStream stream) {
         Uml2Document document = new Uml2Document(head, stream);
         document.loose.open(0, head.node());
@@ -127,7 +129,7 @@ final class Uml2Document {
             return;
         }
         XmlNode earlier = byId.putIfAbsent(id, node);
-        // StarUML writes the event of a trigger twice, with one id.
+        // StarUML writes the event of a trigger twice, with the same id.
         if (earlier != null
                 && !(earlier.attribute("xmi:type").equals(node.attribute("xmi:type"))
                         && earlier.attribute("name").equals(node.attribute("name")))) {
@@ -135,12 +137,12 @@ final class Uml2Document {
         }
     }
 
-    /** As messages call it. */
+    /** The file's name in messages. */
     String file() {
         return file;
     }
 
-    /** Whether the tool whose name begins so wrote it. */
+    /** Whether the file was written by a tool whose name begins like this. */
     boolean isBy(String tool) {
         return exporter.startsWith(tool);
     }

@@ -5,9 +5,9 @@ import java.util.Map;
 import org.evoloop.xmi.dialect.UmlElement;
 import org.evoloop.xmi.dialect.XmlNode;
 
-/** An element of UML, in the document in which its references mean something. */
+/** A UML element, with the document in which its references are resolved. */
 record Uml2Element(XmlNode node, Uml2Document document) implements UmlElement {
-    /** What a tool need not say, since only one type fits the role. */
+    /** The types that a tool may omit, since only one type fits the role. */
     private static final Map<String, String> TYPE_BY_ROLE = Map.of(
             "region", "Region",
             "transition", "Transition",
@@ -24,7 +24,7 @@ record Uml2Element(XmlNode node, Uml2Document document) implements UmlElement {
         return node.attribute("xmi:id");
     }
 
-    /** The type of UML without prefix, such as {@code State}; empty if the file gives none. */
+    /** The UML type without prefix, such as {@code State}; empty if the file gives none. */
     @Override
     public String type() {
         return type(node.attribute("xmi:type"), node.namespace(), node.name());
@@ -37,7 +37,7 @@ record Uml2Element(XmlNode node, Uml2Document document) implements UmlElement {
         return Uml2Dialect.isUml(namespace) ? name : TYPE_BY_ROLE.getOrDefault(name, "");
     }
 
-    /** With single spaces, since some tools break long names; empty if it has none. */
+    /** Its name with single spaces, since some tools break long names; empty if it has none. */
     @Override
     public String name() {
         String name = node.attribute("name");
@@ -51,7 +51,7 @@ record Uml2Element(XmlNode node, Uml2Document document) implements UmlElement {
         return node.attribute(name);
     }
 
-    /** Elements that stand in this one in a role; not those it refers to. */
+    /** The elements inside this one that have a role; without those it refers to. */
     List<Uml2Element> owned(String role) {
         return node.children(role).stream()
                 .filter(child -> !isReference(child))

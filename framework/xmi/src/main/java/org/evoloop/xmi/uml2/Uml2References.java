@@ -18,8 +18,8 @@ import org.evoloop.xmi.dialect.XmiStream;
 import org.evoloop.xmi.dialect.XmlNode;
 
 /**
- * Follows references: attributes with ids, elements with {@code xmi:idref}, and {@code href} into files whose place is
- * given from that of the one that is read.
+ * Resolves references: attributes with ids, elements with {@code xmi:idref}, and {@code href} to other files, relative
+ * to the file being read.
  */
 final class Uml2References {
     private static final int MAX_FILES = 50;
@@ -31,7 +31,7 @@ final class Uml2References {
         this.problems = problems;
     }
 
-    /** The elements that {@code owner} has in this role, in it or by reference; an unknown one is a problem. */
+    /** The elements with this role in {@code owner}, inside it or by reference; reports unknown references. */
     List<Uml2Element> all(Uml2Element owner, String role) {
         List<Uml2Element> found = new ArrayList<>();
         String ids = owner.attribute(role).strip();
@@ -44,7 +44,7 @@ final class Uml2References {
         return withoutRepetition(found);
     }
 
-    /** The same without those that an attribute refers to. */
+    /** The same, without the elements that an attribute refers to. */
     List<Uml2Element> inside(Uml2Element owner, String role) {
         List<Uml2Element> found = new ArrayList<>();
         for (XmlNode child : owner.node().children(role)) {
@@ -59,14 +59,14 @@ final class Uml2References {
         return found;
     }
 
-    /** Visual Paradigm writes what stands in an element a second time as a reference. */
+    /** Visual Paradigm repeats an element's contents as references. */
     private static List<Uml2Element> withoutRepetition(List<Uml2Element> found) {
         Set<String> ids = new HashSet<>();
         found.removeIf(element -> !element.id().isEmpty() && !ids.add(element.id()));
         return found;
     }
 
-    /** The only element in this role; more than one is a problem. */
+    /** The only element in this role; reports a problem if there are several. */
     Optional<Uml2Element> one(Uml2Element owner, String role) {
         List<Uml2Element> found = all(owner, role);
         if (found.size() > 1) {
@@ -118,7 +118,7 @@ final class Uml2References {
         return found;
     }
 
-    /** @throws ModelException if that file cannot be read */
+    /** @throws ModelException if the file cannot be read */
     private Optional<Uml2Document> document(Uml2Document home, String href) {
         try {
             Path file = Path.of(home.file()).toAbsolutePath().normalize();

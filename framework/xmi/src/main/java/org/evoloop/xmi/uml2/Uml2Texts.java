@@ -10,9 +10,9 @@ import java.util.stream.Stream;
 import org.evoloop.xmi.dialect.Problems;
 import org.evoloop.xmi.dialect.XmlNode;
 
-/** The texts of expressions, guards and behaviors, which a converter's author binds to code. */
+/** The texts of expressions, guards and behaviors, which the converter's author binds to code. */
 final class Uml2Texts {
-    /** What has nothing in it but its body. */
+    /** Types that contain only a body. */
     private static final Set<String> OPAQUE = Set.of("OpaqueBehavior", "FunctionBehavior", "");
 
     private final Uml2References references;
@@ -24,7 +24,7 @@ final class Uml2Texts {
         this.problems = problems;
     }
 
-    /** Behaviors in this role, each by its code or else its name; one that says nothing at all does nothing. */
+    /** The behaviors in this role, each by its code or else its name; a behavior without any text is left out. */
     List<String> behaviors(Uml2Element owner, String role) {
         List<String> texts = new ArrayList<>();
         for (Uml2Element behavior : references.all(owner, role)) {
@@ -55,7 +55,7 @@ final class Uml2Texts {
                 .orElse("");
     }
 
-    /** The first body that is not blank, which says the same as those in other languages; none if there is no body. */
+    /** The first body that is not blank; the others say the same in other languages. Nothing if there is no body. */
     private static Optional<String> body(Uml2Element element) {
         Stream<String> bodies = Stream.concat(
                 element.node().attributeNames().contains("body") ? Stream.of(element.attribute("body")) : Stream.of(),
@@ -75,7 +75,7 @@ final class Uml2Texts {
 
     /** The condition of a transition; empty for none. */
     String guard(Uml2Element transition) {
-        // Visual Paradigm writes the guard in the transition and something of it as an attribute.
+        // Visual Paradigm writes the guard inside the transition, and repeats part of it in an attribute.
         List<Uml2Element> constraints = new ArrayList<>(references.inside(transition, "guard"));
         if (constraints.isEmpty()) {
             constraints.addAll(references.all(transition, "guard"));
@@ -110,13 +110,13 @@ final class Uml2Texts {
     private String specification(Uml2Element constraint) {
         String attribute = constraint.attribute("specification");
         if (!attribute.isEmpty() && constraint.document().find(attribute).isEmpty()) {
-            // StarUML writes the text where an id belongs.
+            // StarUML writes the text in place of an id.
             return attribute;
         }
         return references.one(constraint, "specification").map(this::expression).orElse("");
     }
 
-    /** The text of a value specification; empty if it says nothing. */
+    /** The text of a value specification; empty if it has none. */
     String expression(Uml2Element value) {
         return switch (value.type()) {
             case "LiteralBoolean" -> value(value).orElse("false");

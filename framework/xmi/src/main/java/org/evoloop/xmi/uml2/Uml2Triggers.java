@@ -6,12 +6,12 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import org.evoloop.xmi.dialect.Problems;
 
-/** The names of the events that trigger something. */
+/** Finds the names of the events that trigger something. */
 final class Uml2Triggers {
-    /** A text that already says that it is a time or a change: by a word, or by being a duration of ISO 8601. */
+    /** A text that is already a time or change trigger: it begins with a keyword, or is a duration of ISO 8601. */
     private static final Pattern SAYS_SO = Pattern.compile("(?i:(after|at|tm|when)\\b.*)|PT?[0-9].*", Pattern.DOTALL);
 
-    /** Names that say no more than that any event is meant. */
+    /** Names that only mean any event. */
     private static final Pattern ANY = Pattern.compile("(?i)(AnyReceiveEvent\\d*|all|any|\\*)?");
 
     private final Uml2References references;
@@ -24,7 +24,7 @@ final class Uml2Triggers {
         this.problems = problems;
     }
 
-    /** Each event once, in the file's order. */
+    /** The names of the events in this role, in the file's order, without repetition. */
     List<String> names(Uml2Element owner, String role) {
         List<String> names = new ArrayList<>();
         for (Uml2Element trigger : references.all(owner, role)) {
@@ -79,7 +79,7 @@ final class Uml2Triggers {
                 .orElse(own);
     }
 
-    /** What the expression in this role says, with {@code prefix} if it does not say so itself. */
+    /** The text of the expression in this role, with {@code prefix} unless it already has such a keyword. */
     private String expression(Uml2Element event, String role, String prefix, String own) {
         return references
                 .one(event, role)
@@ -92,14 +92,14 @@ final class Uml2Triggers {
 
     private String any(Uml2Element event, Uml2Element trigger) {
         String name = ANY.matcher(event.name()).matches() ? trigger.name() : event.name();
-        // StarUML calls every event that has no other kind an AnyReceiveEvent.
+        // StarUML writes every event without another kind as an AnyReceiveEvent.
         if (event.document().isBy("StarUML") || !ANY.matcher(name).matches()) {
             return name;
         }
         problems.add(
                 trigger.line(),
                 "trigger " + trigger.label() + " receives any event, which is not supported; name the events");
-        // What is reported already needs some name.
+        // Any name will do; the problem has been reported.
         return "any";
     }
 }

@@ -7,7 +7,7 @@ import java.util.Set;
 import org.evoloop.xmi.dialect.ChartScope;
 import org.evoloop.xmi.dialect.Problems;
 
-/** Gives each vertex of a machine its key, and follows submachine states. */
+/** Assigns a key to each vertex of a machine, and follows submachine states. */
 final class Uml2Vertices {
     private static final Set<String> POINTS = Set.of("entryPoint", "exitPoint");
 
@@ -24,14 +24,14 @@ final class Uml2Vertices {
         return vertex.type().equals("Pseudostate") && POINTS.contains(vertex.attribute("kind"));
     }
 
-    /** The type; Visual Paradigm writes a final state as a pseudostate of that kind. */
+    /** The vertex's type; Visual Paradigm writes a final state as a pseudostate of that kind. */
     static String type(Uml2Element vertex) {
         boolean end =
                 vertex.type().equals("Pseudostate") && vertex.attribute("kind").equals("final");
         return end ? "FinalState" : vertex.type();
     }
 
-    /** Entry and exit points of a state or machine. */
+    /** The entry and exit points of a state or machine. */
     static List<Uml2Element> points(Uml2Element owner) {
         List<Uml2Element> points = new ArrayList<>(owner.owned("connectionPoint"));
         owner.owned("region")
@@ -41,7 +41,7 @@ final class Uml2Vertices {
         return points;
     }
 
-    /** Makes all vertices of the scope's machine known. */
+    /** Registers all vertices of the scope's machine. */
     void define(ChartScope<Uml2Element> scope) {
         content(scope, scope.machine(), "");
     }
@@ -67,7 +67,7 @@ final class Uml2Vertices {
         state.owned("connection").forEach(connection -> connection(scope, state, connection));
     }
 
-    /** A connection point reference is another name of a point of the submachine. */
+    /** A connection point reference is an alias for a point of the submachine. */
     private void connection(ChartScope<Uml2Element> scope, Uml2Element state, Uml2Element connection) {
         Uml2Vocabulary.check(connection, problems);
         List<Uml2Element> points = new ArrayList<>(references.all(connection, "entry"));

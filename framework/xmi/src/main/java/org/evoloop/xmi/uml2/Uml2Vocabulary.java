@@ -8,11 +8,11 @@ import org.evoloop.xmi.dialect.Problems;
 import org.evoloop.xmi.dialect.XmlNode;
 
 /**
- * What may stand in an element of a state machine: what is read, and what says nothing about behavior. Everything else
- * is a problem, so that nothing is lost in silence.
+ * The properties allowed in each element of a state machine: those that are read, and those that do not affect
+ * behavior. Everything else is reported as a problem, so that nothing is lost silently.
  */
 final class Uml2Vocabulary {
-    /** Of every element; attributes with a prefix are an extension of some tool. */
+    /** Allowed in every element. Attributes with a prefix are a tool's extension. */
     private static final Set<String> ANYWHERE = Set.of(
             "name",
             "visibility",
@@ -32,7 +32,7 @@ final class Uml2Vocabulary {
 
     private static final Set<String> VERTEX = Set.of("incoming", "outgoing", "container", "stateMachine", "state");
 
-    /** A machine is a class, too: what it has as such is the code's matter. */
+    /** A machine is also a class; its class features do not affect its behavior. */
     private static final Set<String> CLASS = Set.of(
             "ownedAttribute",
             "ownedOperation",
@@ -102,7 +102,7 @@ final class Uml2Vocabulary {
         return Set.copyOf(both);
     }
 
-    /** Reports everything in the element that nobody reads. */
+    /** Reports everything in the element that is not read. */
     static void check(Uml2Element element, Problems problems) {
         String type = element.type().equals("ProtocolState") ? "State" : element.type();
         Set<String> known = BY_TYPE.getOrDefault(type, Set.of());
@@ -118,7 +118,7 @@ final class Uml2Vocabulary {
         }
     }
 
-    /** Tools write out defaults. */
+    /** Tools may write default values. */
     private static boolean saysNothing(String value) {
         return value.isEmpty() || value.equals("false");
     }
