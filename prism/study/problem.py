@@ -1,8 +1,8 @@
-"""What a user can mend."""
+"""Mistakes of a user."""
 
 
 class Problem(Exception):
-    """Something that a user can mend; the message says what and how. The status is what the program exits with."""
+    """A mistake that a user can fix; the message says what and how. The status is what the program exits with."""
 
     def __init__(self, message: str, status: int = 1) -> None:
         super().__init__(message)

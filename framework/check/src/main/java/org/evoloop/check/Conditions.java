@@ -55,7 +55,7 @@ final class Conditions {
                 Rule.CONDITION_2,
                 new Element.OfState(Element.ModelRole.ORIGINAL, state.state()),
                 message,
-                state.matter().mend());
+                state.matter().remedy());
     }
 
     private static Finding besideOneRegion(List<MissingState> beside) {

@@ -135,7 +135,7 @@ final class PairRules {
     }
 
     /** @param turns the turns with one cause */
-    private void impossible(Rule rule, List<Turn> turns, String mend) {
+    private void impossible(Rule rule, List<Turn> turns, String remedy) {
         Turn first = turns.get(0);
         Decision.Impossible decision = (Decision.Impossible) first.decision();
         String others = turns.size() == 1
@@ -151,7 +151,7 @@ final class PairRules {
                 "in " + decision.before()
                         + (first.deviceActed() ? ", when the device has acted on it by itself, " : " ")
                         + decision.reason() + others,
-                mend,
+                remedy,
                 graph.wayOver(first)));
     }
 

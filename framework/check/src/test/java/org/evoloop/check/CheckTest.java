@@ -222,7 +222,7 @@ class CheckTest {
                 .isEqualTo(
                         "in (On, Move) event arriveSpot leads to Spot, but with the device in On no events that can be "
                                 + "sent take it there (sendable: Clean); the same holds for Clean in (Clean, SpotWait)");
-        assertThat(finding.mend()).startsWith("let the converter send Spot, or ");
+        assertThat(finding.remedy()).startsWith("let the converter send Spot, or ");
         assertThat(finding.element()).hasToString("Move --arriveSpot--> Spot");
         assertThat(finding.example())
                 .map(turn -> turn + " -> " + turn.decision().after())

@@ -92,7 +92,7 @@ class OneCauseTest {
                 .singleElement()
                 .satisfies(finding -> {
                     assertThat(finding.rule()).isEqualTo(Rule.NO_PATH);
-                    assertThat(finding.mend()).startsWith("let the converter send wake, or ");
+                    assertThat(finding.remedy()).startsWith("let the converter send wake, or ");
                     assertThat(finding.message()).contains("the same holds for b in (Off, Menu), c in (Off, Menu)");
                 });
     }

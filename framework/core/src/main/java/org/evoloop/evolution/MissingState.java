@@ -37,15 +37,15 @@ public record MissingState(State state, Matter matter, List<State> instead) impl
         /** No state resembles it. */
         ABSENT("draw it there under the same name, capital letters included");
 
-        private final String mend;
+        private final String remedy;
 
-        Matter(String mend) {
-            this.mend = mend;
+        Matter(String remedy) {
+            this.remedy = remedy;
         }
 
         /** How the model's author can fix it. */
-        public String mend() {
-            return mend;
+        public String remedy() {
+            return remedy;
         }
     }
 
@@ -116,6 +116,6 @@ public record MissingState(State state, Matter matter, List<State> instead) impl
         return "Condition 2: "
                 + (matter == Matter.ABSENT
                         ? "state " + state + " is missing in the new model"
-                        : message() + "; " + matter.mend());
+                        : message() + "; " + matter.remedy());
     }
 }

@@ -185,7 +185,7 @@ class CommandsTest {
         assertThat(finding.get("severity").asString()).isEqualTo("error");
         assertThat(finding.get("element").asString()).isEqualTo("arriveSpot");
         assertThat(finding.get("place").asString()).matches(".*cleaning-robot\\.xml, line \\d+, id .*");
-        assertThat(finding.get("mend").asString()).isNotEmpty();
+        assertThat(finding.get("remedy").asString()).isNotEmpty();
     }
 
     @Test

@@ -7,14 +7,14 @@ package org.evoloop.statechart;
  *
  * @param place of the element in its file
  * @param message what is wrong, with kind and name of the element
- * @param mend how to fix it
+ * @param remedy how to fix it
  * @since 0.1
  */
-public record Problem(Place place, String message, String mend) {
+public record Problem(Place place, String message, String remedy) {
     /** The message, with the id if the message lacks it, and the remedy; without the line. */
     public String text() {
         String id = place.id();
-        return message + (id.isEmpty() || message.contains("id " + id) ? "" : " (id '" + id + "')") + "; " + mend;
+        return message + (id.isEmpty() || message.contains("id " + id) ? "" : " (id '" + id + "')") + "; " + remedy;
     }
 
     /** For messages. */

@@ -6,9 +6,9 @@ final class Refused extends RuntimeException {
 
     private final transient Problem problem;
 
-    Refused(Place place, String message, String mend) {
+    Refused(Place place, String message, String remedy) {
         super(message, null, false, false);
-        this.problem = new Problem(place, message, mend);
+        this.problem = new Problem(place, message, remedy);
     }
 
     Problem problem() {

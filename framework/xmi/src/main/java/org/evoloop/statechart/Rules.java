@@ -214,9 +214,9 @@ final class Rules {
                         "keep one, or draw a choice behind it"));
     }
 
-    private void refuseGuard(Link link, String mend) {
+    private void refuseGuard(Link link, String remedy) {
         if (!link.arc.guard().isEmpty()) {
-            refuse(link.arc.place(), link + " must have no guard", mend);
+            refuse(link.arc.place(), link + " must have no guard", remedy);
         }
     }
 
@@ -229,11 +229,11 @@ final class Rules {
                 link -> refuse(link.arc.place(), link + " ends in an initial pseudostate", "end it in a state"));
     }
 
-    private void refuse(Node node, String message, String mend) {
-        refuse(node.vertex.place(), message, mend);
+    private void refuse(Node node, String message, String remedy) {
+        refuse(node.vertex.place(), message, remedy);
     }
 
-    private void refuse(Place place, String message, String mend) {
-        problems.add(new Problem(place, message, mend));
+    private void refuse(Place place, String message, String remedy) {
+        problems.add(new Problem(place, message, remedy));
     }
 }

@@ -67,7 +67,7 @@ class FlatteningRefusalTest {
         assertThat(problems)
                 .extracting(Problem::message)
                 .anySatisfy(message -> assertThat(message).contains(problem));
-        assertThat(problems).allSatisfy(found -> assertThat(found.mend()).isNotBlank());
+        assertThat(problems).allSatisfy(found -> assertThat(found.remedy()).isNotBlank());
         assertThat(problems).allSatisfy(found -> assertThat(found.place()).isNotEqualTo(Place.NONE));
     }
 

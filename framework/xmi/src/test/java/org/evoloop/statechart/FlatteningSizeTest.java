@@ -50,7 +50,7 @@ class FlatteningSizeTest {
                                     "state 'P' has " + regions + " regions side by side",
                                     "at most 100000 states and 1000000 transitions");
                     assertThat(problem.place().id()).isEqualTo("id-P");
-                    assertThat(problem.mend()).contains("fewer regions");
+                    assertThat(problem.remedy()).contains("fewer regions");
                 });
     }
 

@@ -86,12 +86,12 @@ final class TimeHazards implements Exploration.Judge {
         return due;
     }
 
-    private void add(int number, Rule rule, State state, String message, String mend) {
+    private void add(int number, Rule rule, State state, String message, String remedy) {
         String key = rule.id() + " " + message;
         if (!found.containsKey(key)) {
             List<TimedEvent> way = Trace.of(exploration, number, Exploration.TICK, rule.id());
             Element element = new Element.OfState(Element.ModelRole.NEW, state);
-            found.put(key, new Finding(rule, element, message, mend, List.of(), way));
+            found.put(key, new Finding(rule, element, message, remedy, List.of(), way));
         }
     }
 

@@ -30,7 +30,7 @@ public record FindingsJson(List<Row> findings, List<OffRow> switchedOff, List<Ve
             String element,
             String place,
             String message,
-            String mend,
+            String remedy,
             List<Happening> example,
             List<Timed> timed) {}
 
@@ -103,7 +103,7 @@ public record FindingsJson(List<Row> findings, List<OffRow> switchedOff, List<Ve
                 finding.element().toString(),
                 places.apply(finding.element()),
                 finding.message(),
-                finding.mend(),
+                finding.remedy(),
                 finding.example().stream().map(FindingsJson::happening).toList(),
                 finding.timed().stream().map(FindingsJson::timed).toList());
     }

@@ -32,7 +32,7 @@ public final class FindingsText {
             lines.add(finding.rule().severity().name().toLowerCase(Locale.ROOT) + ": "
                     + finding.rule().id() + ": " + finding.message());
             lines.add("  at:   " + places.apply(finding.element()));
-            lines.add("  fix:  " + finding.mend());
+            lines.add("  fix:  " + finding.remedy());
             if (!finding.example().isEmpty()) {
                 lines.add("  way:  " + way(finding));
             }

@@ -60,7 +60,7 @@ public final class SamePlace {
                 first.rule(),
                 first.element(),
                 first.message() + "; the same holds for " + others + more,
-                first.mend(),
+                first.remedy(),
                 first.example(),
                 first.timed());
     }

@@ -6,9 +6,9 @@ import java.util.Map;
  * The term for an unsupported construct in messages, and what its author can do about it.
  *
  * @param words such as {@code synch state}
- * @param mend the remedy
+ * @param remedy the remedy
  */
-record AstahConstruct(String words, String mend) {
+record AstahConstruct(String words, String remedy) {
     private static final Map<String, AstahConstruct> BY_ELEMENT =
             Map.of("SynchState", new AstahConstruct("synch state", "draw the machine without it"));
 

@@ -177,7 +177,7 @@ final class AstahUnmarshaller extends StreamReaderDelegate {
         problems.add(
                 stream.line(),
                 construct.words() + " " + Problems.label(name, id) + owner() + " is not supported; "
-                        + construct.mend());
+                        + construct.remedy());
     }
 
     private String addRefusedId() {

@@ -239,9 +239,9 @@ public final class XmiStream extends StreamReaderDelegate implements AutoCloseab
         }
     }
 
-    /** {@code FILE: what (line N): mend}. */
-    public ModelException refuse(String what, String mend) {
-        return new ModelException(message(what, getParent() == null ? 0 : line(), mend));
+    /** {@code FILE: what (line N): remedy}. */
+    public ModelException refuse(String what, String remedy) {
+        return new ModelException(message(what, getParent() == null ? 0 : line(), remedy));
     }
 
     private ModelException notXml(XMLStreamException cause) {
@@ -259,8 +259,8 @@ public final class XmiStream extends StreamReaderDelegate implements AutoCloseab
         return new ModelException(message("is damaged or not XML, " + reason, line, EXPORT_AGAIN), cause);
     }
 
-    private String message(String what, int line, String mend) {
-        return file + ": " + what + (line > 0 ? " (line " + line + ")" : "") + ": " + mend;
+    private String message(String what, int line, String remedy) {
+        return file + ": " + what + (line > 0 ? " (line " + line + ")" : "") + ": " + remedy;
     }
 
     @Override

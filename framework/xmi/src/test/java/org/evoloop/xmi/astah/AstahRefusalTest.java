@@ -17,7 +17,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Nothing in a machine is ignored: what cannot be used is refused with kind, name, id, line and mend. */
+/** Nothing in a machine is ignored: what cannot be used is refused with kind, name, id, line and remedy. */
 class AstahRefusalTest {
 
     @ParameterizedTest

@@ -32,7 +32,7 @@ final class CaptureReader implements FrameReader {
             VideoCapture capture = new VideoCapture(source.text(), backend(source), settings);
             if (!capture.isOpened()) {
                 capture.release();
-                throw new CameraException("camera " + source + " cannot be opened; " + mend(source));
+                throw new CameraException("camera " + source + " cannot be opened; " + remedy(source));
             }
             return new CaptureReader(capture);
         } finally {
@@ -71,7 +71,7 @@ final class CaptureReader implements FrameReader {
         };
     }
 
-    private static String mend(CameraSource source) {
+    private static String remedy(CameraSource source) {
         return switch (source.kind()) {
             case DEVICE ->
                 "is it a camera (v4l2-ctl --list-devices), and does no other program have it (fuser " + source.text()
