@@ -5,7 +5,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.TimeUnit;
-import java.util.function.BooleanSupplier;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import org.evoloop.converter.ConverterListener;
@@ -102,7 +101,7 @@ final class SituationRun implements AutoCloseable {
     }
 
     private void requireAgreement(String when) {
-        boolean agreed = await(() -> hasToldAll() && doubts.isEmpty() && knowsTheTruth());
+        boolean agreed = awaitAgreement();
         synchronized (lock) {
             if (!agreed || !doubts.isEmpty()) {
                 throw new AssertionError("the adapter does not keep the order " + when + ": " + what()
@@ -154,13 +153,22 @@ final class SituationRun implements AutoCloseable {
                 .count();
     }
 
-    /** Waits until {@code holds}; gives up after a doubt, or a wrong record of complete reports, since those stay. */
-    private boolean await(BooleanSupplier holds) {
+    /**
+     * Waits until all reports have come and the record is right. Gives up after a doubt, or when the record is wrong after
+     * all reports, since neither changes any more.
+     */
+    private boolean awaitAgreement() {
         long deadline = clock.nanoTime() + patience.toNanos();
         synchronized (lock) {
-            while (!holds.getAsBoolean()) {
+            while (true) {
+                // Read before the record: the last report may come between the two.
+                boolean complete = hasToldAll();
+                boolean right = knowsTheTruth();
                 long left = deadline - clock.nanoTime();
-                if (left <= 0 || !doubts.isEmpty() || (hasToldAll() && facts(Occurrence.Heard.class) == line.acts())) {
+                if ((complete && right) || !doubts.isEmpty()) {
+                    return doubts.isEmpty();
+                }
+                if (left <= 0 || (complete && facts(Occurrence.Heard.class) == line.acts())) {
                     return false;
                 }
                 try {
@@ -170,7 +178,6 @@ final class SituationRun implements AutoCloseable {
                     return false;
                 }
             }
-            return true;
         }
     }
 
