@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.Consumer;
 import org.evoloop.roomba.camera.Belief;
 import org.evoloop.roomba.camera.CameraException;
 import org.evoloop.roomba.camera.CameraHealth;
@@ -14,6 +15,7 @@ import org.evoloop.roomba.camera.Look;
 import org.evoloop.roomba.camera.MarkerCamera;
 import org.evoloop.roomba.camera.Sighting;
 import org.evoloop.roomba.camera.vision.Detection;
+import org.evoloop.roomba.camera.vision.Frame;
 import org.evoloop.roomba.camera.vision.FrameRecorder;
 import org.evoloop.roomba.camera.vision.MarkerFinder;
 import org.evoloop.roomba.camera.vision.Vision;
@@ -43,6 +45,7 @@ public final class VideoCamera implements MarkerCamera {
     private final MarkerFinder finder;
     private final Optional<FrameRecorder> recorder;
     private final Belief belief;
+    private final Consumer<Frame> viewer;
     private final List<Runnable> listeners = new CopyOnWriteArrayList<>();
     private final Thread reading;
     private final Thread looking;
@@ -59,9 +62,10 @@ public final class VideoCamera implements MarkerCamera {
      */
     public record Counts(long looked, long detections, long damaged) {}
 
-    private VideoCamera(Vision vision, CameraSettings settings, Clock clock) {
+    private VideoCamera(Vision vision, CameraSettings settings, Clock clock, Consumer<Frame> viewer) {
         this.settings = settings;
         this.clock = clock;
+        this.viewer = viewer;
         // Nobody can tell how fast a recording is read.
         Duration staleAfter = settings.source().isLive() ? settings.staleAfter() : Duration.ofDays(365);
         health = new HealthTracker("camera " + settings.source(), staleAfter);
@@ -78,7 +82,16 @@ public final class VideoCamera implements MarkerCamera {
 
     /** Starts to open the source and to look; returns at once. */
     public static VideoCamera open(Vision vision, CameraSettings settings, Clock clock) {
-        VideoCamera camera = new VideoCamera(vision, settings, clock);
+        return open(vision, settings, clock, frame -> {});
+    }
+
+    /**
+     * As the other method, with a viewer.
+     *
+     * @param viewer is shown each frame after it was looked at, on the camera's thread, until it returns
+     */
+    public static VideoCamera open(Vision vision, CameraSettings settings, Clock clock, Consumer<Frame> viewer) {
+        VideoCamera camera = new VideoCamera(vision, settings, clock, viewer);
         camera.reading.start();
         camera.looking.start();
         return camera;
@@ -101,6 +114,7 @@ public final class VideoCamera implements MarkerCamera {
                 NewestFrame.Taken taken = frames.take();
                 try {
                     look(taken);
+                    show(taken.frame());
                 } finally {
                     frames.giveBack(taken.frame());
                 }
@@ -130,6 +144,15 @@ public final class VideoCamera implements MarkerCamera {
         } catch (RuntimeException failed) {
             LOG.error("looking at a frame of camera {} failed", settings.source(), failed);
             health.blind("looking at what camera " + settings.source() + " sends fails: " + failed);
+        }
+    }
+
+    /** A robot does not go blind because its picture cannot be shown. */
+    private void show(Frame frame) {
+        try {
+            viewer.accept(frame);
+        } catch (RuntimeException failed) {
+            LOG.error("the picture of camera {} cannot be shown", settings.source(), failed);
         }
     }
 

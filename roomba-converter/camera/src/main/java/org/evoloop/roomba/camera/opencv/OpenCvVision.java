@@ -53,6 +53,11 @@ public final class OpenCvVision implements Vision {
     }
 
     @Override
+    public byte[] jpeg(Frame frame, int mostWidthPx) {
+        return Jpeg.of(MatFrame.of(frame), mostWidthPx);
+    }
+
+    @Override
     public boolean[][] markerCells(MarkerDictionary dictionary, int id) {
         return Aruco.of(dictionary).cells(id);
     }

@@ -44,6 +44,13 @@ public interface Vision {
     FrameRecorder recorder(Path file, int framesPerSecond, long mostBytes);
 
     /**
+     * The picture as JPEG, smaller if it is wider than {@code mostWidthPx}.
+     *
+     * @throws IllegalArgumentException if the frame is empty
+     */
+    byte[] jpeg(Frame frame, int mostWidthPx);
+
+    /**
      * The cells of a marker, border included, from above and from the left; true is white.
      *
      * @throws CameraException if the dictionary has no such id
