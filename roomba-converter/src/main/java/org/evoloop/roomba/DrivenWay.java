@@ -49,7 +49,7 @@ final class DrivenWay implements SessionListener {
                 "Way",
                 "The way that the robot has driven, as its wheels tell it, from above, and where it is; errors add up with the way",
                 "image/svg+xml",
-                () -> way.svg(session.isUp()).getBytes(StandardCharsets.UTF_8));
+                () -> Picture.View.of(way.svg(session.isUp()).getBytes(StandardCharsets.UTF_8)));
     }
 
     @Override

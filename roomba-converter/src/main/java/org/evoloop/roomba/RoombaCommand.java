@@ -200,9 +200,12 @@ final class RoombaCommand implements Callable<Integer> {
                 "Room",
                 "The room from above: walls, dock and marker, the way that the robot has driven, and where it is",
                 "image/svg+xml",
-                () -> world.drawn().getBytes(StandardCharsets.UTF_8));
-        Picture sight =
-                new Picture("Camera", "What the robot's camera saw last, while Move looked", "image/jpeg", world::seen);
+                () -> Picture.View.of(world.drawn().getBytes(StandardCharsets.UTF_8)));
+        Picture sight = new Picture(
+                "Camera",
+                "What the robot's camera saw last, while Move looked",
+                "image/jpeg",
+                () -> Picture.View.of(world.seen()));
         return world.camera().isPresent() ? List.of(room, sight) : List.of(room);
     }
 

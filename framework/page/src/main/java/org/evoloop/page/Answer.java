@@ -8,6 +8,7 @@ import java.nio.charset.StandardCharsets;
 /** Answers a request, with headers that keep other sites and external content out of the page. */
 final class Answer {
     static final int OK = 200;
+    static final int NO_CONTENT = 204;
     static final int BAD_REQUEST = 400;
     static final int NOT_ADMITTED = 401;
     static final int TURNED_AWAY = 403;
@@ -16,8 +17,8 @@ final class Answer {
     static final int TOO_LARGE = 413;
     static final int BUSY = 503;
 
-    private static final String POLICY = "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self'; "
-            + "connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+    private static final String POLICY = "default-src 'none'; script-src 'self'; style-src 'self'; "
+            + "img-src 'self' blob:; connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 
     private Answer() {}
 

@@ -4,6 +4,7 @@ import com.sun.net.httpserver.HttpExchange;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.PrintStream;
+import java.net.URLEncoder;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Objects;
@@ -187,12 +188,15 @@ public final class Page implements AutoCloseable {
             Answer.text(exchange, Answer.NOT_FOUND, "there are " + pictures.size() + " pictures");
         } else {
             Picture picture = pictures.get((int) number);
-            byte[] content = picture.content().get();
-            if (content.length == 0) {
-                Answer.text(exchange, Answer.NOT_FOUND, "there is no picture yet");
-            } else {
-                Answer.send(exchange, Answer.OK, picture.mediaType(), content);
-            }
+            Picture.View view = picture.view().get();
+            // Encoded, since a header takes ASCII only.
+            exchange.getResponseHeaders()
+                    .set(
+                            "Picture-Note",
+                            URLEncoder.encode(view.note(), StandardCharsets.UTF_8)
+                                    .replace("+", "%20"));
+            boolean none = view.content().length == 0;
+            Answer.send(exchange, none ? Answer.NO_CONTENT : Answer.OK, picture.mediaType(), view.content());
         }
     }
 

@@ -351,24 +351,38 @@ $('exchange').addEventListener('submit', submitted => {
 
 // Pictures
 
-function keepShowing(image, number) {
-  const next = () => setTimeout(() => {
-    if (document.hidden) return next();
-    image.src = `/picture?number=${number}&at=${Date.now()}`;
-    return undefined;
-  }, 1000);
-  image.addEventListener('load', next);
-  image.addEventListener('error', next);
-  image.src = `/picture?number=${number}`;
+async function update(image, note, number) {
+  try {
+    const answer = await fetch(`/picture?number=${number}`);
+    if (!answer.ok) return;
+    note.textContent = decodeURIComponent(answer.headers.get('Picture-Note') ?? '');
+    const content = await answer.blob();
+    image.hidden = content.size === 0;
+    URL.revokeObjectURL(image.src);
+    if (image.hidden) return;
+    image.src = URL.createObjectURL(content);
+    await image.decode();
+  } catch {
+    // The stream says that the connection is gone; a damaged picture is followed by another.
+  }
+}
+
+async function keepShowing(image, note, number) {
+  if (!document.hidden) await update(image, note, number);
+  setTimeout(keepShowing, 1000, image, note, number);
 }
 
 function showPictures(pictures) {
   $('pictures').hidden = pictures.length === 0;
   pictures.forEach(({ name, description }, number) => {
+    const figure = document.createElement('figure');
     const image = new Image();
     image.alt = description;
-    $('pictures').append(element('h2', name), image);
-    keepShowing(image, number);
+    image.hidden = true;
+    const note = element('figcaption', '');
+    figure.append(image, note);
+    $('pictures').append(element('h2', name), figure);
+    keepShowing(image, note, number);
   });
 }
 

@@ -2,9 +2,14 @@ package org.evoloop.page;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicReference;
+import javax.imageio.ImageIO;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeAll;
@@ -23,11 +28,13 @@ class BrowserTest {
             "Room",
             "The room from above",
             "image/svg+xml",
-            () ->
-                    "<svg xmlns='http://www.w3.org/2000/svg' width='120' height='60'><rect width='120' height='60' fill='#888'/></svg>"
-                            .getBytes(StandardCharsets.UTF_8));
+            () -> Picture.View.of(
+                    "<svg xmlns='http://www.w3.org/2000/svg' width='120' height='60'><style>.floor { fill: #888 }</style><rect class='floor' width='120' height='60'/></svg>"
+                            .getBytes(StandardCharsets.UTF_8)));
 
     private static Browser browser;
+    private final AtomicReference<Picture.View> seen =
+            new AtomicReference<>(new Picture.View(new byte[0], "No picture yet: its lens is covered – naïvely."));
     private Shown shown;
 
     @BeforeAll
@@ -42,7 +49,7 @@ class BrowserTest {
 
     @BeforeEach
     void open() throws Exception {
-        shown = new Shown(List.of(ROOM));
+        shown = new Shown(List.of(ROOM, new Picture("Camera", "What the camera saw", "image/jpeg", seen::get)));
         browser.requests.clear();
         browser.complaints.clear();
         browser.looks(1280, 900, false);
@@ -94,8 +101,46 @@ class BrowserTest {
         browser.open(shown.address() + "/");
         lit("Off", "Off");
         browser.await("document.querySelector('#pictures img').naturalWidth === 120");
-        assertThat(browser.requests).isNotEmpty().allMatch(url -> url.startsWith(shown.address()));
+        assertThat(browser.requests)
+                .isNotEmpty()
+                .allMatch(url -> url.replaceFirst("^blob:", "").startsWith(shown.address()));
         // That nobody has shown the token yet is an answer of 401.
+        assertThat(browser.complaints).noneMatch(complaint -> !complaint.contains("/controls"));
+    }
+
+    private static byte[] jpeg(int width) throws IOException {
+        BufferedImage picture = new BufferedImage(width, 60, BufferedImage.TYPE_INT_RGB);
+        picture.setRGB(0, 0, 0xffffff);
+        ByteArrayOutputStream file = new ByteArrayOutputStream();
+        ImageIO.write(picture, "jpg", file);
+        return file.toByteArray();
+    }
+
+    @Test
+    void aPictureComesWithItsNoteAndASentenceStandsForOneThatIsNotThere() throws Exception {
+        String camera = "document.querySelectorAll('#pictures figure')[1]";
+        browser.open(shown.address() + "/");
+        browser.await(camera + ".innerText === \"" + seen.get().note() + "\"");
+        assertThat(browser.evaluate("getComputedStyle(" + camera + ".querySelector('img')).display"))
+                .isEqualTo("none");
+
+        seen.set(new Picture.View(jpeg(80), "Taken 0.3 s ago."));
+        browser.await(camera + ".querySelector('img').naturalWidth === 80");
+        assertThat(browser.evaluate(camera + ".innerText")).isEqualTo("Taken 0.3 s ago.");
+        assertThat(browser.evaluate(camera + ".querySelector('img').checkVisibility()"))
+                .isEqualTo("true");
+
+        assertThat(browser.evaluate("""
+                        (() => {
+                          const canvas = document.createElement('canvas').getContext('2d');
+                          canvas.drawImage(document.querySelector('#pictures img'), 0, 0);
+                          return String(canvas.getImageData(9, 9, 1, 1).data);
+                        })()"""))
+                .as("in the colours of its own style sheet")
+                .isEqualTo("136,136,136,255");
+
+        seen.set(new Picture.View(jpeg(96), ""));
+        browser.await(camera + ".querySelector('img').naturalWidth === 96 && " + camera + ".innerText === ''");
         assertThat(browser.complaints).noneMatch(complaint -> !complaint.contains("/controls"));
     }
 
