@@ -30,7 +30,7 @@ public final class Cluster implements AutoCloseable {
     private final int partitions;
     private final KafkaProducer<String, byte[]> producer;
     private final KafkaConsumer<String, byte[]> consumer;
-    private final Told told = new Told();
+    private final TopicRecords told = new TopicRecords();
 
     /** A fresh fleet at the shared broker. */
     public static Cluster fresh(int partitions) throws IOException {
@@ -85,12 +85,12 @@ public final class Cluster implements AutoCloseable {
     }
 
     /** All that has been read so far. */
-    public Told told() {
+    public TopicRecords told() {
         return told;
     }
 
     /** Reads on until what was read is enough. */
-    public Told readUntil(Predicate<Told> enough) {
+    public TopicRecords readUntil(Predicate<TopicRecords> enough) {
         long last = System.nanoTime();
         while (!enough.test(told)) {
             if (!read(Duration.ofMillis(200)).isEmpty()) {

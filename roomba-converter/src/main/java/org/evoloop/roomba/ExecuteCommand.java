@@ -192,6 +192,6 @@ final class ExecuteCommand extends EventExecute implements SessionListener {
     protected void released() {
         stayAwake();
         resumption.released();
-        session.letGo();
+        session.release();
     }
 }

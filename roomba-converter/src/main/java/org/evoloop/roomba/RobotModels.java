@@ -22,13 +22,13 @@ public final class RobotModels {
     private final ModelPair pair;
     private final Map<State, RobotFunction> functions;
     private final Set<State> moves;
-    private final WaysBack waysBack;
+    private final ReturnTransitions waysBack;
 
     private RobotModels(ModelPair drawn, Map<State, RobotFunction> functions) {
         this.functions = functions;
         this.moves = new LinkedHashSet<>(functions.keySet());
         moves.removeIf(state -> functions.get(state) != RobotFunction.MOVE);
-        this.waysBack = new WaysBack(drawn, moves);
+        this.waysBack = new ReturnTransitions(drawn, moves);
         this.pair = moves.isEmpty() ? drawn : new ModelPair(drawn.original(), waysBack.drawn());
     }
 
@@ -82,7 +82,7 @@ public final class RobotModels {
         pair.evolved().triggers().stream()
                 .filter(RobotEvents::isPress)
                 .map(Event::name)
-                .filter(name -> !name.startsWith(WaysBack.PREFIX))
+                .filter(name -> !name.startsWith(ReturnTransitions.PREFIX))
                 .forEach(known::add);
         List<String> buttons = new ArrayList<>(RobotEvents.COMMANDS);
         buttons.retainAll(known);
@@ -111,11 +111,11 @@ public final class RobotModels {
         State target = work.flatMap(activity -> RobotEvents.stateName(pair.original(), activity))
                 .map(State::new)
                 .orElse(before);
-        String event = WaysBack.event(target);
+        String event = ReturnTransitions.event(target);
         // From where the robot was woken or undocked it does not go back.
         return pair.evolved().triggers().contains(new Event(event))
                 ? event
-                : WaysBack.event(new State(RobotEvents.STATE_ON));
+                : ReturnTransitions.event(new State(RobotEvents.STATE_ON));
     }
 
     /** Whether an event leads from a state of Move to a state of Move. */

@@ -194,7 +194,7 @@ final class RoombaCommand implements Callable<Integer> {
     /** The pictures of a robot from above, and of a simulated one's camera. */
     private static List<Picture> pictures(RoombaConverter roomba, @Nullable SimulatedWorld world) {
         if (world == null) {
-            return List.of(DrivenWay.of(roomba.session()));
+            return List.of(DrivenPath.of(roomba.session()));
         }
         Picture room = new Picture(
                 "Room",

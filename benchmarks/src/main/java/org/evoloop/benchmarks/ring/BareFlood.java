@@ -18,7 +18,7 @@ final class BareFlood {
 
     private final Flood flood = new Flood();
     // The JDK's queue that refuses without a lock, as the loop's queue does.
-    private final BlockingQueue<Flood.Told> queue = new LinkedBlockingQueue<>(Flood.CAPACITY);
+    private final BlockingQueue<Flood.NumberedEvent> queue = new LinkedBlockingQueue<>(Flood.CAPACITY);
     private final HandOff[] hands = new HandOff[STAGES];
     private final List<Thread> threads = new ArrayList<>();
 
@@ -51,12 +51,12 @@ final class BareFlood {
         for (int index = 0; index < Flood.MONITORS; index++) {
             int monitor = index;
             long[] number = {0};
-            begin("monitor-" + monitor, () -> tell(new Flood.Told(monitor, ++number[0])));
+            begin("monitor-" + monitor, () -> tell(new Flood.NumberedEvent(monitor, ++number[0])));
         }
     }
 
     @SuppressWarnings("ThreadPriorityCheck") // else monitors would take all processors, and the ring would starve
-    private void tell(Flood.Told told) {
+    private void tell(Flood.NumberedEvent told) {
         if (!queue.offer(told)) {
             Thread.yield();
         }
@@ -69,7 +69,7 @@ final class BareFlood {
 
     private void third() throws InterruptedException {
         Object told = hands[1].take();
-        flood.execute((Flood.Told) told);
+        flood.execute((Flood.NumberedEvent) told);
         hands[2].give(told);
     }
 

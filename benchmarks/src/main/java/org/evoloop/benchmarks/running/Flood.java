@@ -19,10 +19,10 @@ public final class Flood {
     private volatile boolean broken;
 
     /** The {@code number}th event of a monitor, counted from 1. */
-    public record Told(int monitor, long number) {}
+    public record NumberedEvent(int monitor, long number) {}
 
     /** Counts {@code told} as executed. */
-    public void execute(Told told) {
+    public void execute(NumberedEvent told) {
         if (told.number <= last[told.monitor]) {
             broken = true;
         }

@@ -12,7 +12,7 @@ import org.evoloop.time.SystemClock;
 /** The framework's loop in a {@link Flood}, with components that do nothing. */
 public final class FloodedLoop implements AutoCloseable {
     private final SystemClock clock = new SystemClock();
-    private final MapeLoop<Flood.Told, Flood.Told, Flood.Told> loop;
+    private final MapeLoop<Flood.NumberedEvent, Flood.NumberedEvent, Flood.NumberedEvent> loop;
     private final List<Teller> tellers = new ArrayList<>();
     private final Flood flood = new Flood();
 
@@ -53,7 +53,7 @@ public final class FloodedLoop implements AutoCloseable {
         clock.close();
     }
 
-    private static final class Teller extends Monitor<Flood.Told> {
+    private static final class Teller extends Monitor<Flood.NumberedEvent> {
         private final int index;
         private long number;
 
@@ -63,14 +63,14 @@ public final class FloodedLoop implements AutoCloseable {
         }
 
         @Override
-        protected Flood.Told getEvent() {
-            return new Flood.Told(index, ++number);
+        protected Flood.NumberedEvent getEvent() {
+            return new Flood.NumberedEvent(index, ++number);
         }
     }
 
-    private final class Count extends Execute<Flood.Told> {
+    private final class Count extends Execute<Flood.NumberedEvent> {
         @Override
-        protected void execute(Flood.Told told) {
+        protected void execute(Flood.NumberedEvent told) {
             flood.execute(told);
         }
     }

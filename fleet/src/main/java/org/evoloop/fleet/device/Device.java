@@ -34,7 +34,7 @@ public final class Device {
 
     private static final long NANOS_PER_MILLI = 1_000_000;
 
-    private final Hearer hearer;
+    private final DeviceListener hearer;
     private final long patienceNanos;
     private final Core core;
     private final Deque<Output.Directive> toDo = new ArrayDeque<>();
@@ -45,10 +45,10 @@ public final class Device {
     private Order.@Nullable Open lost;
     private @Nullable Pending begun;
     private boolean decided;
-    private Kept kept;
+    private DeviceState kept;
 
     /** A new device of the fleet, at the time {@code atNanos}, in the initial states of its models. */
-    public Device(Model model, long patienceNanos, Hearer hearer, long atNanos) {
+    public Device(Model model, long patienceNanos, DeviceListener hearer, long atNanos) {
         this.hearer = hearer;
         this.patienceNanos = patienceNanos;
         this.model = model.version();
@@ -64,7 +64,7 @@ public final class Device {
      * @param model the models of {@code kept}
      * @param patienceNanos the time after which an order without an answer is given up
      */
-    public Device(Model model, Kept kept, long patienceNanos, Hearer hearer) {
+    public Device(Model model, DeviceState kept, long patienceNanos, DeviceListener hearer) {
         this.hearer = hearer;
         this.patienceNanos = patienceNanos;
         this.model = kept.model();
@@ -80,12 +80,12 @@ public final class Device {
     }
 
     /** Its state, to be kept. */
-    public Kept kept() {
+    public DeviceState kept() {
         return kept;
     }
 
-    private Kept now() {
-        return new Kept(model, sequence, heard, open, lost, core.snapshot());
+    private DeviceState now() {
+        return new DeviceState(model, sequence, heard, open, lost, core.snapshot());
     }
 
     /** The version of its models. */
@@ -194,7 +194,7 @@ public final class Device {
     }
 
     /** When a timer or the answer to an order is next due; {@link #NEVER} if nothing is. */
-    public static long dueNanos(Kept kept, long patienceNanos) {
+    public static long dueNanos(DeviceState kept, long patienceNanos) {
         Map.Entry<Event, Long> timer = Deadlines.next(kept.snapshot());
         return Math.min(orderDue(kept.open(), patienceNanos), timer == null ? NEVER : timer.getValue());
     }

@@ -10,7 +10,7 @@ import org.apache.kafka.streams.processor.api.RecordMetadata;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.fleet.device.Answer;
 import org.evoloop.fleet.device.Device;
-import org.evoloop.fleet.device.Kept;
+import org.evoloop.fleet.device.DeviceState;
 import org.evoloop.fleet.device.Model;
 import org.evoloop.fleet.wire.Letters;
 import org.evoloop.fleet.wire.Reading;
@@ -111,7 +111,7 @@ final class DeviceProcessor implements Processor<String, byte[], String, byte[]>
             return;
         }
         Reading reading = Reading.of(record.value());
-        Kept before = devices.get(id);
+        DeviceState before = devices.get(id);
         if (before == null) {
             throw new Refusal(
                     Refusal.Reason.UNKNOWN_DEVICE,
@@ -143,7 +143,7 @@ final class DeviceProcessor implements Processor<String, byte[], String, byte[]>
             return;
         }
         String version = Reading.of(record.value()).text("model");
-        Kept known = devices.get(id);
+        DeviceState known = devices.get(id);
         if (known == null) {
             Model model = library.model(version);
             letters.begin(version, null);
@@ -156,16 +156,16 @@ final class DeviceProcessor implements Processor<String, byte[], String, byte[]>
         }
     }
 
-    private Device device(Kept kept) {
+    private Device device(DeviceState kept) {
         letters.begin(kept.model(), kept);
         return new Device(library.model(kept.model()), kept, patienceNanos, letters);
     }
 
     // What follows from it
 
-    private void keep(String id, @Nullable Kept before, Device device, long timestamp) {
+    private void keep(String id, @Nullable DeviceState before, Device device, long timestamp) {
         evolve(id, device, timestamp);
-        Kept kept = device.kept();
+        DeviceState kept = device.kept();
         if (!kept.equals(before)) {
             devices.put(id, kept);
         }
@@ -214,7 +214,7 @@ final class DeviceProcessor implements Processor<String, byte[], String, byte[]>
 
     private void lookAt(String id, long nowMillis) {
         try {
-            Kept before = devices.get(id);
+            DeviceState before = devices.get(id);
             if (before == null) {
                 return;
             }

@@ -9,8 +9,8 @@ import org.apache.kafka.streams.state.KeyValueIterator;
 import org.apache.kafka.streams.state.KeyValueStore;
 import org.evoloop.core.text.SnapshotException;
 import org.evoloop.fleet.device.Device;
-import org.evoloop.fleet.device.Kept;
-import org.evoloop.fleet.device.KeptText;
+import org.evoloop.fleet.device.DeviceState;
+import org.evoloop.fleet.device.DeviceStateText;
 import org.evoloop.fleet.wire.Refusal;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -25,10 +25,10 @@ final class Devices {
 
     private final KeyValueStore<String, byte[]> store;
     private final Library library;
-    private final Map<String, Kept> recent = new Recent();
+    private final Map<String, DeviceState> recent = new Recent();
 
     /** Reading a device's bytes takes longer than all else that is done with it. */
-    private static final class Recent extends LinkedHashMap<String, Kept> {
+    private static final class Recent extends LinkedHashMap<String, DeviceState> {
         private static final int MOST = 10_000;
         private static final float LOAD = 0.75f;
 
@@ -37,7 +37,7 @@ final class Devices {
         }
 
         @Override
-        protected boolean removeEldestEntry(Map.Entry<String, Kept> eldest) {
+        protected boolean removeEldestEntry(Map.Entry<String, DeviceState> eldest) {
             return size() > MOST;
         }
     }
@@ -53,8 +53,8 @@ final class Devices {
      * @throws Refusal if that does not fit the device's models, or there are no such models any more
      */
     @Nullable
-    Kept get(String id) {
-        Kept kept = recent.get(id);
+    DeviceState get(String id) {
+        DeviceState kept = recent.get(id);
         if (kept == null) {
             byte[] bytes = store.get(id);
             if (bytes == null) {
@@ -66,16 +66,17 @@ final class Devices {
         return kept;
     }
 
-    private Kept read(byte[] bytes) {
+    private DeviceState read(byte[] bytes) {
         try {
-            return KeptText.read(library.model(KeptText.model(bytes)).rules(), bytes);
+            return DeviceStateText.read(
+                    library.model(DeviceStateText.model(bytes)).rules(), bytes);
         } catch (SnapshotException | IllegalArgumentException e) {
             throw new Refusal(Refusal.Reason.UNUSABLE_STATE, "what is kept of the device: " + e.getMessage());
         }
     }
 
-    void put(String id, Kept kept) {
-        store.put(id, KeptText.write(kept));
+    void put(String id, DeviceState kept) {
+        store.put(id, DeviceStateText.write(kept));
         recent.put(id, kept);
     }
 
@@ -126,7 +127,7 @@ final class Devices {
     /** Of bytes that cannot be read, none: that is told when something happens at the device. */
     private static String version(byte[] bytes) {
         try {
-            return KeptText.model(bytes);
+            return DeviceStateText.model(bytes);
         } catch (IllegalArgumentException unreadable) {
             return "";
         }

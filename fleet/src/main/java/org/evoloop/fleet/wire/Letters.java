@@ -6,8 +6,8 @@ import org.evoloop.core.Outcome;
 import org.evoloop.core.Output;
 import org.evoloop.core.Snapshot;
 import org.evoloop.evolution.Occurrence;
-import org.evoloop.fleet.device.Hearer;
-import org.evoloop.fleet.device.Kept;
+import org.evoloop.fleet.device.DeviceListener;
+import org.evoloop.fleet.device.DeviceState;
 import org.evoloop.fleet.device.Order;
 import org.jspecify.annotations.Nullable;
 
@@ -18,10 +18,10 @@ import org.jspecify.annotations.Nullable;
  *
  * @since 0.1
  */
-public final class Letters implements Hearer {
+public final class Letters implements DeviceListener {
     private final List<Letter> letters = new ArrayList<>();
     private String model = "";
-    private @Nullable Kept before;
+    private @Nullable DeviceState before;
     private long good;
     private long bad;
 
@@ -32,7 +32,7 @@ public final class Letters implements Hearer {
     /**
      * Starts again with a device that has the models {@code version} and, if it is not new, the state {@code kept}.
      */
-    public void begin(String version, @Nullable Kept kept) {
+    public void begin(String version, @Nullable DeviceState kept) {
         letters.clear();
         before = kept;
         model = version;
@@ -75,14 +75,14 @@ public final class Letters implements Hearer {
     }
 
     @Override
-    public void settled(Kept kept, boolean isNew) {
+    public void settled(DeviceState kept, boolean isNew) {
         if (before == null || !isSame(before, kept, isNew)) {
             add(Topic.STATES, Wire.state(kept, isNew));
         }
         before = kept;
     }
 
-    private static boolean isSame(Kept one, Kept other, boolean isNew) {
+    private static boolean isSame(DeviceState one, DeviceState other, boolean isNew) {
         Snapshot.OpenVisit visit = one.snapshot().visit();
         Snapshot.OpenVisit next = other.snapshot().visit();
         return one.model().equals(other.model())

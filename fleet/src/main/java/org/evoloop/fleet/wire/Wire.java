@@ -10,7 +10,7 @@ import org.evoloop.core.Snapshot;
 import org.evoloop.evolution.Configuration;
 import org.evoloop.evolution.Occurrence;
 import org.evoloop.fleet.device.Answer;
-import org.evoloop.fleet.device.Kept;
+import org.evoloop.fleet.device.DeviceState;
 import org.evoloop.fleet.device.Order;
 import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.Transition;
@@ -148,7 +148,7 @@ public final class Wire {
     }
 
     /** For {@link Topic#STATES}. */
-    public static byte[] state(Kept kept, boolean isNew) {
+    public static byte[] state(DeviceState kept, boolean isNew) {
         Snapshot snapshot = kept.snapshot();
         Json json = new Json()
                 .with("model", kept.model())

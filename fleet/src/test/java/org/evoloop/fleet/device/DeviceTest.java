@@ -16,7 +16,7 @@ import org.evoloop.statemachine.State;
 import org.junit.jupiter.api.Test;
 
 /** The converter of one device, told one thing after the other. */
-class DeviceTest implements Hearer {
+class DeviceTest implements DeviceListener {
     private static final long SECOND = 1_000_000_000L;
 
     private final Model lamp = ModelRecord.read("lamp-1", Models.LAMP.bytes());
@@ -37,7 +37,7 @@ class DeviceTest implements Hearer {
     }
 
     @Override
-    public void settled(Kept kept, boolean isNew) {}
+    public void settled(DeviceState kept, boolean isNew) {}
 
     @Test
     void anOrderIsGivenOnceAndItsAnswerMovesTheDevice() {

@@ -6,7 +6,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.evoloop.fleet.Models;
-import org.evoloop.fleet.Told;
+import org.evoloop.fleet.TopicRecords;
 import org.evoloop.fleet.device.Answer;
 import org.evoloop.fleet.wire.Rollout;
 import org.evoloop.fleet.wire.Topic;
@@ -47,7 +47,7 @@ class RolloutTest {
         }
     }
 
-    private static boolean has(Told told, String device, String model) {
+    private static boolean has(TopicRecords told, String device, String model) {
         List<String> states = told.of(Topic.STATES, device);
         return states.get(states.size() - 1).contains("\"model\":\"" + model + "\"");
     }

@@ -7,7 +7,7 @@ import java.time.Duration;
 import org.evoloop.fleet.Brokers;
 import org.evoloop.fleet.Cluster;
 import org.evoloop.fleet.Models;
-import org.evoloop.fleet.Told;
+import org.evoloop.fleet.TopicRecords;
 import org.evoloop.fleet.device.Model;
 import org.evoloop.fleet.wire.ModelRecord;
 import org.evoloop.fleet.wire.Topic;
@@ -41,7 +41,7 @@ class SameAsAloneTest {
             story.entries()
                     .forEach(entry -> cluster.write(entry.topic(), entry.device(), entry.record(), entry.atMillis()));
             cluster.flush();
-            Told expected = story.toldAt(cluster);
+            TopicRecords expected = story.toldAt(cluster);
             FleetSettings settings = FleetSettings.defaults()
                     .withFleet(cluster.fleet())
                     .withStateDirectory(directory)

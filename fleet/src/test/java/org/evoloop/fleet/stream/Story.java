@@ -10,10 +10,10 @@ import org.evoloop.evolution.Occurrence;
 import org.evoloop.evolution.Source;
 import org.evoloop.evolution.Values;
 import org.evoloop.fleet.Cluster;
-import org.evoloop.fleet.Told;
+import org.evoloop.fleet.TopicRecords;
 import org.evoloop.fleet.device.Answer;
 import org.evoloop.fleet.device.Device;
-import org.evoloop.fleet.device.Kept;
+import org.evoloop.fleet.device.DeviceState;
 import org.evoloop.fleet.device.Model;
 import org.evoloop.fleet.device.Order;
 import org.evoloop.fleet.wire.Letters;
@@ -37,7 +37,7 @@ final class Story {
     private final Model model;
     private final List<Entry> entries = new ArrayList<>();
     private final Map<String, Alone> devices = new LinkedHashMap<>();
-    private final Told told = new Told();
+    private final TopicRecords told = new TopicRecords();
     private long nowMillis = BEGIN;
 
     private final class Alone {
@@ -81,7 +81,7 @@ final class Story {
     }
 
     private void happen(Alone alone) {
-        Kept kept = alone.device.kept();
+        DeviceState kept = alone.device.kept();
         if (kept.open() != null && random.nextInt(4) > 0) {
             Answer answer = answer(kept);
             entries.add(new Entry(Topic.EFFECTS, alone.id, Wire.effect(answer), nowMillis));
@@ -98,7 +98,7 @@ final class Story {
         alone.said();
     }
 
-    private Answer answer(Kept kept) {
+    private Answer answer(DeviceState kept) {
         int dice = random.nextInt(100);
         Answer.Outcome outcome =
                 dice < 85 ? Answer.Outcome.SENT : dice < 93 ? Answer.Outcome.FAILED : Answer.Outcome.IN_DOUBT;
@@ -110,7 +110,7 @@ final class Story {
         return new Answer(sequence, outcome, outcome == Answer.Outcome.SENT ? "" : "why", state, nanos());
     }
 
-    private Occurrence occurrence(Kept kept) {
+    private Occurrence occurrence(DeviceState kept) {
         int dice = random.nextInt(100);
         if (dice < 4) {
             return new Occurrence.Found(deviceState(), nanos());
@@ -144,7 +144,7 @@ final class Story {
     }
 
     /** What is due by the last record of each device's partition is due here, too. */
-    Told toldAt(Cluster cluster) {
+    TopicRecords toldAt(Cluster cluster) {
         Map<Integer, Long> last = new LinkedHashMap<>();
         entries.forEach(entry -> last.merge(cluster.partitionOf(entry.device), entry.atMillis, Math::max));
         devices.forEach((id, alone) -> {

@@ -27,10 +27,10 @@ public final class Mistakes {
 
     private final Map<String, Origin> given = new HashMap<>();
     private final Set<String> faulty = new HashSet<>();
-    private final List<Told> told = new ArrayList<>();
+    private final List<Mistake> told = new ArrayList<>();
     private boolean somethingIsMissing;
 
-    private record Told(Origin place, String text) {}
+    private record Mistake(Origin place, String text) {}
 
     Mistakes() {}
 
@@ -50,7 +50,7 @@ public final class Mistakes {
 
     /** Adds a mistake at a place. */
     void at(Origin place, String mistake) {
-        told.add(new Told(place, place.tell(mistake)));
+        told.add(new Mistake(place, place.tell(mistake)));
     }
 
     /** Adds a mistake in one option's value: nothing else about this option is reported. */
@@ -117,7 +117,7 @@ public final class Mistakes {
         if (!told.isEmpty()) {
             throw new ConfigException(told.stream()
                     .sorted(Comparator.comparingInt(each -> each.place().line()))
-                    .map(Told::text)
+                    .map(Mistake::text)
                     .distinct()
                     .toList());
         }

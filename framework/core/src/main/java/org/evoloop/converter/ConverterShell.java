@@ -132,7 +132,7 @@ final class ConverterShell implements LoopListener<Occurrence> {
         Output.Evolved evolved = driver.evolve(swap, next, idle);
         adopt(next);
         before.attach(null);
-        monitors.forEach(monitor -> monitor.tellBy(next.eventNames()));
+        monitors.forEach(monitor -> monitor.useNames(next.eventNames()));
         carrier.carryOut();
         return Evolution.Result.of(evolved, Duration.ofNanos(config.clock().nanoTime() - begun));
     }

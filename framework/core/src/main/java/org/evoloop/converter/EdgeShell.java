@@ -99,7 +99,7 @@ public final class EdgeShell implements AutoCloseable {
         this.at = knowledge.models().initial();
         guards.addAll(knowledge.models().original().guards());
         guards.addAll(knowledge.models().evolved().guards());
-        this.loop = new MapeLoop<>(config, new Failures(), Dispatch.toEach(), new Told());
+        this.loop = new MapeLoop<>(config, new Failures(), Dispatch.toEach(), new ReportIntake());
     }
 
     /** Adds a monitor; what it reports goes to the decider at once, on the thread that reports it. */
@@ -286,7 +286,7 @@ public final class EdgeShell implements AutoCloseable {
     }
 
     /** Queues nothing: the decider has a queue. */
-    private final class Told implements Intake<Occurrence> {
+    private final class ReportIntake implements Intake<Occurrence> {
         @Override
         public Admission atOnce(Occurrence occurrence) {
             observed(occurrence);

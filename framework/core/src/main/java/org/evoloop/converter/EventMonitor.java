@@ -48,7 +48,7 @@ public abstract class EventMonitor extends Monitor<Occurrence> {
     }
 
     /** Sets the names by which it reports events. */
-    final void tellBy(EventNames names) {
+    final void useNames(EventNames names) {
         eventNames = names;
     }
 

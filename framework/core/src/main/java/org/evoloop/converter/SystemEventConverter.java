@@ -264,7 +264,7 @@ public final class SystemEventConverter implements AutoCloseable {
         Runnable rest = () -> changes.change(() -> {
             // In case it was just being opened.
             built.loop.shut();
-            letGo(built);
+            release(built);
         });
         if (!config.threads()) {
             rest.run();
@@ -274,7 +274,7 @@ public final class SystemEventConverter implements AutoCloseable {
     }
 
     /** Called after the loop was closed. */
-    private void letGo(ConverterShell built) {
+    private void release(ConverterShell built) {
         if (built.holdsDevice()) {
             built.loop.awaitQuiet();
             closedAt = config.clock().wallTime();
@@ -313,7 +313,7 @@ public final class SystemEventConverter implements AutoCloseable {
             ConverterShell built = shell;
             if (built != null) {
                 built.loop.close();
-                letGo(built);
+                release(built);
                 belongings.giveBackAll(built.knowledge());
             }
             closeJournal();

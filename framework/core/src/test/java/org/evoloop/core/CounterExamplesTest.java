@@ -9,7 +9,7 @@ class CounterExamplesTest {
 
     @Test
     void aStepThatWasGivenUpHasItsEffectWhileAnotherIsSent() {
-        Told told = new Told(Scene.bulb()).press("switch").begins();
+        ScriptedCore told = new ScriptedCore(Scene.bulb()).press("switch").begins();
         long first = told.number();
         told.givenUp().asksInVain().press("switch").begins();
 
@@ -22,7 +22,7 @@ class CounterExamplesTest {
 
     @Test
     void outOfOrderThatIsNotKnownToHaveComeFirst() {
-        Told told = new Told(Scene.bulb()).press("switch").begins();
+        ScriptedCore told = new ScriptedCore(Scene.bulb()).press("switch").begins();
         long first = told.number();
         told.givenUp().asksInVain().press("switch").begins();
 
@@ -34,7 +34,7 @@ class CounterExamplesTest {
 
     @Test
     void theDeviceActsBetweenALateEffectAndItsReport() {
-        Told told = new Told(Scene.robot()).press("Clean").begins();
+        ScriptedCore told = new ScriptedCore(Scene.robot()).press("Clean").begins();
         long first = told.number();
 
         // The device took Clean, then its own Spot, and ended in Spot.
@@ -45,7 +45,7 @@ class CounterExamplesTest {
 
     @Test
     void inOrderALateEffectCameAfterWhatTheDeviceDid() {
-        Told told = new Told(Scene.robot()).press("Clean").begins();
+        ScriptedCore told = new ScriptedCore(Scene.robot()).press("Clean").begins();
         long first = told.number();
 
         told.givenUp().own("Clean").sent(first, true);
@@ -55,7 +55,7 @@ class CounterExamplesTest {
 
     @Test
     void aSecondDoubtIsNotSettledByKnowingOfTheSecondStep() {
-        Told told = new Told(Scene.bulb()).press("switch").begins();
+        ScriptedCore told = new ScriptedCore(Scene.bulb()).press("switch").begins();
         told.givenUp().asksInVain().press("switch").begins();
         long second = told.number();
 
@@ -66,7 +66,7 @@ class CounterExamplesTest {
 
     @Test
     void theDeviceIsFoundWhileAStepIsOnItsWay() {
-        Told told = new Told(Scene.bulb()).press("switch").begins();
+        ScriptedCore told = new ScriptedCore(Scene.bulb()).press("switch").begins();
 
         told.found("on");
         assertThat(told.record()).isEqualTo("on");
@@ -77,7 +77,7 @@ class CounterExamplesTest {
 
     @Test
     void outOfOrderTheDeviceMayHaveBeenFoundBeforeOrAfterTheStep() {
-        Told told = new Told(Scene.bulb()).press("switch").begins();
+        ScriptedCore told = new ScriptedCore(Scene.bulb()).press("switch").begins();
 
         told.found("on").sent(false);
 
@@ -87,7 +87,8 @@ class CounterExamplesTest {
     /** Clean then leads to the same place whether it came before or after both, but not if it came between. */
     @Test
     void theDeviceActsTwiceWhileAStepIsOnItsWay() {
-        Told told = new Told(Scene.robot()).press("Clean").begins().sent(false);
+        ScriptedCore told =
+                new ScriptedCore(Scene.robot()).press("Clean").begins().sent(false);
         told.press("Clean").begins();
 
         told.own("Spot").own("endSpot").sent(false);
@@ -97,7 +98,7 @@ class CounterExamplesTest {
 
     @Test
     void aDeviceThatNeverStopsActingWhileItIsAskedIsNotTakenAtItsWord() {
-        Told told = new Told(Scene.bulb())
+        ScriptedCore told = new ScriptedCore(Scene.bulb())
                 .press("switch")
                 .begins()
                 .givenUp()
@@ -114,7 +115,7 @@ class CounterExamplesTest {
 
     @Test
     void aStepThatWasGivenUpHasItsEffectAfterTheDeviceWasFound() {
-        Told told = new Told(Scene.bulb()).press("switch").begins();
+        ScriptedCore told = new ScriptedCore(Scene.bulb()).press("switch").begins();
         long first = told.number();
 
         told.givenUp().found("off");
@@ -126,7 +127,7 @@ class CounterExamplesTest {
 
     @Test
     void outOfOrderThatIsInDoubtAgain() {
-        Told told = new Told(Scene.bulb()).press("switch").begins();
+        ScriptedCore told = new ScriptedCore(Scene.bulb()).press("switch").begins();
         long first = told.number();
 
         told.givenUp().found("off").sent(first, false);
@@ -136,7 +137,7 @@ class CounterExamplesTest {
 
     @Test
     void aStepThatWasGivenUpHasItsEffectAfterAnother() {
-        Told told = new Told(Scene.bulb()).press("switch").begins();
+        ScriptedCore told = new ScriptedCore(Scene.bulb()).press("switch").begins();
         long first = told.number();
         told.givenUp().asksInVain().press("switch").begins();
 

@@ -27,7 +27,7 @@ class SnapshotTextTest {
 
     /** A robot with much going on: a plan of two steps in doubt, a fact, a press and a function's event that wait. */
     private static Snapshot eventful() {
-        Told told = new Told(Scene.robot());
+        ScriptedCore told = new ScriptedCore(Scene.robot());
         told.press("Clean").begins().sent(false).press("Clean").begins().sent(false);
         told.press("Clean").ready().planned();
         told.press("Clean").begins().own("Clean").givenUp();
@@ -48,7 +48,7 @@ class SnapshotTextTest {
 
     /** A robot that is about to be sent the first of two steps. */
     private static Snapshot onADetour() {
-        Told told = new Told(Scene.robot());
+        ScriptedCore told = new ScriptedCore(Scene.robot());
         told.press("Clean").begins().sent(false).press("Clean").begins().sent(false);
         told.press("Clean").ready().planned();
         return told.press("Clean").begins().core.snapshot();
@@ -56,7 +56,7 @@ class SnapshotTextTest {
 
     /** The same, whose second step has failed, and which is to be sent back. */
     private static Snapshot brokenOff() {
-        Told told = new Told(Scene.robot().onFailure(OnFailure.GO_BACK));
+        ScriptedCore told = new ScriptedCore(Scene.robot().onFailure(OnFailure.GO_BACK));
         told.press("Clean").begins().sent(false).press("Clean").begins().sent(false);
         told.press("Clean").ready().planned();
         told.press("Clean").begins().sent(false);

@@ -30,7 +30,7 @@ public final class DryRun {
     private static final long SAME_CLOCK_NANOS = TimeUnit.SECONDS.toNanos(1);
 
     private final OtherRules rules;
-    private final KeptProperties properties;
+    private final WatchedProperties properties;
     private final Comparison comparison;
     private final List<Difference> differences = new ArrayList<>();
     private long events;
@@ -76,7 +76,7 @@ public final class DryRun {
 
     private DryRun(ModelPair models, List<Property> properties) {
         this.rules = new OtherRules(models);
-        this.properties = new KeptProperties(properties);
+        this.properties = new WatchedProperties(properties);
         this.comparison = new Comparison(this::compared, this.properties::see);
     }
 
@@ -90,14 +90,14 @@ public final class DryRun {
     public static Result of(JournalFiles journal, ModelPair models, List<Property> properties) {
         models.requireValid();
         DryRun run = new DryRun(models, properties);
-        journal.each(Told::of, run::add);
+        journal.each(SegmentHistory::of, run::add);
         run.comparison.rest(run.lastNanos);
         return new Result(run.events, run.differences, run.properties.broken(), run.properties.open());
     }
 
-    private void add(Told told) {
+    private void add(SegmentHistory told) {
         goOn(told);
-        for (Told.Moment moment : told.moments()) {
+        for (SegmentHistory.Moment moment : told.moments()) {
             if (moment.input() instanceof Input.Observed observed) {
                 boolean current = observed.occurrence().visit() == moment.visit();
                 comparison.observed(observed.occurrence(), current ? moment.state() : null, moment.atNanos());
@@ -110,7 +110,7 @@ public final class DryRun {
     }
 
     /** Continues where the previous segment ended; on another clock, as after a restart. */
-    private void goOn(Told told) {
+    private void goOn(SegmentHistory told) {
         Head before = last;
         Head head = told.head();
         if (before != null && Math.abs(offset(head) - offset(before)) < SAME_CLOCK_NANOS) {

@@ -39,7 +39,7 @@ class DamageTest {
     @BeforeEach
     void write() throws Exception {
         journal = directory.resolve("journal");
-        try (Kept kept = Kept.in(journal)) {
+        try (JournaledCore kept = JournaledCore.in(journal)) {
             kept.tell(STORY.subList(0, STORY.size() - 1));
             before = kept.core.snapshot();
             kept.tell(STORY.subList(STORY.size() - 1, STORY.size()));
@@ -69,7 +69,7 @@ class DamageTest {
 
     private Snapshot recovered(byte[] bytes, Path file) throws Exception {
         Files.write(file, bytes);
-        Replay replay = new Replay(Robot.RULES, Fingerprint.of(Robot.MODELS), new Kept.Forgetting());
+        Replay replay = new Replay(Robot.RULES, Fingerprint.of(Robot.MODELS), new JournaledCore.Forgetting());
         replay.of(List.of(file));
         return replay.result(clock);
     }
@@ -142,7 +142,7 @@ class DamageTest {
         ByteBuffer.wrap(bytes).putInt(12, Frame.crcOf(bytes, 0, 12));
         Files.write(segment, bytes);
 
-        assertThatThrownBy(() -> Kept.recovered(Robot.RULES, journal, clock))
+        assertThatThrownBy(() -> JournaledCore.recovered(Robot.RULES, journal, clock))
                 .isInstanceOf(JournalException.class)
                 .hasMessage(segment
                         + ", byte 8: it is written in version 9 of the format, and this Evoloop reads version 4;"
@@ -151,7 +151,8 @@ class DamageTest {
 
     @Test
     void aJournalOfOtherModelsIsRefused() {
-        assertThatThrownBy(() -> Kept.recovered(Robot.rules(Robot.models("another", "Spot"), 8), journal, clock))
+        assertThatThrownBy(
+                        () -> JournaledCore.recovered(Robot.rules(Robot.models("another", "Spot"), 8), journal, clock))
                 .isInstanceOf(JournalException.class)
                 .hasMessageStartingWith(segmentIn(journal) + ", byte 32, record 0: the journal is of other models:"
                         + " 'original' and 'new', fingerprint ")
@@ -163,7 +164,8 @@ class DamageTest {
     void modelsMayMove() {
         Rules moved = Robot.rules(Robot.models("/elsewhere/original.scxml", "Clean"), 8);
 
-        assertThat(Kept.recovered(moved, journal, clock)).isEqualTo(Kept.recovered(Robot.RULES, journal, clock));
+        assertThat(JournaledCore.recovered(moved, journal, clock))
+                .isEqualTo(JournaledCore.recovered(Robot.RULES, journal, clock));
     }
 
     @Test
@@ -171,7 +173,7 @@ class DamageTest {
         Path blank = journal.resolve("0000000002.journal");
         Files.write(blank, new byte[500]);
 
-        assertThat(Kept.recovered(Robot.RULES, journal, clock)).isEqualTo(last);
+        assertThat(JournaledCore.recovered(Robot.RULES, journal, clock)).isEqualTo(last);
         assertThat(blank).doesNotExist();
     }
 
@@ -179,7 +181,7 @@ class DamageTest {
     void aSegmentThatIsMissingIsNoticed() throws Exception {
         Files.copy(segmentIn(journal), journal.resolve("0000000003.journal"));
 
-        assertThatThrownBy(() -> Kept.recovered(Robot.RULES, journal, clock))
+        assertThatThrownBy(() -> JournaledCore.recovered(Robot.RULES, journal, clock))
                 .hasMessage(
                         "the journal " + journal + " lacks the segment before 0000000003.journal; it is needed to go"
                                 + " on. " + Directory.DAMAGED);

@@ -23,21 +23,21 @@ class DirectoryTest {
 
     @Test
     void oneConverterHoldsIt() {
-        try (Kept kept = Kept.in(directory)) {
-            assertThatThrownBy(() -> Kept.in(directory))
+        try (JournaledCore kept = JournaledCore.in(directory)) {
+            assertThatThrownBy(() -> JournaledCore.in(directory))
                     .isInstanceOf(JournalException.class)
                     .hasMessage("the journal " + directory
                             + " is in use by another converter; close that one, or use another directory");
             assertThat(kept.failures).isEmpty();
         }
-        Kept.in(directory).close();
+        JournaledCore.in(directory).close();
     }
 
     @Test
     void aFileIsNoDirectory() throws Exception {
         Path file = Files.writeString(directory.resolve("file"), "");
 
-        assertThatThrownBy(() -> Kept.in(file))
+        assertThatThrownBy(() -> JournaledCore.in(file))
                 .isInstanceOf(JournalException.class)
                 .hasMessageStartingWith("the journal " + file + " cannot be written: ")
                 .hasMessageEndingWith(
@@ -50,7 +50,8 @@ class DirectoryTest {
     void aReadOnlyDiskIsRefused() {
         Path file = Path.of("/proc/evoloop");
 
-        assertThatThrownBy(() -> Kept.in(file)).hasMessageStartingWith("the journal /proc/evoloop cannot be written: ");
+        assertThatThrownBy(() -> JournaledCore.in(file))
+                .hasMessageStartingWith("the journal /proc/evoloop cannot be written: ");
     }
 
     @Test
@@ -65,7 +66,7 @@ class DirectoryTest {
     void whileNothingCanBeWrittenNothingIsBegun() throws Exception {
         Path path = directory.resolve("journal");
         Path away = directory.resolve("away");
-        try (Kept kept = new Kept(path, Journal.in(path).withSegmentBytes(1 << 16))) {
+        try (JournaledCore kept = new JournaledCore(path, Journal.in(path).withSegmentBytes(1 << 16))) {
             kept.tell(List.of(new Input.Opened(1), press(2), new Input.Ready(), planned(kept, 3)));
             Files.move(path, away);
             fill(kept);
@@ -88,13 +89,13 @@ class DirectoryTest {
         return new Input.Observed(new Occurrence.Heard(new Event("Clean"), Values.NONE, Source.CONTROLLER, 0, atNanos));
     }
 
-    private static Input planned(Kept kept, long atNanos) {
+    private static Input planned(JournaledCore kept, long atNanos) {
         return new Input.Planned(
                 1, Robot.RULES.table().decide(Robot.MODELS.initial(), new Event("Clean"), false), atNanos);
     }
 
     /** Until another segment is needed. */
-    private static void fill(Kept kept) {
+    private static void fill(JournaledCore kept) {
         while (kept.failures.isEmpty()) {
             kept.tell(new Input.Dismissed(99, 3));
         }

@@ -35,7 +35,7 @@ class JournalFilesTest {
 
     @Test
     void eachRecordTellsWhereTheCoreWasWhileTheJournalIsInUse() {
-        try (Kept kept = Kept.in(directory)) {
+        try (JournaledCore kept = JournaledCore.in(directory)) {
             for (Input input : Story.of(Robot.RULES, new Random(1), 80)) {
                 kept.tell(input);
                 List<String> where = read(new ArrayList<>());
@@ -49,7 +49,7 @@ class JournalFilesTest {
     @Test
     void manySegmentsAreOneStory() {
         Journal small = Journal.in(directory).withSegmentBytes(1 << 16);
-        try (Kept kept = new Kept(directory, small)) {
+        try (JournaledCore kept = new JournaledCore(directory, small)) {
             kept.tell(Story.of(Robot.RULES, new Random(2), 20_000));
             List<JournalRecord> records = new ArrayList<>();
             List<String> where = read(records);
@@ -66,7 +66,7 @@ class JournalFilesTest {
                 .isInstanceOfSatisfying(
                         JournalException.class,
                         wrong -> assertThat(wrong.isDamage()).isFalse());
-        try (Kept kept = Kept.in(directory)) {
+        try (JournaledCore kept = JournaledCore.in(directory)) {
             kept.tell(Story.of(Robot.RULES, new Random(3), 20));
         }
         Path segment = Directory.segments(directory).get(0);

@@ -38,7 +38,7 @@ class JournalFuzzTest {
     private static byte[] segment() {
         try {
             Path directory = Files.createTempDirectory("evoloop-fuzz");
-            try (Kept kept = Kept.in(directory)) {
+            try (JournaledCore kept = JournaledCore.in(directory)) {
                 List<Input> story = Story.of(Robot.RULES, new Random(3), 40);
                 kept.tell(story);
             }
@@ -68,7 +68,7 @@ class JournalFuzzTest {
     private static void recover(byte[] bytes) throws IOException {
         Files.write(FILE, bytes);
         try {
-            Replay replay = new Replay(Robot.RULES, Fingerprint.of(Robot.MODELS), new Kept.Forgetting());
+            Replay replay = new Replay(Robot.RULES, Fingerprint.of(Robot.MODELS), new JournaledCore.Forgetting());
             replay.of(List.of(FILE));
             assertThat(replay.result(new ManualClock())).isNotNull();
         } catch (JournalException refused) {

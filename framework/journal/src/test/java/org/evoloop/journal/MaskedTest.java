@@ -44,7 +44,7 @@ class MaskedTest {
                 .withForcing(Forcing.NEVER)
                 .withSegmentBytes(1 << 16)
                 .withMasked("pin", "Spot.code");
-        try (Kept kept = new Kept(directory, journal)) {
+        try (JournaledCore kept = new JournaledCore(directory, journal)) {
             kept.tell(new Input.Opened(0));
             kept.tell(press("Clean", "pin", SECRET));
             kept.tell(new Input.Ready());

@@ -30,7 +30,7 @@ class RecoveryTest {
     @MethodSource("seeds")
     void afterEveryRecord(long seed) throws Exception {
         Core uninterrupted = new Core(Robot.RULES, output -> {});
-        try (Kept kept = Kept.in(directory.resolve("journal"))) {
+        try (JournaledCore kept = JournaledCore.in(directory.resolve("journal"))) {
             int told = 0;
             for (Input input : Story.of(Robot.RULES, new Random(seed), 80)) {
                 kept.tell(input);
@@ -50,7 +50,7 @@ class RecoveryTest {
         List<Input> story = Story.of(Robot.RULES, new Random(seed), 20_000);
         Core uninterrupted = new Core(Robot.RULES, output -> {});
         story.forEach(uninterrupted::apply);
-        try (Kept kept = new Kept(path, small)) {
+        try (JournaledCore kept = new JournaledCore(path, small)) {
             kept.tell(story);
 
             await().ignoreExceptions().until(() -> Directory.segments(path).size() == 2);
@@ -61,7 +61,7 @@ class RecoveryTest {
 
     @Test
     void aJournalThatWasClosedTakesNoMoreRoomThanItNeeds() throws Exception {
-        Kept kept = Kept.in(directory);
+        JournaledCore kept = JournaledCore.in(directory);
         kept.tell(Story.of(Robot.RULES, new Random(1), 100));
         Path segment = kept.segment();
         kept.close();
@@ -73,7 +73,7 @@ class RecoveryTest {
     @Test
     void whatPassesWhileNoProcessRunsCounts() throws Exception {
         Snapshot last;
-        try (Kept kept = Kept.in(directory)) {
+        try (JournaledCore kept = JournaledCore.in(directory)) {
             kept.tell(new Input.Opened(10));
             last = kept.core.snapshot();
         }
@@ -81,21 +81,22 @@ class RecoveryTest {
         threeSecondsLater.advance(Duration.ofSeconds(3));
         ManualClock back = new ManualClock();
 
-        assertThat(Kept.recovered(Robot.RULES, directory, threeSecondsLater)).isEqualTo(last);
-        assertThat(Kept.recovered(Robot.RULES, directory, back))
+        assertThat(JournaledCore.recovered(Robot.RULES, directory, threeSecondsLater))
+                .isEqualTo(last);
+        assertThat(JournaledCore.recovered(Robot.RULES, directory, back))
                 .as("a time of day that went back lets nothing pass")
                 .isEqualTo(last.later(-10));
     }
 
     @Test
     void otherTimersAndCapacityAreThoseOfItsTime() throws Exception {
-        try (Kept kept = Kept.in(directory)) {
+        try (JournaledCore kept = JournaledCore.in(directory)) {
             kept.tell(Story.of(Robot.RULES, new Random(5), 200));
             Snapshot expected = kept.core.snapshot();
             Path copy = directory.resolve("copy");
             kept.copyTo(copy);
 
-            assertThat(Kept.recovered(Robot.rules(Robot.MODELS, 0), copy, kept.clock))
+            assertThat(JournaledCore.recovered(Robot.rules(Robot.MODELS, 0), copy, kept.clock))
                     .isEqualTo(expected);
         }
     }

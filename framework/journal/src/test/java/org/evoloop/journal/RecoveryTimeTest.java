@@ -25,7 +25,7 @@ class RecoveryTimeTest {
     void aHundredThousandInputs() throws Exception {
         Journal large = Journal.in(directory).withSegmentBytes(1 << 24).withForcing(Forcing.NEVER);
         Snapshot expected;
-        Kept kept = new Kept(directory, large);
+        JournaledCore kept = new JournaledCore(directory, large);
         kept.tell(Story.of(Robot.RULES, new Random(1), INPUTS));
         expected = kept.core.snapshot();
 
@@ -37,7 +37,7 @@ class RecoveryTimeTest {
         for (int time = 0; time < TIMES; time++) {
             long begun = System.nanoTime();
             long cpuBegun = threads.getCurrentThreadCpuTime();
-            Snapshot recovered = Kept.recovered(Robot.RULES, directory, kept.clock);
+            Snapshot recovered = JournaledCore.recovered(Robot.RULES, directory, kept.clock);
             nanos[time] = System.nanoTime() - begun;
             cpuNanos[time] = threads.getCurrentThreadCpuTime() - cpuBegun;
             assertThat(recovered).isEqualTo(expected);

@@ -16,12 +16,12 @@ import org.jspecify.annotations.Nullable;
  * <p>Threading: thread-safe.
  */
 final class ObeyWatch {
-    private record Told(long nanos, DriveDirect wheels) {}
+    private record Command(long nanos, DriveDirect wheels) {}
 
     private final long reactionNanos;
     private final long patienceNanos;
     private final long sampleNanos;
-    private final Deque<Told> told = new ArrayDeque<>();
+    private final Deque<Command> told = new ArrayDeque<>();
     private @Nullable SensorValues sample;
     private long sampledNanos;
     private boolean wrong;
@@ -39,7 +39,7 @@ final class ObeyWatch {
 
     /** The wheels were told this. */
     synchronized void told(DriveDirect wheels, long nanos) {
-        told.addLast(new Told(nanos, wheels));
+        told.addLast(new Command(nanos, wheels));
     }
 
     /**
@@ -80,7 +80,7 @@ final class ObeyWatch {
     /** What was told last before counts as long as nothing else was. */
     private void forgetWhatIsOver(long nanos) {
         while (told.size() > 1) {
-            Told first = told.removeFirst();
+            Command first = told.removeFirst();
             if (nanos - told.getFirst().nanos() < reactionNanos) {
                 told.addFirst(first);
                 return;
@@ -92,7 +92,7 @@ final class ObeyWatch {
     private boolean differs(ToIntFunction<DriveDirect> wheel, int counts) {
         // An encoder may stand on the edge of a count.
         int direction = Math.abs(counts) <= 1 ? 0 : Integer.signum(counts);
-        for (Told each : told) {
+        for (Command each : told) {
             int speed = wheel.applyAsInt(each.wheels());
             boolean tooSlowToTell = speed != 0 && Math.abs(speed) < Maneuver.SLOWEST_MM_PER_S;
             if (tooSlowToTell || Integer.signum(speed) == direction) {

@@ -36,7 +36,7 @@ public final class FindingDiagram {
     public static List<Timing> timings(List<Finding> findings) {
         return findings.stream()
                 .filter(finding -> !finding.timed().isEmpty())
-                .map(TimedWay::picture)
+                .map(TimedExample::picture)
                 .toList();
     }
 

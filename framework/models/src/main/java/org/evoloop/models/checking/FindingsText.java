@@ -37,7 +37,7 @@ public final class FindingsText {
                 lines.add("  way:  " + way(finding));
             }
             if (!finding.timed().isEmpty()) {
-                lines.add("  way:  " + TimedWay.text(finding.timed()));
+                lines.add("  way:  " + TimedExample.text(finding.timed()));
             }
         }
         for (SwitchedOff each : off) {

@@ -20,11 +20,11 @@ public record ReplayJson(long events, List<Row> differences, List<Standing> prop
             String time,
             String event,
             String source,
-            @Nullable Told then,
-            @Nullable Told now) {}
+            @Nullable Handling then,
+            @Nullable Handling now) {}
 
     /** How the event was handled. */
-    public record Told(
+    public record Handling(
             Where before,
             Where after,
             String outcome,
@@ -91,10 +91,10 @@ public record ReplayJson(long events, List<Row> differences, List<Standing> prop
                 told(each.other()));
     }
 
-    private static @Nullable Told told(@Nullable Verdict verdict) {
+    private static @Nullable Handling told(@Nullable Verdict verdict) {
         return verdict == null
                 ? null
-                : new Told(
+                : new Handling(
                         where(verdict.before()),
                         where(verdict.after()),
                         Json.word(verdict.outcome()),

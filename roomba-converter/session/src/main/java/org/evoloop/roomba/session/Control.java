@@ -82,7 +82,7 @@ final class Control {
     }
 
     /** The robot is to be left to itself for good. */
-    void letGo() {
+    void release() {
         if (regaining) {
             loseSight();
         }

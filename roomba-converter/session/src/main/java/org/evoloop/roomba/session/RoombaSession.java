@@ -347,11 +347,11 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
     }
 
     /** Stops the wheels if the robot is under control or about to be, and gives it back to itself for good. */
-    public void letGo() {
+    public void release() {
         boolean mayHaveControl;
         synchronized (reader) {
             mayHaveControl = mayBeUnderControl();
-            control.letGo();
+            control.release();
         }
         if (mayHaveControl) {
             send(new ActuatorCommand.DriveDirect(0, 0));
@@ -440,11 +440,11 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
         return connection.description() + ", " + reader.describe(now);
     }
 
-    /** Releases the robot as {@link #letGo()} does, and closes the link. Idempotent. */
+    /** Releases the robot as {@link #release()} does, and closes the link. Idempotent. */
     @Override
     public void close() {
         try {
-            letGo();
+            release();
         } catch (LinkException gone) {
             LOG.debug("{}", gone.getMessage());
         }

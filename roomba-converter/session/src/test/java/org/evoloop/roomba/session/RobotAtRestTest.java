@@ -189,7 +189,7 @@ class RobotAtRestTest {
     void whoeverMovesItOnItsWayOffTheDockHasIt() throws InterruptedException {
         frames(5, DOCKED);
         session.leaveDock();
-        session.letGo();
+        session.release();
         assertThat(session.isUndocking()).isFalse();
         cables.heard();
         frames(100, DOCKED);

@@ -168,7 +168,7 @@ class RoombaSessionTest {
 
     @Test
     void aRobotThatNobodyIsEngagedWithIsStoppedOnlyWhenSomebodyIs() {
-        session.letGo();
+        session.release();
         silence();
         frames(100, Frames.cleaning());
         assertThat(cables.heard()).isEmpty();
@@ -183,7 +183,7 @@ class RoombaSessionTest {
         silence();
         frames(4, Frames.cleaning());
         cables.heard();
-        session.letGo();
+        session.release();
         assertThat(cables.heard()).isEqualTo(bytes(STOP, new Command.Start()));
         frames(100, Frames.cleaning());
         assertThat(cables.heard()).isEmpty();

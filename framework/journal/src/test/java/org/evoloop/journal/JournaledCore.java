@@ -19,7 +19,7 @@ import org.evoloop.core.Snapshot;
 import org.evoloop.time.ManualClock;
 
 /** A core whose inputs are kept in a directory, and what can be done to the files. */
-final class Kept implements AutoCloseable {
+final class JournaledCore implements AutoCloseable {
     final Path directory;
     final ManualClock clock = new ManualClock();
     final Journal journal;
@@ -27,7 +27,7 @@ final class Kept implements AutoCloseable {
     final Core core;
     private final Inputs inputs;
 
-    Kept(Path directory, Journal journal) {
+    JournaledCore(Path directory, Journal journal) {
         this.directory = directory;
         this.journal = journal;
         Snapshot before = journal.open(Robot.RULES, clock, new Forgetting());
@@ -35,8 +35,8 @@ final class Kept implements AutoCloseable {
         inputs = journal.keep(core, failures::add);
     }
 
-    static Kept in(Path directory) {
-        return new Kept(directory, Journal.in(directory).withForcing(Forcing.NEVER));
+    static JournaledCore in(Path directory) {
+        return new JournaledCore(directory, Journal.in(directory).withForcing(Forcing.NEVER));
     }
 
     /** Hears nothing of the past. */
@@ -48,7 +48,7 @@ final class Kept implements AutoCloseable {
         public void say(Output output) {}
     }
 
-    Kept tell(List<Input> all) {
+    JournaledCore tell(List<Input> all) {
         all.forEach(this::tell);
         return this;
     }

@@ -16,7 +16,7 @@ import org.evoloop.statemachine.State;
  * @param from its state when the segment began
  * @param moments its inputs, in order
  */
-record Told(Head head, Snapshot from, List<Moment> moments) {
+record SegmentHistory(Head head, Snapshot from, List<Moment> moments) {
 
     /**
      * An input.
@@ -28,7 +28,7 @@ record Told(Head head, Snapshot from, List<Moment> moments) {
     record Moment(Input input, long atNanos, long visit, State state, List<Ending> endings) {}
 
     /** @throws JournalException if the segment is damaged */
-    static Told of(Path file) {
+    static SegmentHistory of(Path file) {
         SegmentReader segment = new SegmentReader(file);
         SegmentInputs inputs = new SegmentInputs(file, segment);
         Snapshot from = inputs.from();
@@ -43,6 +43,6 @@ record Told(Head head, Snapshot from, List<Moment> moments) {
             moments.add(new Moment(input, core.nowNanos(), visit, state, List.copyOf(endings)));
             endings.clear();
         }
-        return new Told(segment.head(), from, moments);
+        return new SegmentHistory(segment.head(), from, moments);
     }
 }

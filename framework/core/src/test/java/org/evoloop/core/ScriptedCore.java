@@ -10,36 +10,36 @@ import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 
 /** A core that is told one thing after the other, in the words of a story. */
-final class Told {
+final class ScriptedCore {
     final Core core;
     final List<Output> said = new ArrayList<>();
     private long now;
 
-    Told(Scene scene) {
+    ScriptedCore(Scene scene) {
         core = new Core(scene.rules(), said::add);
         tell(new Input.Opened(now));
     }
 
-    Told tell(Input input) {
+    ScriptedCore tell(Input input) {
         core.apply(input);
         now++;
         return this;
     }
 
-    Told press(String event) {
+    ScriptedCore press(String event) {
         return observe(heard(event, Source.CONTROLLER, false));
     }
 
     /** The device has done this by itself. */
-    Told own(String event) {
+    ScriptedCore own(String event) {
         return observe(heard(event, Source.DEVICE, true));
     }
 
-    Told found(String state) {
+    ScriptedCore found(String state) {
         return observe(new Occurrence.Found(new State(state), now));
     }
 
-    Told observe(Occurrence occurrence) {
+    ScriptedCore observe(Occurrence occurrence) {
         return tell(new Input.Observed(occurrence));
     }
 
@@ -48,45 +48,45 @@ final class Told {
     }
 
     /** The next occurrence is begun. */
-    Told ready() {
+    ScriptedCore ready() {
         return tell(new Input.Ready());
     }
 
     /** What is in progress is decided by where things are now. */
-    Told planned() {
+    ScriptedCore planned() {
         Work work = work();
         return tell(new Input.Planned(
                 number(), core.rules().decide(core.at(), core.steps(), work.pending(), guard -> false), now));
     }
 
-    Told sending() {
+    ScriptedCore sending() {
         return tell(new Input.Sending(number()));
     }
 
     /** The next occurrence is begun and planned, and its first step is on its way. */
-    Told begins() {
+    ScriptedCore begins() {
         return ready().planned().sending();
     }
 
-    Told sent(boolean inOrder) {
+    ScriptedCore sent(boolean inOrder) {
         return sent(number(), inOrder);
     }
 
-    Told sent(long number, boolean inOrder) {
+    ScriptedCore sent(long number, boolean inOrder) {
         return tell(new Input.Sent(number, inOrder, now));
     }
 
-    Told givenUp() {
+    ScriptedCore givenUp() {
         return tell(new Input.GivenUp(number(), "it was given up", now));
     }
 
     /** The device is asked where it is, and cannot tell. */
-    Told asksInVain() {
+    ScriptedCore asksInVain() {
         ready().planned();
         return tell(new Input.Located(number(), null, now));
     }
 
-    Told located(String state) {
+    ScriptedCore located(String state) {
         return tell(new Input.Located(number(), new State(state), now));
     }
 

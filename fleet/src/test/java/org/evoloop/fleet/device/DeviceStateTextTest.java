@@ -16,13 +16,13 @@ import org.evoloop.statemachine.State;
 import org.junit.jupiter.api.Test;
 
 /** What is kept of a device goes through text unchanged, whatever it is in the middle of. */
-class KeptTextTest {
+class DeviceStateTextTest {
     private static final long PATIENCE = 1_000_000_000L;
 
     private final Model lamp = ModelRecord.read("lamp-1", Models.LAMP.bytes());
     private final Device device = new Device(lamp, PATIENCE, new Deaf(), 1);
 
-    private static final class Deaf implements Hearer {
+    private static final class Deaf implements DeviceListener {
         @Override
         public void ordered(Order order) {}
 
@@ -30,7 +30,7 @@ class KeptTextTest {
         public void noted(Output.Notice notice) {}
 
         @Override
-        public void settled(Kept kept, boolean isNew) {}
+        public void settled(DeviceState kept, boolean isNew) {}
     }
 
     @Test
@@ -57,19 +57,19 @@ class KeptTextTest {
     }
 
     private void assertUnchanged() {
-        byte[] text = KeptText.write(device.kept());
-        assertThat(KeptText.model(text)).isEqualTo("lamp-1");
-        assertThat(KeptText.read(lamp.rules(), text)).isEqualTo(device.kept());
+        byte[] text = DeviceStateText.write(device.kept());
+        assertThat(DeviceStateText.model(text)).isEqualTo("lamp-1");
+        assertThat(DeviceStateText.read(lamp.rules(), text)).isEqualTo(device.kept());
     }
 
     @Test
     void anotherTextIsRefused() {
-        assertThatThrownBy(() -> KeptText.model("nothing\n".getBytes(StandardCharsets.UTF_8)))
+        assertThatThrownBy(() -> DeviceStateText.model("nothing\n".getBytes(StandardCharsets.UTF_8)))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("evoloop-device 1");
-        byte[] text = KeptText.write(device.kept());
+        byte[] text = DeviceStateText.write(device.kept());
         String damaged = new String(text, StandardCharsets.UTF_8).replace("none", "nine");
-        assertThatThrownBy(() -> KeptText.read(lamp.rules(), damaged.getBytes(StandardCharsets.UTF_8)))
+        assertThatThrownBy(() -> DeviceStateText.read(lamp.rules(), damaged.getBytes(StandardCharsets.UTF_8)))
                 .isInstanceOf(RuntimeException.class);
     }
 }

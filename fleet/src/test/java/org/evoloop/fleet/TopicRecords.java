@@ -8,7 +8,7 @@ import org.evoloop.fleet.wire.Topic;
 import org.evoloop.fleet.wire.Wire;
 
 /** What stands in topics: by topic and device, in order. */
-public final class Told {
+public final class TopicRecords {
     private final Map<String, List<String>> records = new TreeMap<>();
 
     public void add(Topic topic, String device, byte[] record) {

@@ -8,20 +8,20 @@ import org.evoloop.core.text.SnapshotText;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The text of {@link Kept}, in UTF-8: one line, then the snapshot's text.
+ * The text of {@link DeviceState}, in UTF-8: one line, then the snapshot's text.
  *
  * <p>Threading: thread-safe.
  *
  * @since 0.1
  */
-public final class KeptText {
+public final class DeviceStateText {
     private static final String TITLE = "evoloop-device 1 ";
     private static final int WORDS = 11;
 
-    private KeptText() {}
+    private DeviceStateText() {}
 
     /** The bytes of {@code kept}. */
-    public static byte[] write(Kept kept) {
+    public static byte[] write(DeviceState kept) {
         String head = TITLE
                 + kept.model()
                 + ' '
@@ -61,11 +61,11 @@ public final class KeptText {
      * @throws IllegalArgumentException if they are no such text
      * @throws SnapshotException if they name something that the models lack
      */
-    public static Kept read(Rules rules, byte[] bytes) {
+    public static DeviceState read(Rules rules, byte[] bytes) {
         String text = new String(bytes, StandardCharsets.UTF_8);
         String[] words = head(text);
         try {
-            return new Kept(
+            return new DeviceState(
                     words[0],
                     Long.parseLong(words[1]),
                     Long.parseLong(words[2]),

@@ -14,13 +14,13 @@ import org.evoloop.rehearsal.Ending;
 import org.jspecify.annotations.Nullable;
 
 /** The properties that are watched while other models process a journal's events. */
-final class KeptProperties {
+final class WatchedProperties {
     private final List<Property> properties;
     private final List<Broken> broken = new ArrayList<>();
     private @Nullable PropertyWatch watch;
     private @Nullable Head head;
 
-    KeptProperties(List<Property> properties) {
+    WatchedProperties(List<Property> properties) {
         this.properties = properties;
     }
 

@@ -16,7 +16,7 @@ import org.jspecify.annotations.Nullable;
  * @param snapshot the snapshot of its core
  * @since 0.1
  */
-public record Kept(
+public record DeviceState(
         String model,
         long sequence,
         long heard,

@@ -18,14 +18,14 @@ import org.evoloop.statemachine.Transition;
  * the press that led to it occurred, or to the state of a robot that was meanwhile set to work by its own buttons. They
  * are ordinary transitions of the new model, on events of their own.
  */
-final class WaysBack {
+final class ReturnTransitions {
     static final String PREFIX = "backTo";
 
     private final StateMachine original;
     private final StateMachine evolved;
     private final Set<State> moves;
 
-    WaysBack(ModelPair pair, Set<State> moves) {
+    ReturnTransitions(ModelPair pair, Set<State> moves) {
         this.original = pair.original();
         this.evolved = pair.evolved();
         this.moves = moves;

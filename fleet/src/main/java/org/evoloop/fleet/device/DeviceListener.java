@@ -7,7 +7,7 @@ import org.evoloop.core.Output;
  *
  * @since 0.1
  */
-public interface Hearer {
+public interface DeviceListener {
     /** Somebody has to do this. */
     void ordered(Order order);
 
@@ -19,5 +19,5 @@ public interface Hearer {
      *
      * @param isNew whether the evolved system is in a state that only the new model has
      */
-    void settled(Kept kept, boolean isNew);
+    void settled(DeviceState kept, boolean isNew);
 }

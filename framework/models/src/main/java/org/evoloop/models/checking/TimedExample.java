@@ -8,8 +8,8 @@ import org.evoloop.check.timing.Span;
 import org.evoloop.models.diagram.Timing;
 
 /** The timed events that lead to a finding, as text and as a picture. */
-final class TimedWay {
-    private TimedWay() {}
+final class TimedExample {
+    private TimedExample() {}
 
     /** {@code at 0 s start (Off, Off); at 1.5 s Clean -> (On, On)}. */
     static String text(List<TimedEvent> events) {

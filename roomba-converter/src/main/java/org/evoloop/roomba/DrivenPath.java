@@ -17,7 +17,7 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>Threading: thread-safe.
  */
-final class DrivenWay implements SessionListener {
+final class DrivenPath implements SessionListener {
     private static final int MOST_POINTS = 4_000;
     private static final double FIRST_STEP_MM = 20;
     private static final double SIDE_PIXELS = 600;
@@ -39,11 +39,11 @@ final class DrivenWay implements SessionListener {
     private @Nullable OdometryPose now;
 
     /** The path of a robot that has not reported yet. */
-    DrivenWay() {}
+    DrivenPath() {}
 
     /** The path of this session's robot from now on, as a picture for the page. */
     static Picture of(RoombaSession session) {
-        DrivenWay way = new DrivenWay();
+        DrivenPath way = new DrivenPath();
         session.addListener(way);
         return new Picture(
                 "Way",

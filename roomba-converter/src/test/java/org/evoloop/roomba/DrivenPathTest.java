@@ -12,10 +12,10 @@ import org.evoloop.roomba.session.Telemetry;
 import org.junit.jupiter.api.Test;
 import org.xml.sax.InputSource;
 
-class DrivenWayTest {
+class DrivenPathTest {
     private static final Pattern STEP = Pattern.compile(" L");
 
-    private final DrivenWay way = new DrivenWay();
+    private final DrivenPath way = new DrivenPath();
     private long frame;
 
     private void at(double xMm, double yMm, double headingRad) {
