@@ -25,7 +25,7 @@ import picocli.CommandLine.Option;
 /** Runs the measurements, each in a separate JVM. Prints one table to stdout, and progress to stderr. */
 @Command(
         name = "bench",
-        description = "Measures Evoloop beside others, on this machine, in one run.",
+        description = "Compares Evoloop with other libraries on this machine, in one run.",
         mixinStandardHelpOptions = true,
         subcommands = {PlotCommand.class, ProfileCommand.class, SoakCommand.class})
 public final class Main implements Callable<Integer> {

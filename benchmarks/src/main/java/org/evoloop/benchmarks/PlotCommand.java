@@ -13,7 +13,7 @@ import picocli.CommandLine.Parameters;
 /** Plots the results of a run. */
 @Command(
         name = "plot",
-        description = "Draws what a run has written with --json, as SVG.",
+        description = "Draws the results that a run has written with --json, as SVG.",
         mixinStandardHelpOptions = true)
 final class PlotCommand implements Callable<Integer> {
     @Parameters(index = "0", paramLabel = "RESULTS", description = "A file under benchmarks/results.")

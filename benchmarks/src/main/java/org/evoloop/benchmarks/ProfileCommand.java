@@ -23,7 +23,7 @@ import picocli.CommandLine.Parameters;
 /** Profiles each kind of work in a separate JVM. */
 @Command(
         name = "profile",
-        description = "Tells in which methods time goes and what is allocated, by the JDK's Flight Recorder.",
+        description = "Shows which methods take the time and what is allocated, with the JDK's Flight Recorder.",
         mixinStandardHelpOptions = true)
 final class ProfileCommand implements Callable<Integer> {
     /** Without these options, inlined methods would not appear. */
@@ -40,7 +40,7 @@ final class ProfileCommand implements Callable<Integer> {
     @Option(
             names = "--seconds",
             paramLabel = "N",
-            description = "As long warming up, and as long recorded (default: ${DEFAULT-VALUE}).")
+            description = "How long to warm up, and then to record (default: ${DEFAULT-VALUE}).")
     private int seconds = 10;
 
     @Option(names = "--flame-graphs", paramLabel = "FOLDER", description = "Draws flame-WORK.svg there as well.")

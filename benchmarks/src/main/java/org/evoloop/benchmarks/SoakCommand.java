@@ -19,13 +19,14 @@ import picocli.CommandLine.Option;
 /** Runs a converter for a long time and checks whether its resource usage grows. */
 @Command(
         name = "soak",
-        description = "Converts events with a journal for long; fails if heap, threads, files or disk grow.",
+        description = "Converts events with a journal for a long time; fails if heap, threads, open files or disk "
+                + "usage grow.",
         mixinStandardHelpOptions = true)
 final class SoakCommand implements Callable<Integer> {
     private static final int LOOKS = 60;
     private static final long LEAST = 1000;
 
-    @Option(names = "--events", paramLabel = "N", description = "How many, 1000 and more (default: 10000000).")
+    @Option(names = "--events", paramLabel = "N", description = "How many events, at least 1000 (default: 10000000).")
     private long events = 10_000_000;
 
     @Option(names = "--stepped", description = "Without threads in the loop, which is many times as fast.")

@@ -107,7 +107,7 @@ final class ClusterOptions {
             }
         } catch (KafkaException e) {
             throw new FleetException(
-                    "the broker at " + bootstrap + " does not tell what was published: " + e.getMessage());
+                    "the broker at " + bootstrap + " does not return what was published: " + e.getMessage());
         }
         return last;
     }

@@ -19,8 +19,8 @@ import picocli.CommandLine.Spec;
 @Command(
         name = "gateway",
         description = {
-            "Bridges the devices of an MQTT broker to a fleet, until it gets SIGTERM. While Kafka is not reached, what devices"
-                    + " tell is kept, and sent in order when it is."
+            "Bridges the devices of an MQTT broker to a fleet, until it gets SIGTERM. While Kafka cannot be reached, "
+                    + "the devices' messages are stored; they are sent in order once it can."
         },
         mixinStandardHelpOptions = true,
         sortOptions = false,
@@ -41,9 +41,8 @@ final class GatewayCommand implements Callable<Integer> {
             names = "--mqtt",
             required = true,
             paramLabel = "URL",
-            description =
-                    "The devices' MQTT broker: mqtt://USER@HOST, or mqtts://USER@HOST with TLS; the password stands in"
-                            + " the environment, EVOLOOP_MQTT_PASSWORD.")
+            description = "The devices' MQTT broker: mqtt://USER@HOST, or mqtts://USER@HOST with TLS; the password is "
+                    + "taken from the environment variable EVOLOOP_MQTT_PASSWORD.")
     @SuppressWarnings("NullAway.Init") // picocli sets it
     private String mqtt;
 
@@ -53,8 +52,8 @@ final class GatewayCommand implements Callable<Integer> {
             paramLabel = "ID",
             split = ",",
             description =
-                    "The devices, as the fleet knows them; they speak on evoloop/ID/occurrence and evoloop/ID/effect, and"
-                            + " listen to evoloop/ID/command.")
+                    "The devices' ids in the fleet; they publish to evoloop/ID/occurrence and evoloop/ID/effect, and "
+                            + "subscribe to evoloop/ID/command.")
     @SuppressWarnings("NullAway.Init") // picocli sets it
     private Set<String> devices;
 
@@ -62,7 +61,7 @@ final class GatewayCommand implements Callable<Integer> {
             names = "--journal",
             required = true,
             paramLabel = "DIR",
-            description = "Keeps what the fleet does not have yet, and what devices were given.")
+            description = "Stores what the fleet has not received yet, and which commands the devices got.")
     @SuppressWarnings("NullAway.Init") // picocli sets it
     private Path directory;
 
@@ -70,7 +69,7 @@ final class GatewayCommand implements Callable<Integer> {
             names = "--gateway",
             paramLabel = "NAME",
             defaultValue = "gateway",
-            description = "This gateway's name, which no other of the fleet has (default: gateway).")
+            description = "This gateway's name, unique in the fleet (default: gateway).")
     @SuppressWarnings("NullAway.Init") // picocli sets it
     private String name;
 
@@ -80,8 +79,8 @@ final class GatewayCommand implements Callable<Integer> {
             EdgeDevice.requireTopicName("the device", device);
         }
         if (devices.size() > MOST_DEVICES) {
-            throw new IllegalArgumentException("--device names " + devices.size() + " devices, and a gateway has "
-                    + MOST_DEVICES + " at most; start another one for the others, with another --gateway");
+            throw new IllegalArgumentException("--device names " + devices.size() + " devices, and a gateway takes "
+                    + MOST_DEVICES + " at most; start another one for the rest, with another --gateway");
         }
         BrokerAddress broker = MqttOptions.brokerAt(mqtt);
         cluster.check();

@@ -22,9 +22,7 @@ import picocli.CommandLine.Spec;
 /** Makes models known to a fleet. */
 @Command(
         name = "publish",
-        description = {
-            "Publishes a pair of models under a version, which means the same for good. They are checked first."
-        },
+        description = {"Checks a pair of models and publishes it under a version, which never changes afterwards."},
         mixinStandardHelpOptions = true,
         sortOptions = false)
 final class PublishCommand implements Callable<Integer> {
@@ -38,7 +36,7 @@ final class PublishCommand implements Callable<Integer> {
     @SuppressWarnings("NullAway.Init") // picocli sets it
     private ClusterOptions cluster;
 
-    @Parameters(index = "0", paramLabel = "VERSION", description = "What devices call them, such as lamp-2.")
+    @Parameters(index = "0", paramLabel = "VERSION", description = "The version, such as lamp-2.")
     @SuppressWarnings("NullAway.Init") // picocli sets it
     private String version;
 
@@ -58,15 +56,14 @@ final class PublishCommand implements Callable<Integer> {
             names = "--new",
             paramLabel = "NAME",
             defaultValue = "new",
-            description = "The machine in it that is wanted.")
+            description = "The machine in it that the owner wants.")
     @SuppressWarnings("NullAway.Init") // picocli sets it
     private String evolved;
 
     @Option(
             names = "--timer",
             paramLabel = "STATE:EVENT:MS",
-            description =
-                    "A state raises an event after so many milliseconds; besides the time triggers that are drawn.")
+            description = "STATE raises EVENT after MS milliseconds, in addition to the time triggers in the models.")
     private List<String> timers = new ArrayList<>();
 
     @Override
@@ -83,7 +80,7 @@ final class PublishCommand implements Callable<Integer> {
         byte[] before = cluster.models(version);
         if (before != null && !Arrays.equals(before, record)) {
             throw new FleetException("other models are published as " + version
-                    + " already; a version means the same for good, so give these another");
+                    + " already; a version never changes, so choose another one for these");
         }
         cluster.write(Topic.MODELS, Map.of(version, record));
         spec.commandLine().getOut().println("the models " + version + " are published");

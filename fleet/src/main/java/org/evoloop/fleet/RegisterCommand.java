@@ -16,7 +16,7 @@ import picocli.CommandLine.Spec;
 /** Takes devices into a fleet. */
 @Command(
         name = "register",
-        description = "Takes devices into the fleet, in the initial states of their models.",
+        description = "Adds devices to the fleet, in the initial states of their models.",
         mixinStandardHelpOptions = true,
         sortOptions = false)
 final class RegisterCommand implements Callable<Integer> {
@@ -28,7 +28,7 @@ final class RegisterCommand implements Callable<Integer> {
     @SuppressWarnings("NullAway.Init") // picocli sets it
     private ClusterOptions cluster;
 
-    @Option(names = "--model", required = true, paramLabel = "VERSION", description = "The models that they have.")
+    @Option(names = "--model", required = true, paramLabel = "VERSION", description = "The version of their models.")
     @SuppressWarnings("NullAway.Init") // picocli sets it
     private String model;
 

@@ -18,8 +18,9 @@ import picocli.CommandLine.Spec;
 @Command(
         name = "rollout",
         description =
-                "Has other models take over in a share of the fleet. The same again with a greater share goes on; with"
-                        + " --back all return to the models before. It stops and leads back by itself when too much goes wrong.",
+                "Rolls other models out to a share of the fleet. Repeat it with a larger share to continue; --back "
+                        + "returns all devices to the previous models. It stops and rolls back by itself if too much "
+                        + "goes wrong.",
         mixinStandardHelpOptions = true,
         sortOptions = false)
 final class RolloutCommand implements Callable<Integer> {
@@ -31,11 +32,11 @@ final class RolloutCommand implements Callable<Integer> {
     @SuppressWarnings("NullAway.Init") // picocli sets it
     private ClusterOptions cluster;
 
-    @Parameters(index = "0", paramLabel = "ROLLOUT", description = "A name for it.")
+    @Parameters(index = "0", paramLabel = "ROLLOUT", description = "The rollout's name.")
     @SuppressWarnings("NullAway.Init") // picocli sets it
     private String rollout;
 
-    @Option(names = "--from", required = true, paramLabel = "VERSION", description = "The models that are left.")
+    @Option(names = "--from", required = true, paramLabel = "VERSION", description = "The version to replace.")
     @SuppressWarnings("NullAway.Init") // picocli sets it
     private String from;
 
@@ -43,27 +44,32 @@ final class RolloutCommand implements Callable<Integer> {
     @SuppressWarnings("NullAway.Init") // picocli sets it
     private String to;
 
-    @Option(names = "--percent", paramLabel = "P", defaultValue = "1", description = "In this share (default: 1).")
+    @Option(
+            names = "--percent",
+            paramLabel = "P",
+            defaultValue = "1",
+            description = "The share of the devices, in " + "percent (default: 1).")
     private double percent;
 
     @Option(
             names = "--stop-percent",
             paramLabel = "P",
             defaultValue = "5",
-            description = "It stops if more of what happens there are failures or divergences (default: 5).")
+            description = "It stops if more than this percentage of the events there are failures or divergences "
+                    + "(default: 5).")
     private double stopPercent;
 
     @Option(
             names = "--stop-after",
             paramLabel = "N",
             defaultValue = "20",
-            description = "Once so many events were counted there (default: 20).")
+            description = "How many events it counts there before it may stop (default: 20).")
     private long stopAfter;
 
     @Option(
             names = "--map",
             paramLabel = "FILE",
-            description = "What does not go by its name, as for ./evoloop models migrate.")
+            description = "Mapping rules for names that differ, as for ./evoloop models migrate.")
     private @Nullable Path mapping;
 
     @Option(names = "--back", description = "Leads back.")

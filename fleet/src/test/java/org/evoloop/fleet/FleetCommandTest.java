@@ -26,10 +26,10 @@ class FleetCommandTest {
 
     @Test
     void mistakesAreToldInOneMessage() throws Exception {
-        mistake("say --bootstrap HOST:PORT, or --demo", "fleet");
+        mistake("give --bootstrap HOST:PORT, or --demo", "fleet");
         mistake("--devices is 0, allowed is 1 to 1000000", "fleet", "--demo", "--devices", "0");
         mistake("--devices is for --demo", "fleet", "--bootstrap", "localhost:1", "--devices", "3");
-        mistake("'nowhere' is no address of a Kafka broker", "fleet", "--bootstrap", "nowhere");
+        mistake("'nowhere' is not the address of a Kafka broker", "fleet", "--bootstrap", "nowhere");
         mistake("the fleet's name is 'a b'", "fleet", "--bootstrap", Brokers.shared(), "--name", "a b");
         mistake("threads is 0, allowed is 1 to 1000", "fleet", "--bootstrap", Brokers.shared(), "--threads", "0");
         mistake("standbys is -1", "fleet", "--bootstrap", Brokers.shared(), "--standbys", "-1");
@@ -37,7 +37,7 @@ class FleetCommandTest {
         mistake("--partitions is 0", "fleet", "--bootstrap", Brokers.shared(), "--create-topics", "--partitions", "0");
         mistake("the device is 'a/b'", gateway("a/b", "j"));
         String many = IntStream.rangeClosed(1, 501).mapToObj(String::valueOf).collect(Collectors.joining(","));
-        mistake("--device names 501 devices, and a gateway has 500 at most", gateway(many, "j"));
+        mistake("--device names 501 devices, and a gateway takes 500 at most", gateway(many, "j"));
         mistake("none.occurrences is missing", "fleet", "--bootstrap", Brokers.shared(), "--name", "none");
     }
 

@@ -81,7 +81,8 @@ final class ConverterOptions {
             paramLabel = "SOURCE",
             description =
                     "The camera with which Move looks for the starting point's marker: a device such as /dev/video0 "
-                            + "or 0, the URL of an HTTP camera, a recording, or with --simulate sim for the robot's own.")
+                            + "or 0, the URL of an HTTP camera, a recording, or with --simulate sim for the robot's "
+                            + "own.")
     private @Nullable String camera;
 
     @Mixin
@@ -99,16 +100,16 @@ final class ConverterOptions {
             paramLabel = "STATE=FUNCTION",
             description =
                     "What runs in a new state: Move, SpotWait, SpotClean, Charge, QuietHours or none; can be repeated. "
-                            + "Unless told, the one that the state's do activity names; else Move runs in "
+                            + "By default, the one that the state's do activity names; otherwise Move runs in "
                             + "the one that arriveSpot leaves, SpotWait in the one that timeout leaves.")
     private List<String> functions = List.of();
 
     @Option(
             names = "--clean-at",
             paramLabel = "[DAYS ]TIME",
-            description =
-                    "When the converter raises schedule, such as 09:00 or 'MON,FRI 09:00'; can be repeated. The robot's "
-                            + "own schedule is switched off then.")
+            description = "When the converter raises schedule, such as 09:00 or 'MON,FRI 09:00'; can be repeated. The "
+                    + "robot's "
+                    + "own schedule is switched off then.")
     private List<String> cleanAt = List.of();
 
     @Option(

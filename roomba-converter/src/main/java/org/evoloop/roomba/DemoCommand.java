@@ -43,13 +43,13 @@ final class DemoCommand implements Callable<Integer> {
             names = "--speed",
             paramLabel = "N",
             defaultValue = "10",
-            description = "How many times faster than real time robot and converter live (default: ${DEFAULT-VALUE}); "
-                    + "with the camera, whose pictures take their time, 4 at most.")
+            description = "How many times faster than real time robot and converter run (default: ${DEFAULT-VALUE}); "
+                    + "at most 4 with the camera.")
     private double speed;
 
     @Option(
             names = "--two-processes",
-            description = "Runs the simulated robot in a process of its own, joined by nothing but its serial port.")
+            description = "Runs the simulated robot in a process of its own, connected only by its serial port.")
     private boolean twoProcesses;
 
     @Option(

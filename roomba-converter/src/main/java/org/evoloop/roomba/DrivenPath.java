@@ -47,7 +47,7 @@ final class DrivenPath implements SessionListener {
         session.addListener(way);
         return new Picture(
                 "Way",
-                "The way that the robot has driven, as its wheels tell it, from above, and where it is; errors add up with the way",
+                "The robot's path and position from above, by its wheels' odometry; errors add up with the distance",
                 "image/svg+xml",
                 () -> Picture.View.of(way.svg(session.isUp()).getBytes(StandardCharsets.UTF_8)));
     }

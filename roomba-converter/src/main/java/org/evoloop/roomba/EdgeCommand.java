@@ -28,8 +28,8 @@ import picocli.CommandLine.Spec;
 @Command(
         name = "edge",
         description = {
-            "Has a Roomba take part in a fleet, until it gets SIGTERM: tells the fleet's gateway what happens at the robot, and does"
-                    + " what the fleet decides. The new functions run here."
+            "Lets a Roomba take part in a fleet, until it gets SIGTERM: reports what happens at the robot to the "
+                    + "fleet's gateway, and does what the fleet decides. The new functions run here."
         },
         mixinStandardHelpOptions = true,
         sortOptions = false,
@@ -47,7 +47,7 @@ final class EdgeCommand implements Callable<Integer> {
     @SuppressWarnings("NullAway.Init") // picocli sets it
     private String port;
 
-    @Option(names = "--device", required = true, paramLabel = "ID", description = "The robot, as the fleet knows it.")
+    @Option(names = "--device", required = true, paramLabel = "ID", description = "The robot's id in the fleet.")
     @SuppressWarnings("NullAway.Init") // picocli sets it
     private String device;
 
@@ -55,9 +55,8 @@ final class EdgeCommand implements Callable<Integer> {
             names = "--mqtt",
             required = true,
             paramLabel = "URL",
-            description =
-                    "The gateway's MQTT broker: mqtt://USER@HOST, or mqtts://USER@HOST with TLS; the password stands in"
-                            + " the environment, EVOLOOP_MQTT_PASSWORD.")
+            description = "The gateway's MQTT broker: mqtt://USER@HOST, or mqtts://USER@HOST with TLS; the password is "
+                    + "taken from the environment variable EVOLOOP_MQTT_PASSWORD.")
     @SuppressWarnings("NullAway.Init") // picocli sets it
     private String mqtt;
 
@@ -65,13 +64,14 @@ final class EdgeCommand implements Callable<Integer> {
             names = "--journal",
             required = true,
             paramLabel = "DIR",
-            description = "Keeps what the gateway does not have yet, and which command was carried out last.")
+            description = "Stores what the gateway has not received yet, and which command was carried out last.")
     @SuppressWarnings("NullAway.Init") // picocli sets it
     private Path directory;
 
     @Option(
             names = "--no-guard",
-            description = "Starts no guard process, which stops the robot when this program is killed or stands still.")
+            description = "Does not start the guard process, which stops the robot when this program is killed or "
+                    + "frozen.")
     private boolean noGuard;
 
     @Mixin

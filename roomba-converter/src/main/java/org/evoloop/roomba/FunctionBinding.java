@@ -53,7 +53,7 @@ final class FunctionBinding {
         String name = wish.substring(equals + 1).strip();
         RobotFunction function = RobotFunction.of(name).orElse(null);
         if (equals <= 0 || function == null) {
-            problems.add("--function " + wish + ": say STATE=FUNCTION; the functions are " + RobotFunction.NAMES);
+            problems.add("--function " + wish + ": write STATE=FUNCTION; the functions are " + RobotFunction.NAMES);
             return;
         }
         String stateName = wish.substring(0, equals).strip();
@@ -123,13 +123,13 @@ final class FunctionBinding {
     private void requireNoMore() {
         for (String guard : evolved.guards()) {
             problems.add(
-                    "guard [" + guard + "] of the new model means nothing to this program; draw the model without");
+                    "guard [" + guard + "] of the new model is unknown to this program; draw the model without it");
         }
         List<String> ofDevice = effects(pair.original());
         for (String effect : effects(evolved)) {
             if (!ofDevice.contains(effect)) {
                 problems.add(
-                        "effect " + effect + " of the new model means nothing to this program; draw the model without");
+                        "effect " + effect + " of the new model is unknown to this program; draw the model without it");
             }
         }
     }

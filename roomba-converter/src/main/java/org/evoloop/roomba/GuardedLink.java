@@ -45,7 +45,7 @@ final class GuardedLink extends ForwardingLink {
             throw overruled;
         }
         if (!maySend.getAsBoolean()) {
-            throw new LinkException(Fault.OVERRULED, description() + ": this program stood still; nothing is sent");
+            throw new LinkException(Fault.OVERRULED, description() + ": this program was frozen; nothing is sent");
         }
         super.send(bytes);
     }

@@ -75,9 +75,8 @@ final class RoombaCommand implements Callable<Integer> {
 
     @Option(
             names = "--no-guard",
-            description =
-                    "With --port: starts no guard process, which stops the robot when this program is killed or stands "
-                            + "still. A simulated robot has none.")
+            description = "With --port: does not start the guard process, which stops the robot when this program is "
+                    + "killed or frozen. A simulated robot has none.")
     private boolean noGuard;
 
     private Settings settings = OPTIONS.read(List.of(), Map.of());
@@ -111,7 +110,7 @@ final class RoombaCommand implements Callable<Integer> {
     private void check(boolean onlyShown, Mistakes mistakes) {
         boolean undecided = port == null && !simulate;
         if ((port == null) != simulate && !(undecided && onlyShown)) {
-            mistakes.add("say which robot: --port PATH or --simulate");
+            mistakes.add("choose a robot: --port PATH or --simulate");
         }
         Double wanted = speed;
         if (wanted != null && wanted != 1 && port != null && !simulate) {
@@ -166,7 +165,8 @@ final class RoombaCommand implements Callable<Integer> {
             if (world != null) {
                 console.addCommand(ConsoleCommand.of(
                                 "robot COMMAND [ARGUMENT] [ARGUMENT] [ARGUMENT]",
-                                "tells the simulated robot's world something: robot press clean, robot place 500 0 90, robot help",
+                                "gives the simulated robot's world a command: robot press clean, robot place 500 0 "
+                                        + "90, robot help",
                                 (arguments, out) -> out.println(world.execute(String.join(" ", arguments))))
                         .completing(before -> before.isEmpty() ? WorldCommands.NAMES : WorldCommands.BUTTON_NAMES));
             }

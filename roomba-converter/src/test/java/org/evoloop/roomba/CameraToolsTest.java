@@ -93,7 +93,7 @@ class CameraToolsTest {
                 "camera 0 --record film.mp4 | film.mp4: cannot be written as a recording; its name must end with .avi, "
                         + "in a folder that may be written to",
                 "camera 0 --seconds 0 | --seconds is 0, allowed is 1 to 86400",
-                "marker --out marker.txt | --out marker.txt: is no .pdf and no .png file; name it marker.pdf",
+                "marker --out marker.txt | --out marker.txt: is neither a .pdf nor a .png file; name it marker.pdf",
                 "marker --out /no/m.pdf | --out /no/m.pdf: there is no such folder; correct the path",
                 "calibrate --images /no --out c | --images /no: no picture has such a name; name a folder with .jpg or "
                         + ".png files, or a pattern such as 'pictures/*.jpg'",

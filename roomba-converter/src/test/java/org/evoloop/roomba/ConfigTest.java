@@ -47,7 +47,7 @@ class ConfigTest {
                         line -> assertThat(line).isEqualTo("  --spot-wait is 0.0, allowed is 0.1 to 3600 seconds"),
                         line -> assertThat(line)
                                 .isEqualTo("  roomba.yaml:2: there is no option prot; did you mean port?"),
-                        line -> assertThat(line).isEqualTo("  roomba.yaml:3: say which robot: port PATH or simulate"),
+                        line -> assertThat(line).isEqualTo("  roomba.yaml:3: choose a robot: port PATH or simulate"),
                         line -> assertThat(line).isEqualTo("  roomba.yaml:5: speed: 'fast' is not a number"),
                         line -> assertThat(line).startsWith("  roomba.yaml:6: clean-at is 25:00; give a time of day"),
                         line -> assertThat(line).startsWith("  roomba.yaml:7: quiet-hours is 22:00; give two times"),

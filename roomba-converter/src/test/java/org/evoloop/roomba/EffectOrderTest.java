@@ -116,7 +116,7 @@ class EffectOrderTest {
         roomba.controller().press(RobotEvents.CLEAN);
         hold.await();
         await().atMost(PATIENCE).until(() -> !doubt().isEmpty());
-        assertThat(doubt()).contains("nobody knows whether Clean had its effect");
+        assertThat(doubt()).contains("it is unknown whether Clean had its effect");
         roomba.converter().exchange("ExecuteCommand", "ExecuteCommand2");
         await().atMost(PATIENCE).until(() -> doubt().isEmpty());
         assertThat(truth()).isEqualTo(RobotActivity.CLEAN);

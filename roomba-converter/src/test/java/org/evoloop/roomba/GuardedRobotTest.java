@@ -178,7 +178,7 @@ class GuardedRobotTest {
         tell(times + " freezes");
         OtherRobot.type(converter, "status\nexit\n");
         assertThat(converter.waitFor()).isZero();
-        assertThat(log()).contains("this program stood still for", "states      original On, new On");
+        assertThat(log()).contains("this program was frozen for", "states      original On, new On");
     }
 
     @Test

@@ -90,8 +90,10 @@ class RobotModelsTest {
     @Test
     void aStateThatNothingFitsIsToldWithWhatToDoAtTheCommandLine() {
         assertRefused(
-                "new state Pause has no function. Move runs in the state that arriveSpot leaves, SpotWait in the one that "
-                        + "timeout leaves; draw such a transition, or a time trigger such as tm(2s), or give --function "
+                "new state Pause has no function. Move runs in the state that arriveSpot leaves, SpotWait in the one "
+                        + "that "
+                        + "timeout leaves; draw such a transition, or a time trigger such as tm(2s), or give "
+                        + "--function "
                         + "Pause=none if nothing has to run there",
                 arriving().transition("Hunt", "Clean", "Pause").transition("Pause", "Clean", "On"));
     }
@@ -99,10 +101,11 @@ class RobotModelsTest {
     @Test
     void anOptionThatCannotBeMeantIsRefused() {
         assertRefused(
-                "--function Hunt: say STATE=FUNCTION; the functions are Move, SpotWait, SpotClean, Charge, QuietHours and none",
+                "--function Hunt: write STATE=FUNCTION; the functions are Move, SpotWait, SpotClean, Charge, "
+                        + "QuietHours and none",
                 arriving(),
                 "Hunt");
-        assertRefused("--function Hunt=Dance: say STATE=FUNCTION", arriving(), "Hunt=Dance");
+        assertRefused("--function Hunt=Dance: write STATE=FUNCTION", arriving(), "Hunt=Dance");
         assertRefused("--function Wander=Move: 'Wander' is no new state; there are Hunt", arriving(), "Wander=Move");
         assertRefused("--function On=none: 'On' is no new state; there are Hunt", arriving(), "On=none");
         assertRefused(
@@ -115,13 +118,13 @@ class RobotModelsTest {
     @Test
     void guardsAndEffectsAreRefusedInWordsOfTheCommandLine() {
         assertRefused(
-                "guard [dark] of the new model means nothing to this program; draw the model without",
+                "guard [dark] of the new model is unknown to this program; draw the model without it",
                 arriving()
                         .transition(
                                 new Transition(new State("Hunt"), new Event("Spot", List.of("dark")), new State("On")),
                                 ""));
         assertRefused(
-                "effect sing of the new model means nothing to this program; draw the model without",
+                "effect sing of the new model is unknown to this program; draw the model without it",
                 arriving()
                         .transition(
                                 new Transition(HUNT, new Event("Spot"), new State("Spot"), List.of("sing"), false),

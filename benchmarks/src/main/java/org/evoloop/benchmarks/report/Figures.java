@@ -31,7 +31,7 @@ public final class Figures {
     public double get(String name) {
         Double figure = byName.get(name);
         if (figure == null) {
-            throw new IllegalStateException("the measurement told no " + name);
+            throw new IllegalStateException("the measurement did not report " + name);
         }
         return figure;
     }

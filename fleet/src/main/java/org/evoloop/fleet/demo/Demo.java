@@ -157,7 +157,7 @@ public final class Demo implements AutoCloseable {
         check(
                 edge.sequences() == edge.counts().commands,
                 "a command was lost: the lamps got " + edge.counts().commands + " of " + edge.sequences());
-        check(edge.elsewhere() == 0, edge.elsewhere() + " lamps are not where the fleet has them");
+        check(edge.elsewhere() == 0, edge.elsewhere() + " lamps are not in the states that the fleet has recorded");
         check(
                 edge.counts().switches == edge.counts().pressed,
                 "of " + edge.counts().pressed + " presses " + edge.counts().switches + " were decided");

@@ -106,7 +106,7 @@ final class Edge implements AutoCloseable {
         });
         Exception cause = failure;
         if (cause != null) {
-            throw new IllegalStateException("a record was not written, as " + told + " tells", cause);
+            throw new IllegalStateException("a record was not written, as the topic " + told + " tells", cause);
         }
     }
 
@@ -213,7 +213,7 @@ final class Edge implements AutoCloseable {
         return lamps.values().stream().mapToInt(SimulatedLamp::repeated).sum();
     }
 
-    /** How many lamps are not where the fleet has them. */
+    /** How many lamps are not in the states that the fleet has recorded. */
     long elsewhere() {
         return lamps.values().stream().filter(lamp -> !lamp.isWhereItIsShown()).count();
     }

@@ -40,7 +40,7 @@ final class SimulatedLamp {
         }
         lastSequence = order.sequence();
         if (order.deadlineNanos() < nowNanos) {
-            return failed(order, "the command came too late", nowNanos);
+            return failed(order, "the command arrived after its deadline", nowNanos);
         } else if (order.kind() == Order.Kind.LOCATE) {
             return new Answer(order.sequence(), Answer.Outcome.SENT, "", state, nowNanos);
         } else if (broken) {

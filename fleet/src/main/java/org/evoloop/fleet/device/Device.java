@@ -135,7 +135,7 @@ public final class Device {
         if (order.kind() == Order.Kind.LOCATE) {
             core.located(number, done ? answer.state() : null, answer.atNanos());
         } else if (order.kind() == Order.Kind.RUN) {
-            String why = doubtful ? "nobody knows whether it was run: " + answer.reason() : answer.reason();
+            String why = doubtful ? "it is unknown whether it was run: " + answer.reason() : answer.reason();
             core.effectRun(number, done ? "" : why, answer.atNanos());
         } else if (done) {
             core.sent(number, false, answer.atNanos());

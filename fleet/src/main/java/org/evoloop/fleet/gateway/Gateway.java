@@ -133,7 +133,7 @@ public final class Gateway implements AutoCloseable {
         try {
             return Reading.of(record.getBytes(StandardCharsets.UTF_8)).number("number", 0);
         } catch (Refusal unreadable) {
-            LOG.debug("a device has told what is no record", unreadable);
+            LOG.debug("a device has sent an invalid record", unreadable);
             return 0;
         }
     }
@@ -142,13 +142,13 @@ public final class Gateway implements AutoCloseable {
         while (isOpen()) {
             try (KafkaProducer<String, byte[]> producer = producer()) {
                 producer.initTransactions();
-                tell("Kafka is reached; " + outbox.size() + " records wait");
+                tell("Kafka can be reached; records waiting: " + outbox.size());
                 while (isOpen()) {
                     send(producer, outbox.first(BATCH, POLL.toMillis()));
                 }
             } catch (KafkaException unreachable) {
-                tell("Kafka is not reached; what devices tell is kept");
-                LOG.debug("the records go on waiting", unreachable);
+                tell("Kafka cannot be reached; the devices' messages are stored");
+                LOG.debug("the records keep waiting", unreachable);
                 pause();
             } catch (InterruptedException closed) {
                 return;
@@ -225,18 +225,18 @@ public final class Gateway implements AutoCloseable {
                 carry(record.key(), order, Wire.text(record.value()));
             }
         } catch (Refusal unreadable) {
-            LOG.error("a command for {} is left out: {}", record.key(), unreadable.detail());
+            LOG.error("a command for {} is ignored: {}", record.key(), unreadable.detail());
         }
     }
 
     private void carry(String device, Order order, String text) {
         long now = System.currentTimeMillis();
         if (Wire.millis(order.deadlineNanos()) < now) {
-            failed(device, order, "the command came too late", now);
+            failed(device, order, "the command arrived after its deadline", now);
         } else if (mqtt.isUp()) {
             mqtt.publish(Message.command(topic(device, "command"), text));
         } else {
-            failed(device, order, "the device is not reached: " + mqtt.describe(), now);
+            failed(device, order, "the device cannot be reached: " + mqtt.describe(), now);
         }
     }
 

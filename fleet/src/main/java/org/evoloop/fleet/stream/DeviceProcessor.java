@@ -91,7 +91,7 @@ final class DeviceProcessor implements Processor<String, byte[], String, byte[]>
         } catch (Refusal refusal) {
             refuse(record, from, refusal);
         } catch (RuntimeException defect) {
-            LOG.error("a record for {} was not taken; this is a defect", record.key(), defect);
+            LOG.error("a record for {} could not be processed; this is a bug", record.key(), defect);
             refuse(record, from, new Refusal(Refusal.Reason.DEFECT, defect.toString()));
         }
     }
@@ -152,7 +152,7 @@ final class DeviceProcessor implements Processor<String, byte[], String, byte[]>
         } else if (!known.model().equals(version)) {
             throw new Refusal(
                     Refusal.Reason.REGISTERED_ALREADY,
-                    "the device " + id + " has the models " + known.model() + "; a rollout gives it others");
+                    "the device " + id + " has the models " + known.model() + "; use a rollout to change them");
         }
     }
 
@@ -222,7 +222,7 @@ final class DeviceProcessor implements Processor<String, byte[], String, byte[]>
             device.due(Wire.nanos(nowMillis), clock.isWall());
             keep(id, before, device, nowMillis);
         } catch (RuntimeException defect) {
-            LOG.error("what is due at {} is left out; this is a defect", id, defect);
+            LOG.error("a timer of {} is skipped; this is a bug", id, defect);
         }
     }
 

@@ -71,7 +71,8 @@ final class Devices {
             return DeviceStateText.read(
                     library.model(DeviceStateText.model(bytes)).rules(), bytes);
         } catch (SnapshotException | IllegalArgumentException e) {
-            throw new Refusal(Refusal.Reason.UNUSABLE_STATE, "what is kept of the device: " + e.getMessage());
+            throw new Refusal(
+                    Refusal.Reason.UNUSABLE_STATE, "the device's stored state cannot be read: " + e.getMessage());
         }
     }
 
@@ -93,7 +94,7 @@ final class Devices {
                 try {
                     told.accept(next.key, Device.dueNanos(read(next.value), patienceNanos));
                 } catch (Refusal refusal) {
-                    LOG.error("nothing will be due at the device {}: {}", next.key, refusal.detail());
+                    LOG.error("no timer of the device {} will fire: {}", next.key, refusal.detail());
                 }
             }
         }

@@ -49,7 +49,7 @@ public final class FleetTopics implements AutoCloseable {
                     AdminClientConfig.REQUEST_TIMEOUT_MS_CONFIG, 5_000));
         } catch (KafkaException e) {
             String why = e.getCause() == null ? e.getMessage() : e.getCause().getMessage();
-            throw new FleetException("'" + bootstrap + "' is no address of a Kafka broker, as HOST:PORT: " + why);
+            throw new FleetException("'" + bootstrap + "' is not the address of a Kafka broker, HOST:PORT: " + why);
         }
     }
 
@@ -109,7 +109,7 @@ public final class FleetTopics implements AutoCloseable {
             if (partitions > 0 && each.getKey().isByDevice() && each.getValue() != partitions) {
                 problems.add("  " + each.getKey().of(fleet) + " has " + each.getValue() + " partitions, "
                         + Topic.OCCURRENCES.of(fleet) + " has " + partitions
-                        + "; what belongs to a device must lie together");
+                        + "; all records of a device must be in the same partition");
             }
         }
         if (!problems.isEmpty()) {
@@ -142,7 +142,7 @@ public final class FleetTopics implements AutoCloseable {
             throw unreachable(e);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
-            throw new FleetException("interrupted while the broker was asked");
+            throw new FleetException("interrupted while waiting for the broker");
         }
     }
 

@@ -74,7 +74,7 @@ final class RolloutWatch implements Processor<String, byte[], String, byte[]> {
                     bad,
                     all,
                     rollout.stopPercent());
-            LOG.warn("the rollout {} is stopped and leads back: {}", rollout.name(), why);
+            LOG.warn("the rollout {} is stopped and rolled back: {}", rollout.name(), why);
             byte[] stopped = rollout.stoppedBecause(why).bytes();
             context.forward(new Record<>(record.key(), stopped, record.timestamp()), Topic.ROLLOUTS.name());
         }

@@ -55,7 +55,7 @@ final class Rollouts {
             takeover(rollout);
         } catch (Refusal | ModelException e) {
             all.remove(name);
-            LOG.error("the rollout {} counts for nothing: {}", name, e.getMessage());
+            LOG.error("the rollout {} is ignored: {}", name, e.getMessage());
         }
     }
 

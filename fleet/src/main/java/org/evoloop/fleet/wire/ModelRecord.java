@@ -80,7 +80,7 @@ public record ModelRecord(
         if (!VERSION.matcher(version).matches()) {
             throw new Refusal(
                     Refusal.Reason.UNUSABLE_MODEL,
-                    "'" + version + "' is no version of models; use letters, digits, '.', '_' and '-', 100 at most");
+                    "'" + version + "' is not a version of models; use letters, digits, '.', '_' and '-', 100 at most");
         }
         ModelRecord record = of(Reading.of(bytes));
         try {

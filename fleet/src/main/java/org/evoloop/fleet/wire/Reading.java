@@ -45,7 +45,7 @@ public final class Reading {
         try {
             node = bytes == null ? null : MAPPER.readTree(bytes);
         } catch (JacksonException e) {
-            throw malformed("it is no JSON: " + e.getOriginalMessage());
+            throw malformed("it is not JSON: " + e.getOriginalMessage());
         }
         if (node == null || !node.isObject()) {
             throw malformed("a JSON object was expected");
@@ -73,7 +73,9 @@ public final class Reading {
                 case "heard" ->
                     new Occurrence.Heard(
                             new Event(text("event")), values(), source(), truth("deviceActed"), holding(), visit(), at);
-                default -> throw malformed("'" + kind + "' is no kind of occurrence; there are heard, found and asked");
+                default ->
+                    throw malformed(
+                            "'" + kind + "' is not a kind of occurrence; the kinds are heard, found " + "and asked");
             };
         } catch (ModelException | IllegalArgumentException e) {
             throw malformed(String.valueOf(e.getMessage()));
@@ -111,7 +113,7 @@ public final class Reading {
     private Source source() {
         Source source = record.has("source") ? constant(Source.values(), "source") : Source.CONTROLLER;
         if (source == Source.TIMER) {
-            throw malformed("timers are the fleet's own");
+            throw malformed("the source 'timer' is reserved for the fleet's own timers");
         }
         return source;
     }
@@ -185,7 +187,7 @@ public final class Reading {
     public String text(String name) {
         JsonNode node = record.get(name);
         if (node == null || !node.isString()) {
-            throw malformed("'" + name + "' must be a text");
+            throw malformed("'" + name + "' must be a string");
         }
         return node.stringValue();
     }

@@ -70,7 +70,7 @@ class GatewayTest {
                 assertThat(cluster.told().of(Topic.DECISIONS, "lamp").get(2)).contains("incandescentOn");
                 Awaitility.await().atMost(LIMIT).until(() -> gateway.waiting() == 0);
                 assertThat(commands).hasSize(1);
-                assertThat(told.get(0)).contains("Kafka is reached");
+                assertThat(told.get(0)).contains("Kafka can be reached");
             }
         } finally {
             broker.close();

@@ -24,7 +24,7 @@ class BadRecordsTest {
             fleet.register("good", "lamp-1");
             long now = RunningFleet.nowNanos();
             long hour = 3_600_000_000_000L;
-            bad(fleet, "a", Topic.OCCURRENCES, "{\"schema\":1,", "malformed", "no JSON");
+            bad(fleet, "a", Topic.OCCURRENCES, "{\"schema\":1,", "malformed", "not JSON");
             bad(fleet, "b", Topic.OCCURRENCES, "[1]", "malformed", "a JSON object was expected");
             bad(fleet, "c", Topic.OCCURRENCES, "{\"schema\":2}", "newer-schema", "update it first");
             bad(fleet, "d", Topic.OCCURRENCES, Wire.text(RunningFleet.press(now)), "unknown-device", "no device d");
@@ -37,7 +37,7 @@ class BadRecordsTest {
                     Topic.OCCURRENCES,
                     "{\"schema\":1,\"atMillis\":1}",
                     "malformed",
-                    "'event' must be a text");
+                    "'event' must be a string");
             bad(fleet, "good", Topic.EFFECTS, "{\"schema\":1,\"sequence\":\"x\"}", "malformed", "'sequence' must be");
             bad(fleet, "good", Topic.DEVICES, "{\"schema\":1,\"model\":\"other\"}", "registered-already", "a rollout");
             fleet.press("good");

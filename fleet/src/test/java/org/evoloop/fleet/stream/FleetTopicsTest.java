@@ -40,7 +40,7 @@ class FleetTopicsTest {
     void whatIsNoAddressIsSaidToBeNone() {
         assertThatThrownBy(() -> new FleetTopics("nowhere", "x"))
                 .isInstanceOf(FleetException.class)
-                .hasMessageContaining("'nowhere' is no address of a Kafka broker");
+                .hasMessageContaining("'nowhere' is not the address of a Kafka broker");
         try (FleetTopics topics = new FleetTopics("localhost:1", "x")) {
             assertThatThrownBy(topics::check)
                     .isInstanceOf(FleetException.class)

@@ -77,7 +77,7 @@ final class ConverterRules {
                         Rule.UNRAISED_EVENT,
                         new Element.OfEvent(Element.ModelRole.NEW, trigger),
                         "nobody raises event " + trigger,
-                        "let a monitor, a timer or a function raise it, or write it as it is raised"));
+                        "let a monitor, a timer or a function raise it, or use the name under which it is raised"));
             }
         }
     }

@@ -192,7 +192,7 @@ final class MachineRules {
                         element(transition),
                         "if the guards of " + before + " and " + transition + " of " + name()
                                 + " hold at once, the first counts",
-                        "nothing, if that is meant; else let one guard exclude the other"));
+                        "nothing, if that is intended; otherwise let one guard exclude the other"));
             }
         }
     }

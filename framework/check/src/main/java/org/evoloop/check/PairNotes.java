@@ -66,7 +66,7 @@ final class PairNotes {
                 new Element.OfState(Element.ModelRole.NEW, swallowed.first().evolved()),
                 "new state " + state + " swallows " + names(swallowed.events()) + ", which the device knows in "
                         + names(swallowed.where()),
-                "nothing, if such an event is to do nothing there; else draw a transition for it")));
+                "nothing, if such an event is to do nothing there; otherwise draw a transition for it")));
     }
 
     private boolean isSwallowed(State state, Event event) {
@@ -105,7 +105,8 @@ final class PairNotes {
                 new Element.OfState(Element.ModelRole.ORIGINAL, passage.state()),
                 "on the way through " + passage.state() + " the device does " + String.join("; ", passage.effects())
                         + ": " + names(passed.transitions()),
-                "nothing, if that may happen; else give an event of the way a cost, or do not let it pass the state",
+                "nothing, if that may happen; otherwise give an event on the path a cost, or forbid paths through "
+                        + "that state",
                 graph.wayOver(passed.first()))));
     }
 

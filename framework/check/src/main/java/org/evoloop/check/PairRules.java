@@ -131,7 +131,7 @@ final class PairRules {
     }
 
     private void hazard(NoPathCauses.Group group) {
-        impossible(Rule.HAZARD, group.turns(), "nothing, if the event may fail then; the state is entered anew");
+        impossible(Rule.HAZARD, group.turns(), "nothing, if the event may fail then; the state is entered again");
     }
 
     /** @param turns the turns with one cause */
@@ -168,8 +168,8 @@ final class PairRules {
                 findings.add(new Finding(
                         Rule.DEGRADATION,
                         new Element.OfTransition(Element.ModelRole.ORIGINAL, transition),
-                        "what the device does on " + transition + " can no longer be had",
-                        "nothing, if the new model is to do without; else draw a transition that leads there"));
+                        "what the device does on " + transition + " cannot be reached any more",
+                        "nothing, if the new model does not need it; otherwise draw a transition that leads there"));
             }
         }
     }

@@ -52,10 +52,10 @@ public record RuleSwitch(Rule rule, String element, String reason, int line) {
         if (!isElement.test(element)) {
             throw new ModelException("no model has "
                     + (element.isEmpty() ? "an element without a name" : "'" + element + "'")
-                    + "; write the state, event or transition as check tells it, such as On --press--> Off");
+                    + "; write the state, event or transition as check prints it, such as On --press--> Off");
         }
         if (reason.isEmpty()) {
-            throw new ModelException("say why " + id + " does not matter for " + element + ", behind a colon: off " + id
+            throw new ModelException("say why " + id + " does not matter for " + element + ", after a colon: off " + id
                     + " " + element + ": REASON");
         }
         return Optional.of(new RuleSwitch(rule.get(), element, reason, line));

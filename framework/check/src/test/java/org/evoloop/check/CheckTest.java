@@ -202,7 +202,8 @@ class CheckTest {
                     .extracting(Finding::toString)
                     .containsExactly(
                             "swallowed-event: new state Move swallows Clean, Spot, which the device knows in On;"
-                                    + " nothing, if such an event is to do nothing there; else draw a transition for it");
+                                    + " nothing, if such an event is to do nothing there; otherwise draw a transition"
+                                    + " for it");
         }
         assertThat(Check.run(CheckInput.of(PaperModels.lightBulb())
                         .withFunctions(Set.of("wait", "incandescentOn"))

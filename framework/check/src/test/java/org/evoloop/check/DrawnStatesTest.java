@@ -111,7 +111,7 @@ class DrawnStatesTest {
                 .extracting(Finding::toString)
                 .containsExactly(
                         "condition-2: state Off of the original model is missing in the new model, which has OFF;"
-                                + " write it as in the original model, capital letters and blanks included");
+                                + " write it as in the original model, capital letters and spaces included");
     }
 
     @Test

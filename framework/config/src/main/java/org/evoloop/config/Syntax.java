@@ -10,13 +10,13 @@ final class Syntax {
 
     private static String remedy(String problem) {
         if (problem.contains("TAB") || problem.contains("\\t")) {
-            return "use blanks instead of tabs";
+            return "use spaces instead of tabs";
         }
         if (problem.contains("mapping values are not allowed")) {
-            return "begin each option at the start of its line, and quote a value that contains a colon and a blank";
+            return "begin each option at the start of its line, and quote a value that contains a colon and a space";
         }
         if (problem.contains("could not find expected ':'")) {
-            return "write a colon and a blank after the option's name";
+            return "write a colon and a space after the option's name";
         }
         if (problem.contains("that cannot start any token")) {
             return "put the value in quotes";

@@ -25,7 +25,8 @@ final class Words {
                 mistakes.at(
                         Origin.COMMAND_LINE,
                         "'" + word
-                                + "' belongs to no option; an option begins with --, and a value with blanks is quoted");
+                                + "' does not belong to an option; options begin with --, and values with spaces are "
+                                + "quoted");
                 continue;
             }
             String[] parts = word.substring(2).split("=", 2);

@@ -97,7 +97,7 @@ class ConfigFileTest {
 
     @ParameterizedTest
     @CsvSource({
-        "'simulate: true\n\tspeed: 3', F:2:, blanks instead of tabs",
+        "'simulate: true\n\tspeed: 3', F:2:, spaces instead of tabs",
         "'simulate: true\nspeed: \"3', F:2:, quotes",
         "'simulate: true\nport: a: b', F:2:, colon",
         "'simulate: true\nport: [a', F:, bracket",

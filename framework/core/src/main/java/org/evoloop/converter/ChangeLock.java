@@ -75,7 +75,7 @@ final class ChangeLock {
             }
         } catch (InterruptedException told) {
             Thread.currentThread().interrupt();
-            throw refused(Thread.currentThread().getName() + " was told to end");
+            throw refused(Thread.currentThread().getName() + " was interrupted");
         }
     }
 

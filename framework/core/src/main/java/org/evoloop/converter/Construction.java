@@ -87,9 +87,9 @@ final class Construction {
     static StateKnowledge knowledgeOf(
             ModelPair models, @Nullable Function<ModelPair, ? extends StateKnowledge> factory) {
         if (factory == null) {
-            throw new IllegalStateException("nobody has said how knowledge of the models '"
+            throw new IllegalStateException("there is no knowledge factory for the models '"
                     + models.original().name() + "' and '" + models.evolved().name()
-                    + "' is made; call addKnowledgeFactory");
+                    + "'; call addKnowledgeFactory");
         }
         return factory.apply(models);
     }

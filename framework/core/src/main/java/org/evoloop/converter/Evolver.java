@@ -157,7 +157,7 @@ final class Evolver {
             } catch (InterruptedException told) {
                 Thread.currentThread().interrupt();
                 throw new EvolutionException("the converter " + config.name() + " has not evolved: "
-                        + Thread.currentThread().getName() + " was told to end");
+                        + Thread.currentThread().getName() + " was interrupted");
             }
         }
     }

@@ -40,7 +40,7 @@ final class GuardWatch {
         long now = clock.nanoTime();
         if (isAsked() && now - movedNanos > limitNanos) {
             throw new IllegalStateException("guard [" + text + "] has not returned for " + limitNanos / 1_000_000
-                    + " ms in another thread, and is not asked again before it does");
+                    + " ms in another thread, and is not called again until it does");
         }
         if (asked.getAndIncrement() == 0) {
             movedNanos = now;

@@ -54,7 +54,7 @@ final class Hooks {
     /** For messages. */
     static TimeoutException late(Duration limit, String thread) {
         return new TimeoutException(
-                "has not returned for " + limit.toMillis() + " ms, and is left to itself in its thread " + thread);
+                "has not returned for " + limit.toMillis() + " ms, and is abandoned in its thread " + thread);
     }
 
     /** Whether the caller is such a task. */

@@ -101,7 +101,7 @@ final class Listeners {
             call(what);
         } else if (!waiting.offer(what) && !losing) {
             losing = true;
-            LOG.warn("the listeners of {} are slower than its events; some are not told to them", config.name());
+            LOG.warn("the listeners of {} are slower than its events; some notices are lost", config.name());
         }
     }
 

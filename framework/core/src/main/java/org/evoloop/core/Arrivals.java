@@ -12,7 +12,7 @@ import org.jspecify.annotations.Nullable;
 
 /** How occurrences come in, wait, and get their turn. */
 final class Arrivals {
-    private static final String VIOLATED = "what was written of time was not kept";
+    private static final String VIOLATED = "an assumption about time did not hold";
     private static final String OVERTAKEN = "the device has been sent an event since";
 
     private final Ledger ledger;

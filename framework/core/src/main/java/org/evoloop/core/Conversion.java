@@ -107,7 +107,7 @@ final class Conversion {
             goOn();
         }
         if (!sure) {
-            String why = "nobody knows whether the device acted before or after it took " + step.trigger();
+            String why = "it is unknown whether the device acted before or after it took " + step.trigger();
             ledger.doubt(why, number, step, meanwhile);
         }
     }
@@ -268,7 +268,7 @@ final class Conversion {
         List<Occurrence> meanwhile = progress.meanwhile();
         conclude(number, Outcome.FAILED, reason);
         if (step != null) {
-            String why = "nobody knows whether " + step.trigger() + " had its effect: " + reason;
+            String why = "it is unknown whether " + step.trigger() + " had its effect: " + reason;
             ledger.doubt(why, number, step, meanwhile);
         }
     }
@@ -284,7 +284,7 @@ final class Conversion {
             ledger.line.addFirst(pending);
         } else if (!progress.isIdle()) {
             if (progress.isRunning()) {
-                progress.ran("nobody knows whether the effect " + progress.effect() + " was run: " + PROCESS_ENDED);
+                progress.ran("it is unknown whether the effect " + progress.effect() + " was run: " + PROCESS_ENDED);
             }
             progress.interrupt();
         }

@@ -44,7 +44,7 @@ final class Takeover {
         } else if (!ledger.progress.isIdle() || ledger.line.isRetryNext()) {
             return "an event is in progress";
         }
-        return doubt == null ? "" : "nobody knows for sure where the device is: " + doubt.why();
+        return doubt == null ? "" : "the device's state is in doubt: " + doubt.why();
     }
 
     /** Lets the models take over; does nothing if anything {@linkplain #hindrance prevents} that. */
@@ -96,7 +96,7 @@ final class Takeover {
             if (!isOver(pending.occurrence(), maps, goesOn)) {
                 return in(pending, succession, maps);
             }
-            String why = "what raised it has ended with the models before";
+            String why = "what raised it ended with the previous models";
             ledger.ended(pending.occurrence(), ledger.place.at(), Outcome.STALE, null, why);
             return null;
         });

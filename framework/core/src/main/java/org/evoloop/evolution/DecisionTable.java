@@ -327,8 +327,9 @@ public final class DecisionTable {
         Event event = originalGuards.resolve(at.original(), trigger, holds);
         Transition taken = event == null ? null : conversion.originalTransition(at.original(), event);
         if (taken == null || !device.sendable().contains(trigger)) {
-            String why =
-                    taken == null ? "the device has no transition for it in " + at.original() : "nobody can send it";
+            String why = taken == null
+                    ? "the device has no transition for it in " + at.original()
+                    : "no execute " + "component can send it";
             return new Decision.Impossible(at, at, List.of(), null, "a function asks for " + trigger + ", but " + why);
         }
         boolean conditional = !originalGuards.conditionsOf(taken).isEmpty();

@@ -188,7 +188,7 @@ final class EventConversion {
     Decision settle(Configuration at, List<State> goals) {
         List<Step> way = planner.shortestPath(at.original(), goals).orElse(null);
         if (way == null) {
-            String stands = "the new model stands in " + at.evolved();
+            String stands = "the new model is in " + at.evolved();
             return new Decision.Impossible(at, at, List.of(), null, noWay(stands, at.original()));
         }
         State reached = way.isEmpty() ? at.original() : way.get(way.size() - 1).target();

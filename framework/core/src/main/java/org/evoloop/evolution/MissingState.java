@@ -33,7 +33,7 @@ public record MissingState(State state, Matter matter, List<State> instead) impl
         /** Several states have its name. */
         AMBIGUOUS("leave it where it is in the original model, or give the others other names"),
         /** Only the spelling differs. */
-        SPELLED("write it as in the original model, capital letters and blanks included"),
+        SPELLED("write it as in the original model, capital letters and spaces included"),
         /** No state resembles it. */
         ABSENT("draw it there under the same name, capital letters included");
 

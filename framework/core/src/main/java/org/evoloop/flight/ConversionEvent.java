@@ -46,7 +46,7 @@ public final class ConversionEvent extends Event {
     String detail;
 
     @Label("Decided After")
-    @Description("From its being observed to its execution beginning; 0 if it was not executed")
+    @Description("From its observation to the start of its execution; 0 if it was not executed")
     @Timespan(Timespan.NANOSECONDS)
     long decidedAfter;
 

@@ -120,7 +120,7 @@ final class Gate<O> {
             interrupted = config.threads() && sequencer.awaitQuiet(config.joinLimit(), impatient);
             if (impatient && interrupted && sequencer.busy() != null) {
                 throw new IllegalStateException("the loop " + config.name() + " was not changed: "
-                        + Thread.currentThread().getName() + " was told to end");
+                        + Thread.currentThread().getName() + " was interrupted");
             }
             String why = config.threads()
                     ? "was interrupted: it did not return within "

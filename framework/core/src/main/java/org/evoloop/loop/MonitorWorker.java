@@ -95,8 +95,7 @@ final class MonitorWorker<O> extends Worker {
                     "getEvent",
                     0,
                     null,
-                    new Exception(
-                            "returns null for ever and does not wait; from here on it is asked every 10 ms only"));
+                    new Exception("keeps returning null without waiting; from now on it is called only every 10 ms"));
         }
         LockSupport.parkNanos(this, REST_NANOS);
     }

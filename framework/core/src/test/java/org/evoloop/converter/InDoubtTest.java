@@ -40,7 +40,7 @@ class InDoubtTest {
     @Test
     void aDeviceThatCannotTellIsTakenToBeWhereWhatWasToldLeadsAndTheRecordSaysThatItIsInDoubt() {
         pauseWhileStopIsSent();
-        assertThat(player.doubt()).isEqualTo("nobody knows whether the device acted before or after it took stop");
+        assertThat(player.doubt()).isEqualTo("it is unknown whether the device acted before or after it took stop");
         assertThat(player.outcomes()).contains("in doubt IGNORED");
 
         player.found();
@@ -73,7 +73,7 @@ class InDoubtTest {
         playWithoutAnAnswer();
         assertThat(player.doubt())
                 .isEqualTo(
-                        "nobody knows whether play had its effect: Device.execute: play was not answered within 2 s");
+                        "it is unknown whether play had its effect: Device.execute: play was not answered within 2 s");
         assertThat(player.states()).isEqualTo(at("Stopped", "Stopped"));
         player.found();
         player.settle();

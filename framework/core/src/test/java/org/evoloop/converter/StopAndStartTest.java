@@ -79,7 +79,7 @@ class StopAndStartTest {
             assertThat(robot.awaitHistory(1).outcome()).isEqualTo(Outcome.FAILED);
             assertThat(robot.converter.status().function().state()).isEmpty();
             assertThat(robot.heard).contains("Device released");
-            assertThat(robot.converter.status().doubt()).contains("nobody knows whether Clean had its effect");
+            assertThat(robot.converter.status().doubt()).contains("it is unknown whether Clean had its effect");
             mayGo.countDown();
             assertThat(take(robot.sent)).isEqualTo("Device:Clean");
             robot.awaitStates("On", "Off");

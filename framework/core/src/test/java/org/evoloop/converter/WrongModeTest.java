@@ -98,8 +98,8 @@ class WrongModeTest {
         })) {
             until(() -> robot.component("Idle").failures() == 1);
             assertThat(robot.component("Idle").lastFailure())
-                    .isEqualTo("Idle.getEvent: returns null for ever and does not wait; from here on it is asked every "
-                            + "10 ms only");
+                    .isEqualTo("Idle.getEvent: keeps returning null without waiting; from now on it is called only "
+                            + "every 10 ms");
             long before = asked.get();
             until(() -> asked.get() > before + 3);
             assertThat(robot.component("Idle").failures()).isEqualTo(1);

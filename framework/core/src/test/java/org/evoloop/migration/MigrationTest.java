@@ -133,7 +133,7 @@ class MigrationTest {
         DecisionTable deaf = DecisionTable.compile(pair, new DeviceEvents(Set.of(), DEVICE.triggers()));
         StateMachine trap = evolved("trap", "Playing doze -> Fading");
         Fate fate = fate(Migration.plan(table(DEVICE, trap), deaf, Mapping.byName()), "Playing", "Fading");
-        assertThat(((Fate.Stuck) fate).because()).contains("stands in Fading", "with the device in Playing");
+        assertThat(((Fate.Stuck) fate).because()).contains("the new model is in Fading", "with the device in Playing");
     }
 
     @Test

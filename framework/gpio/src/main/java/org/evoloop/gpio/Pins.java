@@ -72,7 +72,7 @@ public final class Pins implements AutoCloseable {
         String name = Files.isReadable(model) ? Files.readString(model).replace("\0", "") : "";
         if (!name.contains("Raspberry Pi")) {
             throw new IOException("this computer has no GPIO pins: it is "
-                    + (name.isEmpty() ? "no Raspberry Pi" : "a " + name + ", no Raspberry Pi")
+                    + (name.isEmpty() ? "no Raspberry Pi" : "a " + name + ", not a Raspberry Pi")
                     + "; run it on one, or leave the pins out");
         }
     }
@@ -114,7 +114,7 @@ public final class Pins implements AutoCloseable {
                     "there is no GPIO " + pin + "; the header has GPIO " + LOWEST + " to " + HIGHEST);
         }
         if (!taken.add(pin)) {
-            throw new IllegalArgumentException("GPIO " + pin + " is used twice; give each its own");
+            throw new IllegalArgumentException("GPIO " + pin + " is used twice; give each a pin of its own");
         }
         try {
             return creation.create();

@@ -128,7 +128,7 @@ class GpioPartsTest {
         assertThat(mock.<DigitalOutput>getIO("output-5").isHigh()).isTrue();
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> new OutputPin(pins, 5))
-                .withMessage("GPIO 5 is used twice; give each its own");
+                .withMessage("GPIO 5 is used twice; give each a pin of its own");
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> new OutputPin(pins, 40))
                 .withMessage("there is no GPIO 40; the header has GPIO 2 to 27");
@@ -142,7 +142,8 @@ class GpioPartsTest {
                 .hasMessage(
                         "this computer has no GPIO pins: it is no Raspberry Pi; run it on one, or leave the pins out");
         Files.writeString(model, "Banana Pro\0");
-        assertThatThrownBy(() -> Pins.requireRaspberryPi(model)).hasMessageContaining("a Banana Pro, no Raspberry Pi");
+        assertThatThrownBy(() -> Pins.requireRaspberryPi(model))
+                .hasMessageContaining("a Banana Pro, not a Raspberry " + "Pi");
         Files.writeString(model, "Raspberry Pi 4 Model B Rev 1.4\0");
         Pins.requireRaspberryPi(model);
     }

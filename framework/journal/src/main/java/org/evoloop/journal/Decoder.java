@@ -108,7 +108,7 @@ final class Decoder {
                 return source;
             }
         }
-        throw new Cursor.Senseless("'" + name + "' is no source of events");
+        throw new Cursor.Senseless("'" + name + "' is not a source of events");
     }
 
     private Values values() {
@@ -178,7 +178,7 @@ final class Decoder {
                 return kind.made(before, after, steps, transition, effects, reason);
             }
         }
-        throw new Cursor.Senseless("'" + word + "' is no decision that could be made of this");
+        throw new Cursor.Senseless("'" + word + "' is not a decision that could be made here");
     }
 
     private Transition original() {

@@ -23,7 +23,7 @@ import org.slf4j.LoggerFactory;
 /** The segments of a journal, and the lock that reserves them for one process. */
 final class Directory implements AutoCloseable {
     static final String DAMAGED =
-            "The journal is damaged; restore a copy of its directory, or move that away to begin without it";
+            "The journal is damaged; restore a copy of its directory, or move that away to start without it";
 
     private static final Logger LOG = LoggerFactory.getLogger(Journal.class);
     private static final String SUFFIX = ".journal";
@@ -184,7 +184,7 @@ final class Directory implements AutoCloseable {
         try {
             lock.close();
         } catch (IOException e) {
-            LOG.warn("the lock of {} cannot be given back", path, e);
+            LOG.warn("the lock of {} cannot be released", path, e);
         }
     }
 }

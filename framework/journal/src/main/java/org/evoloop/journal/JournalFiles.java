@@ -56,7 +56,7 @@ public final class JournalFiles {
         }
         if (Directory.segments(directory).isEmpty()) {
             throw new JournalException(
-                    directory + " is no journal: it holds no file such as 0000000001.journal; name the"
+                    directory + " is not a journal: it contains no file such as 0000000001.journal; name the"
                             + " directory that was given with --journal");
         }
     }

@@ -44,7 +44,7 @@ final class Preamble {
         int version = bytes.getInt(8);
         if (bytes.getLong(0) != MAGIC) {
             throw new JournalException(
-                    file + ", byte 0: this is no segment of a journal; move the file out of the directory");
+                    file + ", byte 0: this is not a segment of a journal; move the file out of the directory");
         }
         if (bytes.getInt(CHECKED_BYTES) != crcOf(version)) {
             throw JournalException.ofDamage(file + ", byte 8: the version does not match its checksum");
@@ -52,7 +52,7 @@ final class Preamble {
         if (version != VERSION) {
             throw new JournalException(file + ", byte 8: it is written in version " + version
                     + " of the format, and this Evoloop reads version " + VERSION
-                    + "; go on with the Evoloop that wrote it, or begin with an empty directory");
+                    + "; use the version of Evoloop that wrote it, or start with an empty directory");
         }
     }
 

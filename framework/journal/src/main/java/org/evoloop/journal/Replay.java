@@ -55,7 +55,8 @@ final class Replay {
         Core core = tell(file, segment);
         if (segment.isTorn()) {
             LOG.warn(
-                    "{} ends in the middle of record {}, at byte {}: it was being written when its process ended, and is"
+                    "{} ends in the middle of record {}, at byte {}: it was being written when its process ended, "
+                            + "and is"
                             + " cut off",
                     file,
                     segment.number() + 1,
@@ -79,7 +80,7 @@ final class Replay {
             try {
                 input = decoder.read(segment.at(), segment.length());
             } catch (RuntimeException e) {
-                throw segment.damaged("it makes no sense: " + e.getMessage());
+                throw segment.damaged("it is inconsistent: " + e.getMessage());
             }
             core.apply(input);
         }

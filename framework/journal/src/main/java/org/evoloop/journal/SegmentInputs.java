@@ -54,7 +54,7 @@ final class SegmentInputs {
             requireNonNull(core).apply(input);
             return input;
         } catch (RuntimeException e) {
-            throw segment.damaged("it makes no sense: " + e.getMessage());
+            throw segment.damaged("it is inconsistent: " + e.getMessage());
         }
     }
 }

@@ -47,7 +47,7 @@ final class SegmentReader {
             cursor.goTo(at, length);
             read = Head.read(cursor);
         } catch (RuntimeException e) {
-            throw damaged("the head makes no sense: " + e.getMessage());
+            throw damaged("the head is inconsistent: " + e.getMessage());
         }
         this.head = read;
         this.boot = read.boot();
@@ -75,7 +75,9 @@ final class SegmentReader {
             return Files.readAllBytes(file);
         } catch (AccessDeniedException e) {
             throw new JournalException(
-                    file + " must not be read; give this user the right to, or use another directory", e);
+                    file + " cannot be read: permission denied; grant this user read permission, or use another "
+                            + "directory",
+                    e);
         } catch (IOException e) {
             throw new JournalException(file + " cannot be read: " + e.getMessage(), e);
         }

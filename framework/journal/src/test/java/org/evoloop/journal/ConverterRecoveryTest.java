@@ -108,7 +108,7 @@ class ConverterRecoveryTest {
         robot.settle();
         robot.revive(Duration.ZERO);
 
-        assertThat(robot.converter.status().doubt()).isEqualTo("nobody knows whether Clean had its effect: " + ENDED);
+        assertThat(robot.converter.status().doubt()).isEqualTo("it is unknown whether Clean had its effect: " + ENDED);
         assertThat(robot.outcomes()).containsExactly("Clean FAILED");
         robot.answer = Optional.of("On");
         robot.converter.start();
@@ -152,7 +152,7 @@ class ConverterRecoveryTest {
         assertThat(robot.sent).containsExactly("Clean", "Clean");
         assertThat(robot.done).containsExactly("beep");
         assertThat(robot.converter.history().get(1).detail())
-                .isEqualTo("nobody knows whether the effect beep was run: " + ENDED);
+                .isEqualTo("it is unknown whether the effect beep was run: " + ENDED);
     }
 
     @Test
@@ -265,8 +265,8 @@ class ConverterRecoveryTest {
         robot.copy();
         robot.evolving = false;
         assertThatThrownBy(() -> robot.revive(Duration.ZERO))
-                .hasMessage("nobody has said how knowledge of the models 'original' and 'direct' is made; call"
-                        + " addKnowledgeFactory");
+                .hasMessage("there is no knowledge factory for the models 'original' and 'direct'; call "
+                        + "addKnowledgeFactory");
         robot.evolving = true;
         robot.copyAndRevive();
     }

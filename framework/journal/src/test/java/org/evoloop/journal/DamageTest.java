@@ -145,8 +145,8 @@ class DamageTest {
         assertThatThrownBy(() -> JournaledCore.recovered(Robot.RULES, journal, clock))
                 .isInstanceOf(JournalException.class)
                 .hasMessage(segment
-                        + ", byte 8: it is written in version 9 of the format, and this Evoloop reads version 4;"
-                        + " go on with the Evoloop that wrote it, or begin with an empty directory");
+                        + ", byte 8: it is written in version 9 of the format, and this Evoloop reads version 4; use "
+                        + "the version of Evoloop that wrote it, or start with an empty directory");
     }
 
     @Test

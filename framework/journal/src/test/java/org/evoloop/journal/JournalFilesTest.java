@@ -62,7 +62,7 @@ class JournalFilesTest {
     @Test
     void damageIsToldFromWhatIsNoJournal() throws Exception {
         assertThatThrownBy(() -> new JournalFiles(directory))
-                .hasMessageContaining("is no journal")
+                .hasMessageContaining("is not a journal")
                 .isInstanceOfSatisfying(
                         JournalException.class,
                         wrong -> assertThat(wrong.isDamage()).isFalse());

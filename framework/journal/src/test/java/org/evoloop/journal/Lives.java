@@ -187,7 +187,7 @@ final class Lives {
         assertThat(doubts).as("what is in doubt is named").hasSizeGreaterThanOrEqualTo(inDoubt > 0 ? 1 : 0);
         assertThat(doubts)
                 .allMatch(doubt ->
-                        doubt.startsWith("doubt nobody knows whether next had its effect: the converter's process"));
+                        doubt.startsWith("doubt it is unknown whether next had its effect: the converter's process"));
         assertThat(at).isEqualTo("at " + STATES.get(device) + " " + STATES.get(device) + " 0");
     }
 

@@ -64,7 +64,7 @@ final class Silence implements WireUser {
         } else if (asked) {
             Threads.start(
                     "line-silent",
-                    () -> wire.hangUp("nothing was heard for "
+                    () -> wire.hangUp("nothing was received for "
                             + limit.multipliedBy(2).toMillis() + " ms, and '" + question + "' not answered"));
             return;
         } else {

@@ -15,8 +15,8 @@ record TcpTransport(String host, int port) implements LineTransport {
 
     TcpTransport {
         if (host.isBlank() || port < 1 || port > HIGHEST_PORT) {
-            throw new IllegalArgumentException(
-                    "'" + host + "' port " + port + " is no address; give a host and a port from 1 to " + HIGHEST_PORT);
+            throw new IllegalArgumentException("'" + host + "' port " + port
+                    + " is not an address; give a host and a port from 1 to " + HIGHEST_PORT);
         }
     }
 

@@ -182,7 +182,7 @@ class LineConnectionTest {
                 .withMessageContaining("more than 0");
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> LineTransport.tcp("fan", 0))
-                .withMessage("'fan' port 0 is no address; give a host and a port from 1 to 65535");
+                .withMessage("'fan' port 0 is not an address; give a host and a port from 1 to 65535");
         assertThatThrownBy(() -> LineTransport.tcp("no-such-host.invalid", 1).open())
                 .hasMessageContaining("there is no host no-such-host.invalid");
     }

@@ -41,7 +41,7 @@ class LineReaderTest {
         assertThat(lines("21 °C\n")).containsExactly("21 °C");
         assertThat(lines(new byte[] {(byte) 0xff, (byte) 0xfe, 'x', '\n', 'o', 'k', '\n'}))
                 .containsExactly("ok");
-        assertThat(complaints).singleElement().asString().startsWith("what is no text in UTF-8 is ignored");
+        assertThat(complaints).singleElement().asString().startsWith("bytes that are not UTF-8 text are ignored");
     }
 
     @Test

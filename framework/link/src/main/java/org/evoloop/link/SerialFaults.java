@@ -41,7 +41,7 @@ final class SerialFaults {
                 new LinkException(
                         Fault.REFUSED,
                         settings + " cannot be set up (system error " + error
-                                + "); try another baud rate, or plug the cable out and in again");
+                                + "); try another baud rate, or unplug the cable and plug it in again");
         };
     }
 

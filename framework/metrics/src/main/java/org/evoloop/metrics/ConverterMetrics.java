@@ -134,7 +134,7 @@ public final class ConverterMetrics implements MeterBinder {
 
     private void times(MeterRegistry registry) {
         Timer timer = Timer.builder("evoloop.conversion.time")
-                .description("From an event being observed to its execution beginning")
+                .description("From an event's observation to the start of its execution")
                 .tags(tags)
                 .serviceLevelObjectives(BUCKETS)
                 .register(registry);

@@ -95,7 +95,7 @@ class JournalCommandTest {
                         "--new",
                         lamp + "#new"))
                 .satisfies(none -> assertThat(none.status()).isEqualTo(2))
-                .satisfies(none -> assertThat(none.err()).contains("is no journal"));
+                .satisfies(none -> assertThat(none.err()).contains("is not a journal"));
     }
 
     private Path party() throws IOException {
@@ -252,7 +252,7 @@ class JournalCommandTest {
         Path none = Files.createDirectory(folder.resolve("none"));
         Tool wrong = Tool.run("journal", "verify", none.toString());
         assertThat(wrong.status()).isEqualTo(2);
-        assertThat(wrong.err()).startsWith("error: " + none + " is no journal");
+        assertThat(wrong.err()).startsWith("error: " + none + " is not a journal");
         assertThat(Tool.run("journal").status()).isEqualTo(2);
         assertThat(Tool.run("journal", "show", directory(), "--last", "0").err())
                 .isEqualTo("error: --last is 0; it must be at least 1\n");

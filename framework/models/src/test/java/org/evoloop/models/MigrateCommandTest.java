@@ -49,8 +49,8 @@ class MigrateCommandTest {
         assertThat(byName.status()).isZero();
         assertThat(byName.out())
                 .contains("from home (17 states")
-                .contains(
-                        "(Clean, SpotWait)  waits until tm(5s) or Clean or Dock leads out; may never come: Clean, Dock\n")
+                .contains("(Clean, SpotWait)  waits until tm(5s) or Clean or Dock leads out; may never come: Clean, "
+                        + "Dock\n")
                 .containsOnlyOnce("no state SpotWait; map it: state SpotWait -> STATE");
 
         Tool mapped = migrate(HOME, GUEST, "--mapping", mapping("state SpotWait -> Dock\n"));
@@ -62,14 +62,16 @@ class MigrateCommandTest {
     void aSwapThatCannotBeIsToldByTheStatus() {
         Tool deaf = migrate(HOME, GUEST, "--sendable", "Dock", "--mapping", trap());
         assertThat(deaf.status()).isEqualTo(1);
-        assertThat(deaf.out()).contains("IMPOSSIBLE, because the new model stands in Off, but with the device in ");
+        assertThat(deaf.out()).contains("IMPOSSIBLE, because the new model is in Off, but with the device in ");
     }
 
     private String trap() {
         try {
             return mapping(
-                    "state Charging -> Off\nstate Charged -> Off\nstate On -> Off\nstate Off -> Off\nstate Dock -> Off\n"
-                            + "state Asleep -> Off\nstate Error -> Off\nstate Clean -> Off\nstate Max -> Off\nstate Spot -> Off\n");
+                    "state Charging -> Off\nstate Charged -> Off\nstate On -> Off\nstate Off -> Off\nstate Dock -> "
+                            + "Off\n"
+                            + "state Asleep -> Off\nstate Error -> Off\nstate Clean -> Off\nstate Max -> Off\nstate "
+                            + "Spot -> Off\n");
         } catch (IOException unexpected) {
             throw new AssertionError(unexpected);
         }

@@ -145,7 +145,7 @@ public final class Page implements AutoCloseable {
     private void history(HttpExchange exchange) throws IOException {
         long before = number(exchange, "before", Long.MAX_VALUE);
         if (!readingHistory.tryAcquire()) {
-            Answer.text(exchange, Answer.BUSY, "somebody else is reading the history; ask again");
+            Answer.text(exchange, Answer.BUSY, "another request is reading the history; try again");
             return;
         }
         try {
@@ -219,8 +219,7 @@ public final class Page implements AutoCloseable {
     }
 
     private static void notAdmitted(HttpExchange exchange) throws IOException {
-        Answer.text(
-                exchange, Answer.NOT_ADMITTED, "this needs the token, which the program printed when it was started");
+        Answer.text(exchange, Answer.NOT_ADMITTED, "this needs the token that the program printed when it started");
     }
 
     private void session(PageServer from, HttpExchange exchange) throws IOException {

@@ -19,7 +19,7 @@ public record PageOptions(String host, int port) {
     private static final Option<PageOptions> PAGE = Option.value(
             "page",
             "[HOST:]PORT",
-            "Shows in the browser what the converter does, to this machine alone unless HOST is given, such as 0.0.0.0 "
+            "Shows in the browser what the converter does; only on this machine unless HOST is given, such as 0.0.0.0 "
                     + "(default: nothing listens).",
             PageOptions::at);
 

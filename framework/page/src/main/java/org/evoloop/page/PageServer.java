@@ -66,7 +66,7 @@ final class PageServer implements AutoCloseable {
                     unknown);
         } catch (IOException taken) {
             throw new IOException(
-                    "--page: " + options.host() + ":" + options.port() + " cannot be had (" + taken.getMessage()
+                    "--page: " + options.host() + ":" + options.port() + " cannot be used (" + taken.getMessage()
                             + "); choose another port, or 0 for any that is free",
                     taken);
         }
@@ -118,13 +118,13 @@ final class PageServer implements AutoCloseable {
     void onStream(String path, Handler handler) {
         serve(path, exchange -> {
             if (!seats.tryAcquire()) {
-                Answer.text(exchange, Answer.BUSY, MOST_VIEWERS + " are all that can look at once");
+                Answer.text(exchange, Answer.BUSY, MOST_VIEWERS + " viewers are the maximum");
                 return;
             }
             try {
                 handler.handle(exchange);
             } catch (InterruptedException hungUp) {
-                LOG.debug("a viewer was hung up on", hungUp);
+                LOG.debug("a slow viewer was disconnected", hungUp);
             } finally {
                 seats.release();
             }

@@ -80,7 +80,7 @@ public final class Ctl {
             Instances.requireName(name);
             if (arguments.size() == 1) {
                 throw new IllegalArgumentException(
-                        "say what " + name + " shall do: ctl " + name + " help lists its commands");
+                        "give a command for " + name + ": ctl " + name + " help lists its commands");
             }
             String line = line(arguments.subList(1, arguments.size()));
             return onTerminal && line.matches(WATCH) ? watch(name, line) : command(name, line, out);

@@ -121,7 +121,7 @@ public final class DeviceGuard implements AutoCloseable {
             try {
                 look();
             } catch (RuntimeException failure) {
-                LOG.error("the guarded device cannot be looked after", failure);
+                LOG.error("the guard failed to check on this program", failure);
             }
         }
     }
@@ -170,7 +170,9 @@ public final class DeviceGuard implements AutoCloseable {
         long stood = now - beatNanos;
         if (expired == null && watching && stood >= FENCE_NANOS) {
             expired = String.format(
-                    Locale.ROOT, "this program stood still for %.1f s, so the device has been made safe", stood / 1e9);
+                    Locale.ROOT,
+                    "this program was frozen for %.1f s, so the device was put into a safe state",
+                    stood / 1e9);
         }
         return expired != null;
     }
@@ -186,7 +188,8 @@ public final class DeviceGuard implements AutoCloseable {
         Matcher acted = ACTED.matcher(line);
         boolean news = watching && acted.matches() && Long.parseLong(acted.group(1)) >= firstBeat;
         if (news && !expire(now)) {
-            expired = "the guard process has not heard of this program in time, so the device has been made safe";
+            expired = "the guard process got no sign of life from this program in time, so the device was put into a "
+                    + "safe state";
         }
     }
 

@@ -39,7 +39,7 @@ final class Instances {
     static void requireName(String name) {
         if (!name.matches("[A-Za-z0-9_][A-Za-z0-9_-]*")) {
             throw new IllegalArgumentException(
-                    "'" + name + "' is no name for an instance; use letters, digits, - and _, and"
+                    "'" + name + "' is not a name for an instance; use letters, digits, - and _, and"
                             + " no - in front, as in living-room");
         }
     }

@@ -94,7 +94,7 @@ final class Notifier implements AutoCloseable {
     private void warn(String problem) {
         if (!warned) {
             warned = true;
-            LOG.warn("the service manager cannot be told how this program fares: {}", problem);
+            LOG.warn("the service manager cannot be notified: {}", problem);
         }
     }
 

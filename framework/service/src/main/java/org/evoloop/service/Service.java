@@ -128,7 +128,7 @@ public final class Service implements AutoCloseable {
             try {
                 lock.close();
             } catch (IOException failure) {
-                LOG.warn("the name {} cannot be given back: {}", options.name(), failure.getMessage());
+                LOG.warn("the name {} cannot be released: {}", options.name(), failure.getMessage());
             }
         }
         clock.close();

@@ -19,7 +19,7 @@ import org.jspecify.annotations.Nullable;
 public record ServiceOptions(
         boolean start, @Nullable String name, @Nullable Path journal) {
     private static final Option<Boolean> START =
-            Option.flag("start", "Converts events at once, and goes on when the standard input ends.");
+            Option.flag("start", "Starts converting at once, and keeps running when the standard input ends.");
     private static final Option<String> NAME = Option.value(
             "name", "NAME", "Takes commands for NAME: ctl NAME status (default: nothing listens).", name -> {
                 Instances.requireName(name);
@@ -28,8 +28,8 @@ public record ServiceOptions(
     private static final Option<Path> JOURNAL = Option.path(
             "journal",
             "DIR",
-            "Keeps what the converter is told in this directory, and goes on where the process before this one has ended "
-                    + "(default: nothing is kept).");
+            "Records the converter's inputs in this directory, and resumes where the previous process ended (default: "
+                    + "nothing is recorded).");
 
     /** The options of a program. */
     public static final Options OPTIONS = Options.of(START, NAME, JOURNAL);

@@ -77,7 +77,7 @@ class DeviceGuardTest {
             assertThat(guard.mayTell()).isFalse();
             device.hangs = false;
             device.goOn.countDown();
-            assertThat(device.reasons.poll(30, TimeUnit.SECONDS)).contains("so the device has been made safe");
+            assertThat(device.reasons.poll(30, TimeUnit.SECONDS)).contains("so the device was put into a safe state");
             await().until(guard::mayTell);
         }
         assertThat(Files.readAllLines(mark())).as("once").containsExactly("safe");

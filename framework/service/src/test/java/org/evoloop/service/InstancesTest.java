@@ -43,9 +43,9 @@ class InstancesTest {
 
         assertThat(told).isEqualTo(new ServiceOptions(true, "lamp-2", Path.of("kept")));
         assertThatThrownBy(() -> ServiceOptions.OPTIONS.read(List.of("--name", "a.b"), Map.of()))
-                .hasMessage(
-                        "--name: 'a.b' is no name for an instance; use letters, digits, - and _, and no - in front, as in "
-                                + "living-room");
+                .hasMessage("--name: 'a.b' is not a name for an instance; use letters, digits, - and _, and no - in "
+                        + "front, as in "
+                        + "living-room");
     }
 
     @Test
@@ -123,7 +123,7 @@ class InstancesTest {
         assertThat(text.toString(StandardCharsets.UTF_8).lines())
                 .contains("lamp", "press 'a b' \"it's\"", "no")
                 .anyMatch(line -> line.startsWith("error: no instance named lump is running; did you mean lamp?"))
-                .contains("error: say what lamp shall do: ctl lamp help lists its commands")
+                .contains("error: give a command for lamp: ctl lamp help lists its commands")
                 .doesNotContain("dead");
     }
 

@@ -298,7 +298,7 @@ public final class ConverterHarness implements AutoCloseable {
             }
             if (told() != before) {
                 quiet = -1;
-                requireProgress(++events, "a monitor never stops telling events");
+                requireProgress(++events, "a monitor never stops reporting events");
             }
         }
     }

@@ -105,8 +105,9 @@ final class SituationRun implements AutoCloseable {
         synchronized (lock) {
             if (!agreed || !doubts.isEmpty()) {
                 throw new AssertionError("the adapter does not keep the order " + when + ": " + what()
-                        + "\n  Tell both what the device does by itself and that a step took effect (tookEffect) on the"
-                        + " thread that reads the device, as it says so.\n  It has told:" + told());
+                        + "\n  Report both what the device does by itself and that a step took effect (tookEffect) "
+                        + "on the thread that reads from the device, in the order in which the device says so.\n  It "
+                        + "has reported:" + told());
             }
         }
     }
@@ -116,7 +117,7 @@ final class SituationRun implements AutoCloseable {
             return doubts.get(0);
         }
         return knowsTheTruth()
-                ? "of " + line.acts() + " things that the device did by itself it has told "
+                ? "of " + line.acts() + " things that the device did by itself it has reported "
                         + facts(Occurrence.Heard.class) + " within " + patience
                 : "the device is in " + device.state() + ", and the converter takes it to be in "
                         + converter.knowledge().getOriginalState();

@@ -95,7 +95,7 @@ final class TranscriptRecorder {
 
     private void requireAvailable() {
         if (!AVAILABLE) {
-            throw new IllegalStateException("the transcript is heard through Logback, and SLF4J has found "
+            throw new IllegalStateException("the transcript is recorded through Logback, and SLF4J has found "
                     + LoggerFactory.getILoggerFactory().getClass().getName()
                     + "; leave logback-classic the only SLF4J provider on the tests' class path");
         }

@@ -34,7 +34,7 @@ class OrderCheckTest {
         assertFails(PlayerAdapter.Kind.EFFECTS_TOO_SOON)
                 .hasMessageMatching(
                         "(?s)the adapter does not keep the order when \\w+ is sent in \\w+, and the device does"
-                                + " \\w+ by itself just before it takes \\w+: .*tookEffect.*It has told:.*");
+                                + " \\w+ by itself just before it takes \\w+: .*tookEffect.*It has reported:.*");
     }
 
     @Test
@@ -47,7 +47,7 @@ class OrderCheckTest {
     @Test
     void anAdapterThatDoesNotSayWhatCameFirstLeavesTheConverterInDoubt() {
         assertFails(PlayerAdapter.Kind.NO_EFFECTS)
-                .hasMessageContaining("nobody knows whether the device acted before or after");
+                .hasMessageContaining("it is unknown whether the device acted before or after");
     }
 
     @Test

@@ -94,7 +94,7 @@ class RecordingTest {
     void whatIsNotThereIsNamed() {
         assertThatThrownBy(() -> Recording.in(folder).replay(PaperModels.lightBulb()))
                 .isInstanceOf(JournalException.class)
-                .hasMessageContaining(folder + " is no journal");
+                .hasMessageContaining(folder + " is not a journal");
         Path none = folder.resolve("none.txt");
         assertThatThrownBy(() -> Recording.in(sunday).withProperties(none).replay(PaperModels.lightBulb()))
                 .isInstanceOf(IllegalArgumentException.class)

@@ -38,8 +38,8 @@ final class DefaultGuards {
             problems.note(
                     arc.place().line(),
                     "the guard [" + arc.guard()
-                            + "] of a transition from an initial pseudostate or history is not asked,"
-                            + " since nothing else could be entered; draw a choice behind it if there is something else");
+                            + "] of a transition from an initial pseudostate or history is not evaluated, since "
+                            + "nothing else could be entered; draw a choice behind it if there is something else");
         }
     }
 }

@@ -47,7 +47,7 @@ public final class Move extends ControlLoopFunction<Percept, Situation, Maneuver
     private static final Logger LOG = LoggerFactory.getLogger(Move.class);
 
     private static final String DISOBEYING =
-            "do not turn as they are told: no command reaches the robot, or it is held, pushed or stuck";
+            "do not turn as commanded: no command reaches the robot, or it is held, pushed or stuck";
 
     /** Names the event that leads out of a Move that has not arrived. */
     @FunctionalInterface
@@ -252,7 +252,7 @@ public final class Move extends ControlLoopFunction<Percept, Situation, Maneuver
                     driving = wheels;
                 } catch (LinkException | RobotException gone) {
                     // Sent again with the next frame, which there is none of before the robot is back.
-                    LOG.debug("the wheels were not told {}: {}", wheels, gone.getMessage());
+                    LOG.debug("the wheel command {} was not sent: {}", wheels, gone.getMessage());
                 }
             }
         }

@@ -27,14 +27,14 @@ final class Agreement {
     void add(Assumption assumption, int line) {
         Integer other = lines.putIfAbsent(assumption.about(), line);
         if (other != null) {
-            tell(line, "line " + other + " says how long that is already; remove one of the two");
+            tell(line, "line " + other + " already says how long that is; remove one of the two");
         }
     }
 
     void add(Reaction reaction, int line) {
         Integer other = lines.putIfAbsent("violation of " + reaction.property(), line);
         if (other != null) {
-            tell(line, "line " + other + " says what is raised then already; remove one of the two");
+            tell(line, "line " + other + " already says what is raised then; remove one of the two");
         }
         reactions.put(reaction, line);
     }

@@ -22,8 +22,9 @@ import org.evoloop.statemachine.ModelException;
  * </pre>
  */
 final class TimeFormParser {
-    private static final String ALONE = "a property with a time in it stands alone on its line, in one of the forms "
-            + "'after F, G within 3 s', 'F never longer than 3 s', 'F never shorter than 3 s', 'F only after 3 s of G', "
+    private static final String ALONE = "a property with a time in it must be alone on its line, in one of the forms "
+            + "'after F, G within 3 s', 'F never longer than 3 s', 'F never shorter than 3 s', 'F only after 3 s of "
+            + "G', "
             + "'F at most 3 times in 10 s'; F and G are of one moment: names, 'not', 'and', 'or' and brackets";
 
     private final FormulaParser formulas;
@@ -97,7 +98,7 @@ final class TimeFormParser {
         }
         long nanos = span(words, never + 3, Span::nanos);
         if (nanos == 0) {
-            throw new ModelException("everything lasts 0 s at least; name a longer time");
+            throw new ModelException("everything lasts at least 0 s; name a longer time");
         }
         Formula subject = moment(words.subList(0, never));
         lasts(subject);

@@ -33,7 +33,7 @@ public record Span(long minNanos, long maxNanos) {
     public static Span parse(String text) {
         String[] ends = text.strip().split("\\.\\.", -1);
         if (ends.length > 2) {
-            throw new ModelException("'" + text.strip() + "' is no interval; write one such as 200 ms .. 1 s");
+            throw new ModelException("'" + text.strip() + "' is not an interval; write one such as 200 ms .. 1 s");
         }
         long min = nanos(ends[0]);
         long max = ends.length == 1 ? min : nanos(ends[1]);
@@ -53,19 +53,21 @@ public record Span(long minNanos, long maxNanos) {
         String stripped = text.strip();
         if (STRICT.matcher(stripped).matches()) {
             throw new ModelException("'" + stripped
-                    + "' leaves its end out, which cannot be decided: intervals are closed; write the length alone, "
+                    + "' excludes its end, which cannot be decided: intervals are closed; write only the length, "
                     + "such as 3 s");
         }
         Matcher length = LENGTH.matcher(stripped);
         Long unit = length.matches() ? UNITS.get(length.group(2)) : null;
         if (unit == null) {
             throw new ModelException(
-                    "'" + stripped + "' is no length of time; write a number and ms, s, min or h, such as 200 ms");
+                    "'" + stripped + "' is not a length of time; write a number and ms, s, min or h, such as 200 ms");
         }
         BigDecimal nanos = new BigDecimal(length.group(1)).multiply(BigDecimal.valueOf(unit));
         if (nanos.compareTo(LONGEST) > 0 || nanos.stripTrailingZeros().scale() > 0) {
             throw new ModelException("'" + stripped + "' is too "
-                    + (nanos.compareTo(LONGEST) > 0 ? "long; the most is 10000 h" : "fine; the least is a nanosecond"));
+                    + (nanos.compareTo(LONGEST) > 0
+                            ? "long; the maximum is 10000 h"
+                            : "fine; the minimum is a " + "nanosecond"));
         }
         return nanos.longValueExact();
     }

@@ -135,7 +135,9 @@ final class TimeHazards implements Exploration.Judge {
                 Rule.TIME_DEADLOCK,
                 state,
                 "time comes to a halt in " + state
-                        + ": something has to happen before any time can pass, and all that can happen leads back there",
-                "let timers that follow each other in a circle take time, and check what is written of when events come");
+                        + ": something has to happen before any time can pass, and all that can happen leads back "
+                        + "there",
+                "let timers that follow each other in a circle take time, and check the assumptions about when "
+                        + "events come");
     }
 }

@@ -20,7 +20,7 @@ public record TimeVerdict(TimeProperty property, boolean holds, long best, long 
 
     private String figures() {
         if (best < 0 && worst < 0) {
-            return "it never comes to that";
+            return "that never happens";
         } else if (property.form() instanceof TimeForm.Count) {
             return worst + " at worst";
         } else if (property.form() instanceof TimeForm.Before) {

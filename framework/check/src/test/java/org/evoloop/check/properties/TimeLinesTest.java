@@ -95,15 +95,15 @@ class TimeLinesTest {
                 Arguments.of("after event dance, On within 3 s", "there is no event of the new model named dance"),
                 Arguments.of(
                         "after event press On within 3 s", "there is no comma between what happens and what follows"),
-                Arguments.of("after event press, On within 3", "'3' is no length of time; write a number and ms"),
-                Arguments.of("after event press, On within 3 days", "'3 days' is no length of time"),
+                Arguments.of("after event press, On within 3", "'3' is not a length of time; write a number and ms"),
+                Arguments.of("after event press, On within 3 days", "'3 days' is not a length of time"),
                 Arguments.of("after event press, On within 3 s .. 1 s", "the interval 3 s .. 1 s is empty"),
-                Arguments.of("after event press, On within less than 3 s", "'less than 3 s' leaves its end out"),
+                Arguments.of("after event press, On within less than 3 s", "'less than 3 s' excludes its end"),
                 Arguments.of("after event press, can On within 3 s", "'can On' is about more than one moment"),
-                Arguments.of("always (after event press, On within 3 s)", "a property with a time in it stands alone"),
-                Arguments.of("eventually On within 3 s", "a property with a time in it stands alone"),
+                Arguments.of("always (after event press, On within 3 s)", "a property with a time in it must be alone"),
+                Arguments.of("eventually On within 3 s", "a property with a time in it must be alone"),
                 Arguments.of("event press never longer than 3 s", "an event takes no time, so it cannot last"),
-                Arguments.of("Warm never longer than 0 s", "everything lasts 0 s at least"),
+                Arguments.of("Warm never longer than 0 s", "everything lasts at least 0 s"),
                 Arguments.of("Warm never longer than 99999 h", "'99999 h' is too long"),
                 Arguments.of("Warm never longer than 0.00000001 ms", "'0.00000001 ms' is too fine"),
                 Arguments.of("On at most 0 times in 3 s", "'at most 0 times in 3 s' cannot be understood"),
@@ -135,8 +135,8 @@ class TimeLinesTest {
                 Arguments.of("a: after On, Off within 1 s", "b: after On, Off within 2 s .. 3 s", "contradicts line 1"),
                 Arguments.of("a: after On, Off within 2 s .. 3 s", "b: after On, Off within 1 s", "contradicts line 1"),
                 Arguments.of("a: On never longer than 1 s", "a: Off never longer than 1 s", "has the name 'a', too"),
-                Arguments.of("takes press 1 s", "takes press 2 s", "line 1 says how long that is already"),
-                Arguments.of("queue 1", "queue 2", "line 1 says how long that is already"));
+                Arguments.of("takes press 1 s", "takes press 2 s", "line 1 already says how long that is"),
+                Arguments.of("queue 1", "queue 2", "line 1 already says how long that is"));
     }
 
     @ParameterizedTest

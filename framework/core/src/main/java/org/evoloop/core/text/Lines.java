@@ -28,7 +28,7 @@ final class Lines {
     }
 
     SnapshotException damaged(String what) {
-        return wrong(what + "; the text is damaged, use another copy or begin without it");
+        return wrong(what + "; the text is damaged, use another copy or start without it");
     }
 
     /** Advances to the next line, which must begin with {@code first}. */
@@ -82,7 +82,7 @@ final class Lines {
         ends();
         if (next < text.length()) {
             number++;
-            throw damaged("something follows after the end");
+            throw damaged("there is more text after the end");
         }
     }
 
@@ -169,7 +169,7 @@ final class Lines {
     /** Reads a text in quotes. */
     String text() {
         if (!isQuotedNext()) {
-            throw damaged("a text in quotes was expected");
+            throw damaged("a quoted string was expected");
         }
         int from = separated() + 1;
         int at = from;
@@ -186,7 +186,7 @@ final class Lines {
     }
 
     private SnapshotException open() {
-        return damaged("a text has no closing quote");
+        return damaged("a string has no closing quote");
     }
 
     private String withEscapes(int from) {
@@ -231,6 +231,6 @@ final class Lines {
     }
 
     private char bad() {
-        throw damaged("a text has an escape that does not exist");
+        throw damaged("a string has an unknown escape sequence");
     }
 }

@@ -37,7 +37,7 @@ final class Names {
 
     private SnapshotException gone(StateMachine model, String what) {
         return lines.wrong("the model '" + model.name() + "' " + what
-                + "; use the models with which it was written, or begin without it");
+                + "; use the models with which it was written, or start without it");
     }
 
     Transition originalTransition() {

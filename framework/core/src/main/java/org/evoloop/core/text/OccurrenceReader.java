@@ -30,7 +30,7 @@ final class OccurrenceReader {
             case "evolved" -> new Occurrence.Evolved(lines.text(), observedNanos);
             case "violated" -> new Occurrence.Violated(lines.text(), observedNanos);
             case "in-doubt" -> new Occurrence.InDoubt(lines.text(), observedNanos);
-            default -> throw lines.damaged("'" + kind + "' is no occurrence");
+            default -> throw lines.damaged("'" + kind + "' is not an occurrence");
         };
         lines.ends();
         return read;
@@ -57,7 +57,7 @@ final class OccurrenceReader {
                 return source;
             }
         }
-        throw lines.damaged("'" + word + "' is no source of events");
+        throw lines.damaged("'" + word + "' is not a source of events");
     }
 
     private Values values() {

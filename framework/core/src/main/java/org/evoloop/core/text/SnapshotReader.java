@@ -59,13 +59,13 @@ final class SnapshotReader {
 
     private void version() {
         if (!lines.next().equals(SnapshotText.TITLE)) {
-            throw lines.wrong("this is no snapshot of Evoloop; its first line is '" + SnapshotText.TITLE + " "
+            throw lines.wrong("this is not a snapshot of Evoloop; its first line is '" + SnapshotText.TITLE + " "
                     + SnapshotText.VERSION + "'");
         }
         long version = ended(lines.number());
         if (version != SnapshotText.VERSION) {
             throw lines.wrong("version " + version + " cannot be read, only version " + SnapshotText.VERSION
-                    + "; go on with the Evoloop that wrote it, or begin without it");
+                    + "; use the version of Evoloop that wrote it, or start without it");
         }
     }
 
@@ -243,7 +243,7 @@ final class SnapshotReader {
                 return kind.made(before, after, steps, transition, effects, reason);
             }
         }
-        throw lines.damaged("'" + word + "' is no decision that could be made of this");
+        throw lines.damaged("'" + word + "' is not a decision that could be made here");
     }
 
     private Tally tally() {

@@ -244,8 +244,8 @@ public final class HostedVisit implements Visit {
             Set<Appointment> all = timers == null ? new HashSet<>(2) : timers;
             timers = all;
             if (all.size() + (tasks == null ? 0 : tasks.waiting()) >= MOST_TIMERS) {
-                throw new IllegalStateException(
-                        this + " waits for " + MOST_TIMERS + " times already; set the next when one has come");
+                throw new IllegalStateException(this + " waits for " + MOST_TIMERS
+                        + " times already; set the next one when one of them has " + "passed");
             }
             Appointment appointment = new Appointment(task);
             all.add(appointment);

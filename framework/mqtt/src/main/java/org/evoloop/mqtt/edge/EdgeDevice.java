@@ -207,7 +207,7 @@ public final class EdgeDevice implements EdgeShell.Decider, AutoCloseable {
         String now = gateway.isUp() ? "the gateway's broker is reached" : gateway.describe();
         if (!now.equals(link)) {
             link = now;
-            teller.accept(now + "; " + outbox.size() + " records wait");
+            teller.accept(now + "; " + outbox.size() + " records are waiting");
         }
     }
 
@@ -242,7 +242,7 @@ public final class EdgeDevice implements EdgeShell.Decider, AutoCloseable {
             }
         } else if (carried.take(id, sequence)) {
             if (record.number("deadlineMillis", 0) < wall.millis()) {
-                answered(sequence, EdgeShell.Result.FAILED, "the command came too late", Optional.empty());
+                answered(sequence, EdgeShell.Result.FAILED, "the command arrived after its deadline", Optional.empty());
                 return;
             }
             if (!record.truth("function")) {

@@ -39,7 +39,7 @@ final class Received {
         if (members.get(name) instanceof String text) {
             return text;
         }
-        throw new IllegalArgumentException("'" + name + "' must be a text");
+        throw new IllegalArgumentException("'" + name + "' must be a string");
     }
 
     private String text(String name, String otherwise) {

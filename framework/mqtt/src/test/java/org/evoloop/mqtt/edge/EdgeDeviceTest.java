@@ -202,7 +202,7 @@ class EdgeDeviceTest {
         assertThat(done).containsExactly("off --switch--> on by=me");
         assertThat(told.stream().distinct())
                 .extracting(each -> each.get("sequence") + " " + each.get("outcome") + " " + each.get("reason"))
-                .containsExactly("1.0 sent null", "2.0 failed the command came too late", "3.0 sent null");
+                .containsExactly("1.0 sent null", "2.0 failed the command arrived after its deadline", "3.0 sent null");
     }
 
     @Test

@@ -56,7 +56,7 @@ class ScxmlUnusualTest {
 
         assertThat(ChartText.of(scxml(content))).contains("  #2 -> a : [x]");
         assertThat(flat(content).initial()).isEqualTo(new State("a"));
-        assertThat(notes(content)).singleElement().asString().contains("the guard [x]", "is not asked");
+        assertThat(notes(content)).singleElement().asString().contains("the guard [x]", "is not evaluated");
     }
 
     @Test

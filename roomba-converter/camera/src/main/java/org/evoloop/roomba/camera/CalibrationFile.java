@@ -119,7 +119,7 @@ public final class CalibrationFile {
             throw new CameraException(file + ": has no " + name + "; write the file with: calibrate");
         }
         if (!allowed.test(numbers[index])) {
-            throw new CameraException(file + ": " + name + " " + numbers[index] + " cannot be; calibrate anew");
+            throw new CameraException(file + ": " + name + " " + numbers[index] + " is impossible; calibrate again");
         }
         return numbers[index];
     }

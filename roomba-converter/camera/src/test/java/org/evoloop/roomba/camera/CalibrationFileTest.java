@@ -51,10 +51,11 @@ class CalibrationFileTest {
                 "focal 554.3 554.1 | focal 554.3 | line 3: focal takes 2 numbers, there are 1",
                 "focal 554.3 554.1 | focal wide 554 | line 3: wide is not a number",
                 "focal 554.3 554.1 | focal NaN 554 | line 3: NaN is not a number",
-                "focal 554.3 554.1 | focal 0 554 | focal 0.0 cannot be; calibrate anew",
-                "center 319.6 240.2 | center 700 240 | center 700.0 cannot be; calibrate anew",
-                "width 640 | width 640.5 | width 640.5 cannot be; calibrate anew",
-                "height 480 | zoom 2 | line 2: zoom is unknown; allowed are width, height, focal, center and distortion",
+                "focal 554.3 554.1 | focal 0 554 | focal 0.0 is impossible; calibrate again",
+                "center 319.6 240.2 | center 700 240 | center 700.0 is impossible; calibrate again",
+                "width 640 | width 640.5 | width 640.5 is impossible; calibrate again",
+                "height 480 | zoom 2 | line 2: zoom is unknown; allowed are width, height, focal, center and "
+                        + "distortion",
                 "height 480 | width 640 | line 2: width is there twice; remove one",
                 "height 480 | # no height | has no height; write the file with: calibrate",
             })

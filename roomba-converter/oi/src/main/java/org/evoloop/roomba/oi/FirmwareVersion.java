@@ -30,7 +30,7 @@ public record FirmwareVersion(int major, int minor, int patch) implements Compar
     public static FirmwareVersion parse(String text) {
         Matcher version = VERSION.matcher(text);
         if (!version.matches()) {
-            throw new IllegalArgumentException("'" + text + "' is no firmware version; one is written as 3.2.6");
+            throw new IllegalArgumentException("'" + text + "' is not a firmware version; write one such as 3.2.6");
         }
         return of(version);
     }

@@ -40,7 +40,7 @@ class FirmwareVersionTest {
         for (String wrong : new String[] {"", "3.2", "3.2.6.1", "v3.2.6", "3.2.12345"}) {
             assertThatThrownBy(() -> FirmwareVersion.parse(wrong))
                     .isInstanceOf(IllegalArgumentException.class)
-                    .hasMessage("'" + wrong + "' is no firmware version; one is written as 3.2.6");
+                    .hasMessage("'" + wrong + "' is not a firmware version; write one such as 3.2.6");
         }
     }
 }

@@ -19,8 +19,8 @@ final class RobotArguments {
     @Option(
             names = "--room",
             paramLabel = "FILE",
-            description = "The room it lives in, described below, or living-room, which comes along "
-                    + "(default: an open plain).")
+            description = "The room it lives in, described below, or living-room, which is included (default: an "
+                    + "open plain).")
     private @Nullable Path room;
 
     @Option(
@@ -41,7 +41,7 @@ final class RobotArguments {
             names = "--baud",
             paramLabel = "RATE",
             defaultValue = "115200",
-            description = "The robot's rate after power-on; a client with another one hears and says garbage "
+            description = "The robot's rate after power-on; a client with another rate receives and sends garbage "
                     + "(default: ${DEFAULT-VALUE}).")
     private int baud;
 
@@ -50,7 +50,7 @@ final class RobotArguments {
             paramLabel = "VERSION",
             defaultValue = "3.7.7",
             converter = FirmwareConverter.class,
-            description = "What its boot text tells; distances are wrong before 3.3.0, angles up to 3.4.0 "
+            description = "The version in its boot text; distances are wrong before 3.3.0, angles up to 3.4.0 "
                     + "(default: ${DEFAULT-VALUE}).")
     private FirmwareVersion firmware = new FirmwareVersion(0, 0, 0);
 
@@ -76,21 +76,21 @@ final class RobotArguments {
             names = "--drop",
             paramLabel = "P",
             defaultValue = "0",
-            description = "Loses this part of all bytes both ways, 0 to 0.5 (default: ${DEFAULT-VALUE}).")
+            description = "Drops this share of all bytes in both directions, 0 to 0.5 (default: ${DEFAULT-VALUE}).")
     private double dropShare;
 
     @Option(
             names = "--corrupt",
             paramLabel = "P",
             defaultValue = "0",
-            description = "Changes this part of all bytes both ways, 0 to 0.5 (default: ${DEFAULT-VALUE}).")
+            description = "Changes this share of all bytes in both directions, 0 to 0.5 (default: ${DEFAULT-VALUE}).")
     private double corruptShare;
 
     @Option(
             names = "--seed",
             paramLabel = "N",
             defaultValue = "1",
-            description = "Chooses which bytes --noise, --drop and --corrupt meet (default: ${DEFAULT-VALUE}).")
+            description = "The random seed of --noise, --drop and --corrupt (default: ${DEFAULT-VALUE}).")
     private long seed;
 
     @Option(
@@ -100,8 +100,7 @@ final class RobotArguments {
 
     @Option(
             names = "--strict-mode-window",
-            description =
-                    "Ignores commands right after one that changes the mode; 20 ms of robot time later all is well.")
+            description = "Ignores commands for 20 ms of robot time after one that changes the mode.")
     private boolean strictModeWindow;
 
     /**

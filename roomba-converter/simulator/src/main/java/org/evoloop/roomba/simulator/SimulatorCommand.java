@@ -48,7 +48,7 @@ import picocli.CommandLine.Spec;
             "  cover-marker, uncover-marker     hangs a cloth over it, and takes it off",
             "  camera stall, camera resume      holds its pictures back, and sends them again",
             "  camera unplug, camera replug     pulls the camera's cable, and plugs it in again",
-            "  camera damage P                  damages this part of its pictures, 0 to 1",
+            "  camera damage P                  damages this share of its pictures, 0 to 1",
             "  state                            prints its true state in JSON",
             "  help, exit                       the end of the standard input ends it, too",
             "",

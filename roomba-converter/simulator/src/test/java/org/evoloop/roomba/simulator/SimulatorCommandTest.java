@@ -68,23 +68,36 @@ class SimulatorCommandTest {
             value = {
                 "--speed 1             | Missing required option: '--link=PATH'",
                 "--link L --speed fast | Invalid value for option '--speed': 'fast' is not a double",
-                "--link L --speed 0    | cannot start the simulator: speed is 0.0; allowed is 0.01 to 1000.0 times real time",
-                "--link L --spot-duration 1 | cannot start the simulator: spot duration is 1000 ms; allowed is 8000 to 600000 ms",
+                "--link L --speed 0    | cannot start the simulator: speed is 0.0; allowed is 0.01 to 1000.0 times "
+                        + "real time",
+                "--link L --spot-duration 1 | cannot start the simulator: spot duration is 1000 ms; allowed is 8000 "
+                        + "to 600000 ms",
                 "--link L --battery 0 | cannot start the simulator: battery is 0 %; allowed is 1 to 100 %",
                 "--link L --drop 0.6 | cannot start the simulator: drop is 0.6; allowed is 0 to 0.5",
-                "--link L --firmware x | Invalid value for option '--firmware': 'x' is no firmware version; one is written as 3.2.6",
-                "--link L --checksum md5 | Invalid value for option '--checksum': 'md5' is unknown; there are real and spec500",
-                "--link L --room none.txt | cannot start the simulator: none.txt: cannot be read; it must be an existing, readable text file",
-                "--link L --svg no/such/folder.svg | cannot write no/such/folder.svg (--svg); its folder must exist and be writable",
+                "--link L --firmware x | Invalid value for option '--firmware': 'x' is not a firmware version; write "
+                        + "one such as 3.2.6",
+                "--link L --checksum md5 | Invalid value for option '--checksum': 'md5' is unknown; there are real "
+                        + "and spec500",
+                "--link L --room none.txt | cannot start the simulator: none.txt: cannot be read; it must be an "
+                        + "existing, readable text file",
+                "--link L --svg no/such/folder.svg | cannot write no/such/folder.svg (--svg); its folder must exist "
+                        + "and be writable",
                 "--link L --camera 70000 | cannot start the simulator: camera port is 70000; allowed is 0 to 65535",
                 "--link L --camera web | Invalid value for option '--camera': 'web' is not an int",
-                "--link L --camera-fps 5 | cannot start the simulator: --camera-quality, --camera-size, --camera-fov and --camera-fps go with --camera PORT",
-                "--link L --camera 0 --camera-quality best | cannot start the simulator: camera quality is 'best'; there are clean, typical and hard",
-                "--link L --camera 0 --camera-size big | cannot start the simulator: --camera-size is 'big'; it takes WxH in pixels, for example 640x480",
-                "--link L --camera 0 --camera-size 8x480 | cannot start the simulator: picture width in pixels is 8; allowed is 16 to 1920",
-                "--link L --camera 0 --camera-fov 180 | cannot start the simulator: field of view in degrees is 180; allowed is 20 to 120",
-                "--link L --camera 0 --camera-fps 0 | cannot start the simulator: camera frames per second are 0.0; allowed is 0.1 to 60",
-                "--link . | cannot start the simulator: . exists and is not a symbolic link; remove it or choose another path",
+                "--link L --camera-fps 5 | cannot start the simulator: --camera-quality, --camera-size, --camera-fov "
+                        + "and --camera-fps go with --camera PORT",
+                "--link L --camera 0 --camera-quality best | cannot start the simulator: camera quality is 'best'; "
+                        + "there are clean, typical and hard",
+                "--link L --camera 0 --camera-size big | cannot start the simulator: --camera-size is 'big'; it "
+                        + "takes WxH in pixels, for example 640x480",
+                "--link L --camera 0 --camera-size 8x480 | cannot start the simulator: picture width in pixels is 8; "
+                        + "allowed is 16 to 1920",
+                "--link L --camera 0 --camera-fov 180 | cannot start the simulator: field of view in degrees is 180; "
+                        + "allowed is 20 to 120",
+                "--link L --camera 0 --camera-fps 0 | cannot start the simulator: camera frames per second are 0.0; "
+                        + "allowed is 0.1 to 60",
+                "--link . | cannot start the simulator: . exists and is not a symbolic link; remove it or choose "
+                        + "another path",
             })
     void aWrongOptionIsOneClearMessageAndCode2(String arguments, String message) {
         assertThat(run(

@@ -182,7 +182,7 @@ public final class SimulatedRoombaExtension implements BeforeEachCallback, After
             while (now == null || !wanted.test(now)) {
                 long left = deadline - System.nanoTime();
                 if (left <= 0) {
-                    throw new AssertionError("the robot did not come to be as wanted within " + patience + "; it is "
+                    throw new AssertionError("the robot did not reach the wanted state within " + patience + "; it is "
                             + (now == null ? "not there" : now.toJson()));
                 }
                 TimeUnit.NANOSECONDS.timedWait(lock, left);

@@ -81,7 +81,7 @@ class SimulatedRoombaExtensionTest {
         roomba.patience(Duration.ofMillis(50));
         assertThatThrownBy(() -> roomba.until(robot -> robot.xMm() > 1e9))
                 .isInstanceOf(AssertionError.class)
-                .hasMessageContaining("did not come to be as wanted within PT0.05S; it is {");
+                .hasMessageContaining("did not reach the wanted state within PT0.05S; it is {");
     }
 
     @Test

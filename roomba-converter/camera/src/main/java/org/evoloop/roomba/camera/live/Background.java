@@ -82,7 +82,7 @@ final class Background {
         try {
             NativeLibraries.loadJna();
         } catch (IOException none) {
-            LOG.debug("threads share the processors alike: {}", none.getMessage());
+            LOG.debug("thread priorities cannot be changed: {}", none.getMessage());
             return Optional.empty();
         }
         try (Memory attributes = new Memory(ATTRIBUTES_BYTES)) {

@@ -64,7 +64,7 @@ final class Grabber implements Runnable {
                         pause = FIRST_PAUSE;
                     }
                     reason = source.isLive()
-                            ? "camera " + source + " sends no frames any more; see to its cable and power"
+                            ? "camera " + source + " sends no frames any more; check its cable and power"
                             : "recording " + source + " is at its end";
                 } catch (CameraException notThere) {
                     reason = notThere.getMessage();

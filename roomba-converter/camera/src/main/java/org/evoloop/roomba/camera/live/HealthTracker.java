@@ -71,8 +71,8 @@ final class HealthTracker {
         return new CameraHealth(
                 Condition.STALLED,
                 damagedSince == 0
-                        ? camera + " has sent no frame for " + age + "; see to its cable and power"
+                        ? camera + " has sent no frame for " + age + "; check its cable and power"
                         : camera + " has sent " + damagedSince + " damaged frames and no good one for " + age
-                                + "; see to its cable, or ask it for smaller frames");
+                                + "; check its cable, or ask it for smaller frames");
     }
 }

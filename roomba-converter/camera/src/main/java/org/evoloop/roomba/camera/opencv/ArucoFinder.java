@@ -58,7 +58,7 @@ final class ArucoFinder implements MarkerFinder {
         int channels = pixels.length == width * height ? 1 : 3;
         if (width <= 0 || height <= 0 || pixels.length != channels * width * height) {
             throw new IllegalArgumentException(
-                    pixels.length + " bytes are no gray and no colored picture of " + width + "x" + height);
+                    pixels.length + " bytes are neither a gray nor a color picture of " + width + "x" + height);
         }
         picture.create(height, width, channels == 1 ? CvType.CV_8UC1 : CvType.CV_8UC3);
         picture.put(0, 0, pixels);

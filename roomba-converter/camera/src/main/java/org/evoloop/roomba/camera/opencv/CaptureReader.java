@@ -76,7 +76,7 @@ final class CaptureReader implements FrameReader {
             case DEVICE ->
                 "is it a camera (v4l2-ctl --list-devices), and does no other program have it (fuser " + source.text()
                         + ")?";
-            case URL -> "does that very address answer with Motion JPEG, not with a page that shows it?";
+            case URL -> "does exactly that address answer with Motion JPEG, not with a page that shows it?";
             case FILE -> "is it a video or a picture?";
             case IMAGE_SEQUENCE, SIMULATED -> "are there pictures of that name, numbered without gaps?";
         };

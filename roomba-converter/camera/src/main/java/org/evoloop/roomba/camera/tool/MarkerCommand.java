@@ -57,7 +57,7 @@ public final class MarkerCommand implements Callable<Integer> {
         String name = out.toString().toLowerCase(Locale.ROOT);
         Path folder = out.toAbsolutePath().getParent();
         if (!name.endsWith(".pdf") && !name.endsWith(".png")) {
-            throw new CameraException("--out " + out + ": is no .pdf and no .png file; name it marker.pdf");
+            throw new CameraException("--out " + out + ": is neither a .pdf nor a .png file; name it marker.pdf");
         }
         if (folder == null || !Files.isDirectory(folder)) {
             throw new CameraException("--out " + out + ": there is no such folder; correct the path");

@@ -24,7 +24,7 @@ class HealthTrackerTest {
         assertHealth(
                 SECOND + 301_000_000,
                 Condition.STALLED,
-                "camera x has sent no frame for 0.3 s; see to its cable and power");
+                "camera x has sent no frame for 0.3 s; check its cable and power");
         health.seeing(2 * SECOND);
         assertHealth(2 * SECOND, Condition.SEEING, "");
     }
@@ -38,7 +38,7 @@ class HealthTrackerTest {
         assertHealth(
                 3 * SECOND,
                 Condition.STALLED,
-                "camera x has sent 2 damaged frames and no good one for 2.0 s; see to its cable, or ask it for "
+                "camera x has sent 2 damaged frames and no good one for 2.0 s; check its cable, or ask it for "
                         + "smaller frames");
     }
 

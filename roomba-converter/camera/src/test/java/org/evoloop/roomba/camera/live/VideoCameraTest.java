@@ -107,7 +107,7 @@ class VideoCameraTest {
             awaitState(camera, Condition.STALLED);
             assertThat(camera.newest().health().reason())
                     .startsWith("camera " + server.url() + " has sent no frame for ")
-                    .endsWith("; see to its cable and power");
+                    .endsWith("; check its cable and power");
 
             server.repeat(MARKER);
             awaitState(camera, Condition.SEEING);
@@ -139,7 +139,8 @@ class VideoCameraTest {
         try (VideoCamera camera = open(url)) {
             awaitState(camera, Condition.GONE);
             assertThat(camera.newest().health().reason())
-                    .isEqualTo("camera " + url + " cannot be opened; does that very address answer with Motion JPEG, "
+                    .isEqualTo("camera " + url + " cannot be opened; does exactly that address answer with Motion "
+                            + "JPEG, "
                             + "not with a page that shows it?");
             assertThat(camera.newest().frame()).isZero();
         }

@@ -93,7 +93,7 @@ class MarkerFinderTest {
     void refusesPixelsThatAreNoPicture() {
         assertThatThrownBy(() -> finder.find(new byte[100], 640, 480))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessage("100 bytes are no gray and no colored picture of 640x480");
+                .hasMessage("100 bytes are neither a gray nor a color picture of 640x480");
     }
 
     @Test
