@@ -59,7 +59,7 @@ class RoombaEdgeTest {
             Process edge = edge(mosquitto, "60");
 
             // The robot acts by itself, and the fleet follows; then it is under control, and the fleet decides.
-            awaitLog("edge-2", "the gateway's broker is reached");
+            awaitLog("edge-2", "the gateway's broker can be reached");
             roomba.press(Button.CLEAN);
             awaitState(cluster, "On", "On");
             roomba.until(robot -> robot.oiMode() == OiMode.SAFE);

@@ -73,8 +73,8 @@ final class Caller {
                         failure);
             }
             boolean elsewhere = reply.status() >= REDIRECTED && reply.status() < WRONG;
-            throw new IOException(call + " is answered with status " + reply.status()
-                    + (elsewhere ? "; use the address that it leads to" : ""));
+            throw new IOException(call + " was answered with status " + reply.status()
+                    + (elsewhere ? "; use the address that it redirects to" : ""));
         }
     }
 
@@ -104,7 +104,7 @@ final class Caller {
         } catch (IOException failure) {
             requireNoInterrupt();
             throw new IOException(
-                    call + " cannot be sent: the device is not reached (" + failure.getMessage()
+                    call + " cannot be sent: the device cannot be reached (" + failure.getMessage()
                             + "); check that it is switched on, and the address",
                     failure);
         }

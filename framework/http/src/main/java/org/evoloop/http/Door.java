@@ -25,7 +25,7 @@ record Door(String host, @Nullable String token) {
     static Door guarded(String host, String token) {
         if (token.length() < SHORTEST_TOKEN) {
             throw new IllegalArgumentException("the token has " + token.length() + " characters; give it at least "
-                    + SHORTEST_TOKEN + ", since others than this machine can reach " + host);
+                    + SHORTEST_TOKEN + ", since other computers can reach " + host);
         }
         return new Door(host, token);
     }

@@ -27,10 +27,10 @@ public record HttpCall(String method, URI address, Map<String, String> headers, 
         String scheme = address.getScheme() == null ? "" : address.getScheme().toLowerCase(Locale.ROOT);
         if (!scheme.matches("https?") || address.getHost() == null) {
             throw new IllegalArgumentException(
-                    "'" + address + "' is no address; write it as in http://lamp.local/toggle");
+                    "'" + address + "' is not an address; write one such as http://lamp.local/toggle");
         }
         if (!method.matches("[A-Z]+")) {
-            throw new IllegalArgumentException("'" + method + "' is no method, as POST is");
+            throw new IllegalArgumentException("'" + method + "' is not a method; write one such as POST");
         }
         headers.forEach((name, value) -> {
             if (!name.matches("[A-Za-z0-9-]+") || name.matches(OWN_HEADERS) || !value.matches("[\\x20-\\x7e]*")) {

@@ -86,7 +86,9 @@ public class HttpMonitor extends PushMonitor implements AutoCloseable {
     private HttpMonitor on(String request, Consumer<Values> told) {
         if (!request.matches("[A-Z]+ /\\S*") || requests.putIfAbsent(request, told) != null) {
             throw new IllegalArgumentException("'" + request + "' is "
-                    + (requests.containsKey(request) ? "there already" : "no request; write it as in POST /power"));
+                    + (requests.containsKey(request)
+                            ? "there already"
+                            : "not a request; write one such as POST /power"));
         }
         return this;
     }

@@ -94,7 +94,7 @@ final class RequestServer implements AutoCloseable {
             }
         } catch (RuntimeException failure) {
             LOG.warn(
-                    "the request {} cannot be dealt with",
+                    "the request {} could not be handled",
                     exchange.getRequestURI().getPath(),
                     failure);
         }
@@ -104,7 +104,7 @@ final class RequestServer implements AutoCloseable {
         String path = exchange.getRequestURI().getPath();
         Consumer<Values> told = requests.get(exchange.getRequestMethod() + " " + path);
         if (door.isFromAPage(exchange.getRequestHeaders())) {
-            answer(exchange, TURNED_AWAY, "pages of a browser are not let in");
+            answer(exchange, TURNED_AWAY, "requests of web pages are refused");
         } else if (!door.knowsToken(exchange.getRequestHeaders())) {
             exchange.getResponseHeaders().set("WWW-Authenticate", "Bearer");
             answer(exchange, NO_TOKEN, "a token is needed, as Authorization: Bearer TOKEN");

@@ -48,7 +48,7 @@ final class RequestValues {
                     .decode(ByteBuffer.wrap(body))
                     .toString();
         } catch (CharacterCodingException garbage) {
-            throw new IllegalArgumentException("the body is no text in UTF-8", garbage);
+            throw new IllegalArgumentException("the body is not UTF-8 text", garbage);
         }
     }
 }

@@ -122,13 +122,14 @@ class HttpExecuteTest {
         HttpExecute execute = lamp(HttpCall.post(address("/toggle"), "").header("X-Who", "me"), Lamp.PATIENCE);
         try (Lamp lamp = new Lamp(wall, execute)) {
             wall.press("switch");
-            lamp.awaitHistory("POST http://127.0.0.1:" + device.getLocalPort() + "/toggle is answered with status 503");
+            lamp.awaitHistory(
+                    "POST http://127.0.0.1:" + device.getLocalPort() + "/toggle was answered with status 503");
             lamp.awaitState("off");
             assertThat(execute.isUp()).isFalse();
             assertThat(execute.downSince()).isPresent();
             toggled = "302 Found";
             wall.press("switch");
-            lamp.awaitHistory("use the address that it leads to");
+            lamp.awaitHistory("use the address that it redirects to");
             assertThat(heard).hasSize(2);
         }
     }
@@ -221,14 +222,14 @@ class HttpExecuteTest {
         assertThatThrownBy(() -> new Caller(Duration.ofSeconds(5))
                         .call(HttpCall.get(address("").replace("http:", "https:")), Reply::body))
                 .isNotInstanceOf(UnansweredException.class)
-                .hasMessageContaining("cannot be sent: the device is not reached");
+                .hasMessageContaining("cannot be sent: the device cannot be reached");
     }
 
     @Test
     void whatIsNoRequestIsRefused() {
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> HttpCall.get("lamp.local/toggle"))
-                .withMessage("'lamp.local/toggle' is no address; write it as in http://lamp.local/toggle");
+                .withMessage("'lamp.local/toggle' is not an address; write one such as http://lamp.local/toggle");
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> HttpCall.get("http://lamp/").header("Host", "other"));
         assertThatIllegalArgumentException()

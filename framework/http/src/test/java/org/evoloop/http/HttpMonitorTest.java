@@ -104,7 +104,7 @@ class HttpMonitorTest {
         assertThat(answer(to("/switch").POST(body("x".repeat(4_097)))))
                 .isEqualTo("400 the body has more than 4096 bytes");
         assertThat(answer(to("/switch").POST(HttpRequest.BodyPublishers.ofByteArray(new byte[] {(byte) 0xff}))))
-                .isEqualTo("400 the body is no text in UTF-8");
+                .isEqualTo("400 the body is not UTF-8 text");
         assertThat(sent).isEmpty();
     }
 
@@ -132,8 +132,8 @@ class HttpMonitorTest {
                 .isTrue();
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> new HttpMonitor("Buttons", 0).listenOn("0.0.0.0", "short"))
-                .withMessage("the token has 5 characters; give it at least 16, since others than this machine can reach"
-                        + " 0.0.0.0");
+                .withMessage("the token has 5 characters; give it at least 16, since other computers can reach "
+                        + "0.0.0.0");
         try (HttpMonitor guarded = new HttpMonitor("Guarded", 0).listenOn("0.0.0.0", TOKEN)) {
             guarded.found("POST /is-off", "off").open();
             URI address = URI.create("http://127.0.0.1:" + guarded.port() + "/is-off");
@@ -183,7 +183,7 @@ class HttpMonitorTest {
     void whatCannotBeListenedForIsRefused() {
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> monitor.controller("power", "switch"))
-                .withMessage("'power' is no request; write it as in POST /power");
+                .withMessage("'power' is not a request; write one such as POST /power");
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> monitor.controller("POST /switch", "switch"))
                 .withMessage("'POST /switch' is there already");

@@ -42,7 +42,7 @@ final class WireUsers implements WireUser {
             try {
                 user.heard(line);
             } catch (RuntimeException failure) {
-                LOG.warn("'{}' of {} cannot be dealt with", line, place, failure);
+                LOG.warn("'{}' of {} could not be handled", line, place, failure);
             }
         }
     }

@@ -84,7 +84,7 @@ public final class BrokerConnection implements DeviceLink, AutoCloseable {
     public synchronized void subscribe(String topic, Consumer<Message> consumer) {
         if (thread != null || consumers.putIfAbsent(topic, consumer) != null) {
             throw new IllegalStateException("the topic " + topic + " of " + address
-                    + (thread != null ? " is to be subscribed to before the connection is opened" : " has a consumer"));
+                    + (thread != null ? " must be subscribed to before the connection is opened" : " has a consumer"));
         }
     }
 
@@ -208,7 +208,7 @@ public final class BrokerConnection implements DeviceLink, AutoCloseable {
         } catch (RuntimeException wrong) {
             // The client would call nobody any more.
             if (failedTopics.add(message.topic())) {
-                LOG.warn("what came on {} cannot be dealt with", message.topic(), wrong);
+                LOG.warn("a message on {} could not be handled", message.topic(), wrong);
             }
         }
     }

@@ -47,8 +47,8 @@ final class BrokerFailure {
         }
         if (cause instanceof ConnectionClosedException) {
             return address
-                    + " has ended the connection; if it does so again and again, another program may have the same "
-                    + "id: give one of them another, with ?id=ID";
+                    + " has ended the connection; if it keeps doing so, another program may have the same id: give "
+                    + "one of them another, with ?id=ID";
         }
         if (cause instanceof Mqtt5SubAckException denied) {
             return address + " does not let " + user(address) + " subscribe: "
@@ -59,7 +59,7 @@ final class BrokerFailure {
                     + denied.getMqttMessage().getReasonCode() + "; check the broker's access list and its disk";
         }
         if (cause instanceof CertificateException) {
-            return address + ": the broker's certificate is not to be trusted: " + text(cause)
+            return address + ": the broker's certificate is not trusted: " + text(cause)
                     + "; ?ca=FILE names the certificates that it is signed with";
         }
         if (cause instanceof SSLException && cause.getCause() == null) {

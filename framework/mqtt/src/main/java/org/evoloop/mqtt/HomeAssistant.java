@@ -174,7 +174,7 @@ public final class HomeAssistant implements AutoCloseable {
                 return command;
             }
         }
-        throw new IllegalArgumentException("a vacuum has no command " + payload);
+        throw new IllegalArgumentException("a vacuum does not know the command " + payload);
     }
 
     private void convert(String payload) {

@@ -91,7 +91,7 @@ public final class MqttBypass implements AutoCloseable {
         }
         connection.publish(message);
         if (passed.size() >= MOST_TOLD) {
-            LOG.warn("more than {} events are passed on; the converter will not be told of {}", MOST_TOLD, event);
+            LOG.warn("more than {} events are passed on; the converter will not learn of {}", MOST_TOLD, event);
             return;
         }
         passed.add(event);

@@ -120,7 +120,7 @@ class HomeAssistantTest {
         watcher.publish("evoloop/lamp/press", "swich", false);
         watcher.awaitHeard(DECISION, "switch");
         watcher.publish("evoloop/lamp/vacuum/set", "dance", false);
-        watcher.awaitHeard(DECISION, "no command dance");
+        watcher.awaitHeard(DECISION, "does not know the command dance");
         watcher.publish("evoloop/lamp/converting/set", "maybe", false);
         watcher.awaitHeard(DECISION, "ON or OFF");
         watcher.publish("evoloop/lamp/choice/model/set", "dusk", false);

@@ -204,7 +204,7 @@ public final class EdgeDevice implements EdgeShell.Decider, AutoCloseable {
     }
 
     private void tellOfLink() {
-        String now = gateway.isUp() ? "the gateway's broker is reached" : gateway.describe();
+        String now = gateway.isUp() ? "the gateway's broker can be reached" : gateway.describe();
         if (!now.equals(link)) {
             link = now;
             teller.accept(now + "; " + outbox.size() + " records are waiting");
@@ -257,12 +257,12 @@ public final class EdgeDevice implements EdgeShell.Decider, AutoCloseable {
             case "send" -> shell.send(sequence, record.step(), record.values());
             case "run" -> shell.run(sequence, record.text("effect"), record.values());
             case "locate" -> shell.locate(sequence);
-            default -> throw new IllegalArgumentException("there is no kind of command '" + record.text("kind") + "'");
+            default -> throw new IllegalArgumentException("unknown kind of command '" + record.text("kind") + "'");
         }
     }
 
     private static void leftOut(Message message, IllegalArgumentException why) {
-        LOG.warn("what came on {} is left out: {}", message.topic(), why.getMessage());
+        LOG.warn("a message on {} is ignored: {}", message.topic(), why.getMessage());
     }
 
     /** Keeps what was told, and ends; the shell is to be closed after. Idempotent. */

@@ -89,7 +89,7 @@ final class Json {
             }
             words.append(next == '\\' ? escaped() : next);
         }
-        throw wrong("a text does not end");
+        throw wrong("a string is not closed");
     }
 
     private char escaped() {
@@ -101,7 +101,7 @@ final class Json {
             at += 4;
             return (char) Integer.parseInt(text.substring(at - 4, at), 16);
         }
-        throw wrong("there is no escape \\" + which);
+        throw wrong("unknown escape sequence \\" + which);
     }
 
     private @Nullable Object word() {
@@ -138,6 +138,6 @@ final class Json {
     }
 
     private IllegalArgumentException wrong(String what) {
-        return new IllegalArgumentException("no JSON, at character " + at + ": " + what);
+        return new IllegalArgumentException("not JSON, at character " + at + ": " + what);
     }
 }

@@ -155,7 +155,7 @@ class EdgeDeviceTest {
                 .containsEntry("atMillis", (double) begun)
                 .containsEntry("source", "controller")
                 .containsEntry("values", Map.of("level", 0.5));
-        assertThat(link).anyMatch(how -> how.startsWith("the gateway's broker is reached"));
+        assertThat(link).anyMatch(how -> how.startsWith("the gateway's broker can be reached"));
     }
 
     @Test
