@@ -64,13 +64,13 @@ public final class FleetTopics implements AutoCloseable {
             try {
                 await(admin.createTopics(List.of(wanted)).all());
             } catch (TopicExistsException asItIs) {
-                // Whether it is as it should be, check says.
+                // check() verifies that it fits.
             }
         }
         awaitKnown();
     }
 
-    /** The controller has made them before the brokers know of them. */
+    /** Waits until the brokers know the topics that the controller has created. */
     private void awaitKnown() {
         List<String> names =
                 Stream.of(Topic.values()).map(topic -> topic.of(fleet)).toList();
@@ -109,7 +109,7 @@ public final class FleetTopics implements AutoCloseable {
             if (partitions > 0 && each.getKey().isByDevice() && each.getValue() != partitions) {
                 problems.add("  " + each.getKey().of(fleet) + " has " + each.getValue() + " partitions, "
                         + Topic.OCCURRENCES.of(fleet) + " has " + partitions
-                        + "; what belongs to a device must lie together");
+                        + "; these numbers must be equal");
             }
         }
         if (!problems.isEmpty()) {
@@ -142,13 +142,13 @@ public final class FleetTopics implements AutoCloseable {
             throw unreachable(e);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
-            throw new FleetException("interrupted while the broker was asked");
+            throw new FleetException("interrupted while waiting for the broker");
         }
     }
 
     private FleetException unreachable(Exception failure) {
         Throwable cause = failure.getCause() == null ? failure : failure.getCause();
-        return new FleetException("the Kafka broker at " + bootstrap + " does not answer as it should: "
+        return new FleetException("the Kafka broker at " + bootstrap + " does not answer properly: "
                 + cause.getMessage() + ". Is it running, and is --bootstrap its address?");
     }
 
