@@ -10,7 +10,7 @@ import org.jspecify.annotations.Nullable;
  *
  * @param sequence the order's sequence number
  * @param reason why it was not done, for people
- * @param state the device's state, if it was asked and could tell
+ * @param state the device's state, if it was asked and is known
  * @param atNanos the time, in nanoseconds since 1970
  * @since 0.1
  */
@@ -27,7 +27,7 @@ public record Answer(
         SENT,
         /** It was not carried out, and will not be. */
         FAILED,
-        /** Nobody knows whether it was. */
+        /** It is not known whether it was carried out. */
         IN_DOUBT
     }
 }

@@ -10,14 +10,14 @@ import org.evoloop.evolution.Source;
 import org.evoloop.statemachine.Event;
 import org.jspecify.annotations.Nullable;
 
-/** When something is due at a device without anybody telling it. */
+/** Finds the next timer that is due at a device. */
 final class Deadlines {
-    /** Of a device at which nothing is. */
+    /** The value if nothing is due. */
     static final long NONE = Long.MAX_VALUE;
 
     private Deadlines() {}
 
-    /** The timer of the visit that is due first; null if none runs, or all are due and wait for their turn. */
+    /** The first timer of the visit to expire; null if none runs, or all have expired and their events are queued. */
     static Map.@Nullable Entry<Event, Long> next(Snapshot snapshot) {
         Map<Event, Long> deadlines = snapshot.visit().deadlines();
         if (deadlines.isEmpty() || !snapshot.open() || snapshot.visit().over()) {

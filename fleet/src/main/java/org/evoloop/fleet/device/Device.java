@@ -19,10 +19,10 @@ import org.evoloop.statemachine.State;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The converter of one device. It decides at once, and waits for an answer only after an {@link Order}: between two
- * calls either nothing is in progress, or one order is open. Times are nanoseconds since 1970, and never go back.
+ * The converter of one device. It decides immediately, and waits only for the answer to an {@link Order}: between two
+ * calls either nothing is in progress, or one order is open. Times are nanoseconds since 1970, and never decrease.
  *
- * <p>A guard holds if the occurrence in progress says so ({@link Occurrence.Heard#holding}).
+ * <p>A guard holds if the occurrence in progress lists it ({@link Occurrence.Heard#holding}).
  *
  * <p>Threading: not thread-safe.
  *
@@ -34,7 +34,7 @@ public final class Device {
 
     private static final long NANOS_PER_MILLI = 1_000_000;
 
-    private final DeviceListener hearer;
+    private final DeviceListener listener;
     private final long patienceNanos;
     private final Core core;
     private final Deque<Output.Directive> toDo = new ArrayDeque<>();
@@ -45,43 +45,43 @@ public final class Device {
     private Order.@Nullable Open lost;
     private @Nullable Pending begun;
     private boolean decided;
-    private DeviceState kept;
+    private DeviceState state;
 
     /** A new device of the fleet, at the time {@code atNanos}, in the initial states of its models. */
-    public Device(Model model, long patienceNanos, DeviceListener hearer, long atNanos) {
-        this.hearer = hearer;
+    public Device(Model model, long patienceNanos, DeviceListener listener, long atNanos) {
+        this.listener = listener;
         this.patienceNanos = patienceNanos;
         this.model = model.version();
-        this.core = new Core(model.rules(), new Ear());
+        this.core = new Core(model.rules(), new CoreOutputs());
         core.opened(atNanos);
-        this.kept = now();
+        this.state = now();
         settle();
     }
 
     /**
-     * A device that continues.
+     * A device that continues from a stored state.
      *
-     * @param model the models of {@code kept}
+     * @param model the models of {@code state}
      * @param patienceNanos the time after which an order without an answer is given up
      */
-    public Device(Model model, DeviceState kept, long patienceNanos, DeviceListener hearer) {
-        this.hearer = hearer;
+    public Device(Model model, DeviceState state, long patienceNanos, DeviceListener listener) {
+        this.listener = listener;
         this.patienceNanos = patienceNanos;
-        this.model = kept.model();
-        this.sequence = kept.sequence();
-        this.heard = kept.heard();
-        this.open = kept.open();
-        this.lost = kept.lost();
-        this.core = new Core(model.rules(), kept.snapshot(), new Ear());
+        this.model = state.model();
+        this.sequence = state.sequence();
+        this.heard = state.heard();
+        this.open = state.open();
+        this.lost = state.lost();
+        this.core = new Core(model.rules(), state.snapshot(), new CoreOutputs());
         this.begun =
-                kept.snapshot().work() == null ? null : kept.snapshot().work().pending();
+                state.snapshot().work() == null ? null : state.snapshot().work().pending();
         this.decided = begun != null;
-        this.kept = kept;
+        this.state = state;
     }
 
-    /** Its state, to be kept. */
-    public DeviceState kept() {
-        return kept;
+    /** Its current state. */
+    public DeviceState state() {
+        return state;
     }
 
     private DeviceState now() {
@@ -93,7 +93,7 @@ public final class Device {
         return model;
     }
 
-    /** Takes an occurrence; anything due before it happens first. */
+    /** Handles an occurrence, after everything that was due before it. */
     public void observed(Occurrence occurrence) {
         due(occurrence.observedNanos());
         core.observed(occurrence);
@@ -101,7 +101,7 @@ public final class Device {
     }
 
     /**
-     * Whether an occurrence numbered by a gateway is reported for the first time; from now on it counts as reported.
+     * Whether an occurrence numbered by a gateway is new; marks it as received.
      */
     public boolean isNews(long number) {
         boolean news = number == 0 || number > heard;
@@ -110,8 +110,8 @@ public final class Device {
     }
 
     /**
-     * Takes the answer to an order. Anything due by then happens first, so the order may already have been given up; an
-     * answer to an order that was answered or never given is ignored.
+     * Handles the answer to an order, after everything that was due before it, so the order may already have been given
+     * up. An answer to an order that was already answered or never given is ignored.
      */
     public void answered(Answer answer) {
         due(answer.atNanos());
@@ -153,28 +153,28 @@ public final class Device {
     }
 
     /**
-     * The same.
+     * Handles everything due by {@code atNanos}, earliest first.
      *
      * @param late whether each is handled at {@code atNanos} instead of its own time
      */
     public void due(long atNanos, boolean late) {
         long last = NEVER;
         while (true) {
-            Snapshot snapshot = kept.snapshot();
+            Snapshot snapshot = state.snapshot();
             Map.Entry<Event, Long> timer = Deadlines.next(snapshot);
             long timerNanos = timer == null ? NEVER : timer.getValue();
             long orderNanos = orderDue(open, patienceNanos);
             long next = Math.min(timerNanos, orderNanos);
-            // A timer for which there is no room is tried again the next time.
+            // If the queue is full, the timer is tried again in the next call.
             if (next > atNanos || (timerNanos <= orderNanos && next == last)) {
                 return;
             }
-            long told = late ? atNanos : next;
+            long handledNanos = late ? atNanos : next;
             if (timer != null && timerNanos <= orderNanos) {
-                core.timerDue(snapshot.visit().number(), timer.getKey(), told);
+                core.timerDue(snapshot.visit().number(), timer.getKey(), handledNanos);
                 last = next;
             } else {
-                giveUp(told);
+                giveUp(handledNanos);
             }
             settle();
         }
@@ -193,13 +193,13 @@ public final class Device {
         return order == null ? NEVER : order.deadlineNanos() + patienceNanos;
     }
 
-    /** When a timer or the answer to an order is next due; {@link #NEVER} if nothing is. */
-    public static long dueNanos(DeviceState kept, long patienceNanos) {
-        Map.Entry<Event, Long> timer = Deadlines.next(kept.snapshot());
-        return Math.min(orderDue(kept.open(), patienceNanos), timer == null ? NEVER : timer.getValue());
+    /** The time at which the next timer or answer is due; {@link #NEVER} if nothing is. */
+    public static long dueNanos(DeviceState state, long patienceNanos) {
+        Map.Entry<Event, Long> timer = Deadlines.next(state.snapshot());
+        return Math.min(orderDue(state.open(), patienceNanos), timer == null ? NEVER : timer.getValue());
     }
 
-    /** Lets other models take over if possible; returns the reason if not, else empty. */
+    /** Switches to other models if possible; returns the reason if not, else an empty string. */
     public String evolve(Model.Takeover takeover, long atNanos) {
         due(atNanos);
         String hindrance = open == null ? core.hindrance(takeover.swap()) : "an order is not answered yet";
@@ -213,16 +213,16 @@ public final class Device {
 
     private void settle() {
         decide();
-        kept = now();
-        hearer.settled(kept, core.rules().table().isNew(core.at().evolved()));
+        state = now();
+        listener.settled(state, core.rules().table().isNew(core.at().evolved()));
     }
 
-    /** Decides until nothing waits for its turn, or an order for its answer. */
+    /** Decides until the queue is empty or an order is open. */
     private void decide() {
         while (open == null) {
             Pending pending = begun;
             if (pending != null && core.isBusy()) {
-                goOn(pending);
+                proceed(pending);
             } else if (core.hasNext()) {
                 toDo.clear();
                 begun = null;
@@ -237,7 +237,7 @@ public final class Device {
         }
     }
 
-    private void goOn(Pending pending) {
+    private void proceed(Pending pending) {
         Predicate<String> holds = holding(pending.occurrence())::contains;
         if (!decided) {
             decided = true;
@@ -287,15 +287,15 @@ public final class Device {
                 core.at().original().name(),
                 to.name());
         open = Order.Open.of(order);
-        hearer.ordered(order);
+        listener.ordered(order);
     }
 
     private static Set<String> holding(Occurrence occurrence) {
         return occurrence instanceof Occurrence.Heard heard ? new HashSet<>(heard.holding()) : Set.of();
     }
 
-    /** What the core says. */
-    private final class Ear implements Outputs {
+    /** Receives the outputs of the core. */
+    private final class CoreOutputs implements Outputs {
         @Override
         public void say(Output output) {
             if (output instanceof Output.Begin begin) {
@@ -304,7 +304,7 @@ public final class Device {
             } else if (output instanceof Output.Directive directive) {
                 toDo.add(directive);
             } else if (output instanceof Output.Notice notice) {
-                hearer.noted(notice);
+                listener.noted(notice);
             }
         }
     }

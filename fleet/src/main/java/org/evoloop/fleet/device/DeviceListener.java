@@ -8,16 +8,16 @@ import org.evoloop.core.Output;
  * @since 0.1
  */
 public interface DeviceListener {
-    /** Somebody has to do this. */
+    /** An order to be carried out at the device. */
     void ordered(Order order);
 
     /** A notice about an occurrence, the record or the models. */
     void noted(Output.Notice notice);
 
     /**
-     * All that followed from one thing has been told, and this is how the device is left.
+     * All results of one input have been reported; {@code state} is the device's state after it.
      *
      * @param isNew whether the evolved system is in a state that only the new model has
      */
-    void settled(DeviceState kept, boolean isNew);
+    void settled(DeviceState state, boolean isNew);
 }

@@ -10,7 +10,7 @@ import org.jspecify.annotations.Nullable;
  *
  * @param model the version of its models
  * @param sequence the sequence number of its last order
- * @param heard the last number that a gateway gave to an occurrence
+ * @param heard the highest number of an occurrence received from a gateway
  * @param open the order without an answer yet; null if there is none
  * @param lost the last order that was given up, which may still be answered; null if there is none
  * @param snapshot the snapshot of its core

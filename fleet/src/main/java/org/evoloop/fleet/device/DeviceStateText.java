@@ -20,18 +20,18 @@ public final class DeviceStateText {
 
     private DeviceStateText() {}
 
-    /** The bytes of {@code kept}. */
-    public static byte[] write(DeviceState kept) {
+    /** The bytes of {@code state}. */
+    public static byte[] write(DeviceState state) {
         String head = TITLE
-                + kept.model()
+                + state.model()
                 + ' '
-                + kept.sequence()
+                + state.sequence()
                 + ' '
-                + kept.heard()
-                + words(kept.open())
-                + words(kept.lost())
+                + state.heard()
+                + words(state.open())
+                + words(state.lost())
                 + '\n';
-        return (head + SnapshotText.write(kept.snapshot())).getBytes(StandardCharsets.UTF_8);
+        return (head + SnapshotText.write(state.snapshot())).getBytes(StandardCharsets.UTF_8);
     }
 
     private static String words(Order.@Nullable Open order) {
@@ -44,7 +44,7 @@ public final class DeviceStateText {
     /**
      * The version of the models in {@code bytes}.
      *
-     * @throws IllegalArgumentException if they are not such a text, or one of another version
+     * @throws IllegalArgumentException if they are not such a text, or have another format version
      */
     public static String model(byte[] bytes) {
         int end = 0;
@@ -58,7 +58,7 @@ public final class DeviceStateText {
      * Parses {@code bytes}.
      *
      * @param rules the rules of the version given by {@link #model}
-     * @throws IllegalArgumentException if they are no such text
+     * @throws IllegalArgumentException if they are not such a text
      * @throws SnapshotException if they name something that the models lack
      */
     public static DeviceState read(Rules rules, byte[] bytes) {

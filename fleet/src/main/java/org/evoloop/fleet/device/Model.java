@@ -14,7 +14,7 @@ import org.evoloop.migration.Mapping;
  */
 public record Model(String version, Rules rules) {
 
-    /** The takeover by another pair from this one. */
+    /** The switch from this pair to another. */
     public Takeover to(Model next, Mapping mapping) {
         return new Takeover(next, Swap.of(rules, next.rules, mapping));
     }

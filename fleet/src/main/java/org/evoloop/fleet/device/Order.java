@@ -10,10 +10,10 @@ import org.evoloop.evolution.Values;
  * @param sequence its number among the device's orders, from 1; an order must not be carried out twice
  * @param occurrence the number of its occurrence
  * @param what the event to send, or the effect to run; empty if the device is to report its state
- * @param values the values of the occurrence
+ * @param values the occurrence's values
  * @param deadlineNanos the time after which it must not be carried out, in nanoseconds since 1970
  * @param visit the number of the evolved system's current visit to a state
- * @param function whether what runs in that visit continues meanwhile
+ * @param function whether the function that runs in that visit continues meanwhile
  * @param from the state of the device, as far as is known
  * @param to the state to which an event leads; else the same
  * @since 0.1
@@ -32,11 +32,11 @@ public record Order(
 
     /** The kind of an order. */
     public enum Kind {
-        /** The device is to get an event. */
+        /** An event is to be sent to the device. */
         SEND,
         /** An effect of the new model is to be run. */
         RUN,
-        /** The device is to be asked in which state it is. */
+        /** The device is to be asked for its state. */
         LOCATE
     }
 

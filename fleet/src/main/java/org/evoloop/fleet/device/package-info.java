@@ -1,6 +1,6 @@
 /**
- * The converter of one device in a fleet, without threads, clocks, files or Kafka: the same core as everywhere, told
- * one thing after the other, and kept as text in between. It may use nothing else of the fleet.
+ * The converter of one device in a fleet, without threads, clocks, files or Kafka: it passes one input after the other
+ * to the core that every converter uses, and is stored as text in between. It may use no other package of the fleet.
  */
 @NullMarked
 package org.evoloop.fleet.device;

@@ -4,9 +4,9 @@ import org.evoloop.fleet.wire.Wire;
 import org.jspecify.annotations.Nullable;
 
 /**
- * When devices are to be looked at because something is due there. By the wall clock, what devices have told before and
- * is still on its way comes first: as long as records are taken that have been lying there nobody is looked at, and
- * what is overdue when that is known waits a little.
+ * The devices at which something is due, and when. With the wall clock, a backlog of records comes first: while old
+ * records are still being processed, no device is polled, and something that is already overdue when it is set waits a
+ * little.
  */
 final class Agenda {
     private static final long CATCH_UP_MILLIS = 1_000;
@@ -14,7 +14,7 @@ final class Agenda {
     private final Schedule schedule = new Schedule();
     private final Clock clock;
 
-    /** When the last record was written, and when it was taken. */
+    /** When the last record was written, and when it was processed. */
     private long writtenMillis;
 
     private long takenMillis;
@@ -24,26 +24,26 @@ final class Agenda {
         this.takenMillis = clock.nowMillis();
     }
 
-    /** A record is taken that was written at {@code millis}. */
+    /** A record written at {@code millis} is being processed. */
     void takes(long millis) {
         writtenMillis = millis;
         takenMillis = clock.nowMillis();
     }
 
-    /** Something is due at the device then, and nothing before; {@link Schedule#set} has what stands for never. */
+    /** Sets when something is next due at the device, as {@link Schedule#set} does. */
     void set(String id, long dueNanos) {
         long nowMillis = clock.nowMillis();
         boolean overdue = clock.isWall() && dueNanos < Wire.nanos(nowMillis);
         schedule.set(id, overdue ? Wire.nanos(nowMillis + CATCH_UP_MILLIS) : dueNanos);
     }
 
-    /** The next device at which something is due; null if there is none, or records come first. */
+    /** The next device at which something is due; null if there is none, or there is a backlog of records. */
     @Nullable
     String poll(long nowMillis) {
         return isBehind(nowMillis) ? null : schedule.poll(Wire.nanos(nowMillis));
     }
 
-    /** Whether records are being taken that have been lying there. */
+    /** Whether a backlog of records is being processed. */
     boolean isBehind(long nowMillis) {
         return clock.isWall()
                 && nowMillis - writtenMillis > CATCH_UP_MILLIS

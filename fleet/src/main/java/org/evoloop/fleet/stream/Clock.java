@@ -4,7 +4,7 @@ import org.apache.kafka.streams.processor.api.ProcessingContext;
 import org.evoloop.fleet.wire.Refusal;
 import org.evoloop.fleet.wire.Wire;
 
-/** What time it is: by this machine's clock, or by the latest record of the partition. */
+/** The current time: by this machine's clock, or by the latest record of the partition. */
 final class Clock {
     private final ProcessingContext context;
     private final FleetSettings settings;
@@ -28,9 +28,9 @@ final class Clock {
     }
 
     /**
-     * A clock that is ahead would have timers fire early from then on.
+     * Rejects implausible times: after a time in the future, timers would expire early from then on.
      *
-     * @throws Refusal if something cannot well have happened at {@code atNanos}
+     * @throws Refusal if {@code atNanos} is too far from now
      */
     void requireLikely(long atNanos) {
         long ahead = Wire.millis(atNanos) - nowMillis();

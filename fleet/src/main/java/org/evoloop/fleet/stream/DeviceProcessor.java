@@ -21,7 +21,7 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Tells the devices of one partition what comes for them and what is due, and sends what they say. */
+/** Passes incoming records and due timers to the devices of one partition, and sends their results. */
 final class DeviceProcessor implements Processor<String, byte[], String, byte[]> {
     static final String STORE = "devices";
     static final String MODELS = "models";
@@ -31,7 +31,7 @@ final class DeviceProcessor implements Processor<String, byte[], String, byte[]>
     private static final Duration TICK = Duration.ofMillis(50);
     private static final Duration LOOK = Duration.ofMillis(500);
 
-    /** So many devices are looked at in one go, so that records do not wait for all of them. */
+    /** The most devices handled in one go, so that records need not wait for all of them. */
     private static final int SLICE = 2_000;
 
     private final FleetSettings settings;
@@ -45,7 +45,7 @@ final class DeviceProcessor implements Processor<String, byte[], String, byte[]>
     private Agenda agenda;
     private Rollouts rollouts;
 
-    /** Whether idle devices are being looked at for a rollout, and where that goes on; null for the first. */
+    /** Whether idle devices are being visited for a rollout, and the next of them; null for the first. */
     private boolean sweeping;
 
     private @Nullable String sweptTo;
@@ -57,7 +57,7 @@ final class DeviceProcessor implements Processor<String, byte[], String, byte[]>
         this.patienceNanos = settings.patience().toNanos();
     }
 
-    /** After a failure the same object may begin again with another store. */
+    /** After a failure the same object may be initialised again with another store. */
     @Override
     public void init(ProcessorContext<String, byte[]> given) {
         context = given;
@@ -67,7 +67,7 @@ final class DeviceProcessor implements Processor<String, byte[], String, byte[]>
         rollouts = new Rollouts(given.getStateStore(ROLLOUTS), library);
         agenda = new Agenda(clock);
         beginSweep();
-        // What is due is not kept by itself: what is kept of the devices tells.
+        // The agenda is not stored; it is rebuilt from the devices' states.
         devices.eachDue(patienceNanos, agenda::set);
         if (clock.isWall()) {
             given.schedule(TICK, PunctuationType.WALL_CLOCK_TIME, this::tick);
@@ -77,7 +77,7 @@ final class DeviceProcessor implements Processor<String, byte[], String, byte[]>
         given.schedule(LOOK, PunctuationType.WALL_CLOCK_TIME, now -> look());
     }
 
-    // What comes in
+    // Incoming records
 
     @Override
     public void process(Record<String, byte[]> record) {
@@ -122,7 +122,7 @@ final class DeviceProcessor implements Processor<String, byte[], String, byte[]>
             clock.requireLikely(answer.atNanos());
             Device device = device(before);
             device.answered(answer);
-            keep(id, before, device, record.timestamp());
+            store(id, before, device, record.timestamp());
         } else {
             Occurrence occurrence = reading.occurrence();
             long number = reading.number("number", 0);
@@ -130,7 +130,7 @@ final class DeviceProcessor implements Processor<String, byte[], String, byte[]>
             Device device = device(before);
             if (device.isNews(number)) {
                 device.observed(occurrence);
-                keep(id, before, device, record.timestamp());
+                store(id, before, device, record.timestamp());
             }
         }
     }
@@ -148,7 +148,7 @@ final class DeviceProcessor implements Processor<String, byte[], String, byte[]>
             Model model = library.model(version);
             letters.begin(version, null);
             Device device = new Device(model, patienceNanos, letters, clock.atMost(record.timestamp()));
-            keep(id, null, device, record.timestamp());
+            store(id, null, device, record.timestamp());
         } else if (!known.model().equals(version)) {
             throw new Refusal(
                     Refusal.Reason.REGISTERED_ALREADY,
@@ -156,27 +156,27 @@ final class DeviceProcessor implements Processor<String, byte[], String, byte[]>
         }
     }
 
-    private Device device(DeviceState kept) {
-        letters.begin(kept.model(), kept);
-        return new Device(library.model(kept.model()), kept, patienceNanos, letters);
+    private Device device(DeviceState state) {
+        letters.begin(state.model(), state);
+        return new Device(library.model(state.model()), state, patienceNanos, letters);
     }
 
-    // What follows from it
+    // Results
 
-    private void keep(String id, @Nullable DeviceState before, Device device, long timestamp) {
+    private void store(String id, @Nullable DeviceState before, Device device, long timestamp) {
         evolve(id, device, timestamp);
-        DeviceState kept = device.kept();
-        if (!kept.equals(before)) {
-            devices.put(id, kept);
+        DeviceState state = device.state();
+        if (!state.equals(before)) {
+            devices.put(id, state);
         }
-        for (String rollout : rollouts.watching(id, kept.model())) {
+        for (String rollout : rollouts.watching(id, state.model())) {
             if (letters.good() + letters.bad() > 0) {
                 byte[] verdict = RolloutWatch.verdict(letters.good(), letters.bad());
                 context.forward(new Record<>(rollout, verdict, timestamp), Topic.VERDICTS.name());
             }
         }
         send(id, timestamp);
-        agenda.set(id, Device.dueNanos(kept, patienceNanos));
+        agenda.set(id, Device.dueNanos(state, patienceNanos));
     }
 
     private void send(String id, long timestamp) {
@@ -197,7 +197,7 @@ final class DeviceProcessor implements Processor<String, byte[], String, byte[]>
         }
     }
 
-    // What is due
+    // Due timers, and rollouts
 
     private void tick(long nowMillis) {
         for (int looked = 0; looked < SLICE; looked++) {
@@ -220,9 +220,9 @@ final class DeviceProcessor implements Processor<String, byte[], String, byte[]>
             }
             Device device = device(before);
             device.due(Wire.nanos(nowMillis), clock.isWall());
-            keep(id, before, device, nowMillis);
+            store(id, before, device, nowMillis);
         } catch (RuntimeException defect) {
-            LOG.error("a timer of {} is skipped; this is a bug", id, defect);
+            LOG.error("a due timer or command of {} could not be handled; this is a bug", id, defect);
         }
     }
 
@@ -237,7 +237,7 @@ final class DeviceProcessor implements Processor<String, byte[], String, byte[]>
         sweptTo = null;
     }
 
-    /** Idle devices are told nothing, and take part in rollouts all the same. */
+    /** Rollouts include idle devices, which receive no records. */
     private void sweep(long nowMillis) {
         if (sweeping && !rollouts.isEmpty()) {
             sweptTo = devices.walk(

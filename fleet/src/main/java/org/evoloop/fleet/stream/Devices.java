@@ -3,6 +3,7 @@ package org.evoloop.fleet.stream;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.function.BiPredicate;
+import java.util.function.Consumer;
 import java.util.function.ObjLongConsumer;
 import org.apache.kafka.streams.KeyValue;
 import org.apache.kafka.streams.state.KeyValueIterator;
@@ -17,8 +18,7 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * What is kept of the devices of one partition: the store's bytes, and those that were met last as they are read from
- * it.
+ * The stored states of one partition's devices: bytes in the store, with a cache of parsed states.
  */
 final class Devices {
     private static final Logger LOG = LoggerFactory.getLogger(Devices.class);
@@ -27,7 +27,7 @@ final class Devices {
     private final Library library;
     private final Map<String, DeviceState> recent = new Recent();
 
-    /** Reading a device's bytes takes longer than all else that is done with it. */
+    /** The most recently used states: parsing a device's bytes takes longer than handling its record. */
     private static final class Recent extends LinkedHashMap<String, DeviceState> {
         private static final int MOST = 10_000;
         private static final float LOAD = 0.75f;
@@ -48,22 +48,22 @@ final class Devices {
     }
 
     /**
-     * What is kept of {@code id}; null if it was not registered.
+     * The state of {@code id}; null if it was not registered.
      *
-     * @throws Refusal if that does not fit the device's models, or there are no such models any more
+     * @throws Refusal if the state does not fit the device's models, or these no longer exist
      */
     @Nullable
     DeviceState get(String id) {
-        DeviceState kept = recent.get(id);
-        if (kept == null) {
+        DeviceState state = recent.get(id);
+        if (state == null) {
             byte[] bytes = store.get(id);
             if (bytes == null) {
                 return null;
             }
-            kept = read(bytes);
-            recent.put(id, kept);
+            state = read(bytes);
+            recent.put(id, state);
         }
-        return kept;
+        return state;
     }
 
     private DeviceState read(byte[] bytes) {
@@ -76,9 +76,9 @@ final class Devices {
         }
     }
 
-    void put(String id, DeviceState kept) {
-        store.put(id, DeviceStateText.write(kept));
-        recent.put(id, kept);
+    void put(String id, DeviceState state) {
+        store.put(id, DeviceStateText.write(state));
+        recent.put(id, state);
     }
 
     void remove(String id) {
@@ -86,13 +86,13 @@ final class Devices {
         recent.remove(id);
     }
 
-    /** Tells when something is due at each of them. */
-    void eachDue(long patienceNanos, ObjLongConsumer<String> told) {
+    /** Passes each device's id, and when something is due there, to {@code consumer}. */
+    void eachDue(long patienceNanos, ObjLongConsumer<String> consumer) {
         try (KeyValueIterator<String, byte[]> each = store.all()) {
             while (each.hasNext()) {
                 KeyValue<String, byte[]> next = each.next();
                 try {
-                    told.accept(next.key, Device.dueNanos(read(next.value), patienceNanos));
+                    consumer.accept(next.key, Device.dueNanos(read(next.value), patienceNanos));
                 } catch (Refusal refusal) {
                     LOG.error("no timer of the device {} will fire: {}", next.key, refusal.detail());
                 }
@@ -101,15 +101,15 @@ final class Devices {
     }
 
     /**
-     * Looks at {@code most} devices, in the order of their ids.
+     * Visits at most {@code most} devices, in the order of their ids.
      *
-     * @param from the first id; null for the very first
-     * @param wanted told an id and the version of the models there; whether it is of interest
-     * @param found told those of interest
-     * @return where to go on; null if all were looked at
+     * @param from the first id; null for the first of all
+     * @param wanted selects devices by their id and the version of their models
+     * @param found receives the ids of the selected devices
+     * @return where to continue; null if all were visited
      */
     @Nullable
-    String walk(@Nullable String from, int most, BiPredicate<String, String> wanted, Told found) {
+    String walk(@Nullable String from, int most, BiPredicate<String, String> wanted, Consumer<String> found) {
         String last = null;
         int looked = 0;
         try (KeyValueIterator<String, byte[]> each = store.range(from, null)) {
@@ -118,24 +118,19 @@ final class Devices {
                 last = next.key;
                 looked++;
                 if (wanted.test(next.key, version(next.value))) {
-                    found.device(next.key);
+                    found.accept(next.key);
                 }
             }
         }
         return looked < most || last == null ? null : last + '\0';
     }
 
-    /** Of bytes that cannot be read, none: that is told when something happens at the device. */
+    /** Empty if the bytes cannot be read; the next record for the device reports the error. */
     private static String version(byte[] bytes) {
         try {
             return DeviceStateText.model(bytes);
         } catch (IllegalArgumentException unreadable) {
             return "";
         }
-    }
-
-    /** Who is told of devices. */
-    interface Told {
-        void device(String id);
     }
 }

@@ -78,23 +78,23 @@ public final class Fleet implements AutoCloseable {
         properties.put(StreamsConfig.NUM_STREAM_THREADS_CONFIG, settings.threads());
         properties.put(StreamsConfig.NUM_STANDBY_REPLICAS_CONFIG, settings.standbys());
         properties.put(StreamsConfig.STATESTORE_CACHE_MAX_BYTES_CONFIG, 64L << 20);
-        // What is replayed is taken in the order of time. What happens just now is not waited for: an answer comes
-        // after its command, and the core knows that the order of facts and answers is not sure.
+        // A replay processes records in the order of their times. Live records need not wait for each other: an answer
+        // comes after its command, and the core copes with an unknown order of occurrences and answers.
         properties.put(StreamsConfig.MAX_TASK_IDLE_MS_CONFIG, settings.isWallClock() ? 0L : REPLAY_IDLE_MILLIS);
         properties.put(StreamsConfig.consumerPrefix(ConsumerConfig.SESSION_TIMEOUT_MS_CONFIG), (int)
                 settings.session().toMillis());
         properties.put(StreamsConfig.consumerPrefix(ConsumerConfig.HEARTBEAT_INTERVAL_MS_CONFIG), (int)
                 Math.min(3_000, settings.session().toMillis() / 3));
-        // A record is invisible before it is committed, so it may wait for others until then.
+        // A record is invisible until it is committed, so it can be batched until then.
         properties.put(StreamsConfig.producerPrefix(ProducerConfig.LINGER_MS_CONFIG), (int)
                 Math.min(settings.commitInterval().toMillis(), MOST_LINGER_MILLIS));
         properties.put(StreamsConfig.producerPrefix(ProducerConfig.BATCH_SIZE_CONFIG), BATCH_BYTES);
-        // When a transaction begins, the broker may refuse the first of several requests, and then all others.
+        // At the start of a transaction the broker may reject the first of several requests, and then all others.
         properties.put(StreamsConfig.producerPrefix(ProducerConfig.MAX_IN_FLIGHT_REQUESTS_PER_CONNECTION), 1);
         return properties;
     }
 
-    /** Starts it; {@link #awaitRunning} waits until it works. */
+    /** Starts it; {@link #awaitRunning} waits until it runs. */
     public void start() {
         streams.start();
     }
@@ -131,7 +131,7 @@ public final class Fleet implements AutoCloseable {
 
     @Override
     public void close() {
-        // Whoever ends on purpose says so, and the others need not wait until nothing is heard of it.
+        // Leaving the group lets the other instances take over at once instead of waiting for the session timeout.
         streams.close(CloseOptions.timeout(CLOSING)
                 .withGroupMembershipOperation(CloseOptions.GroupMembershipOperation.LEAVE_GROUP));
         ended.countDown();

@@ -56,7 +56,7 @@ public final class FleetSettings {
         return next;
     }
 
-    /** A copy with another directory for the state on this machine, which is itself only a copy that may be lost. */
+    /** A copy with another directory for this machine's copy of the state, which may be lost. */
     public FleetSettings withStateDirectory(Path directory) {
         FleetSettings next = new FleetSettings(this);
         next.stateDirectory = Objects.requireNonNull(directory);

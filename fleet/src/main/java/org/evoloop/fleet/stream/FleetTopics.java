@@ -64,13 +64,13 @@ public final class FleetTopics implements AutoCloseable {
             try {
                 await(admin.createTopics(List.of(wanted)).all());
             } catch (TopicExistsException asItIs) {
-                // Whether it is as it should be, check says.
+                // check() verifies that it fits.
             }
         }
         awaitKnown();
     }
 
-    /** The controller has made them before the brokers know of them. */
+    /** Waits until the brokers know the topics that the controller has created. */
     private void awaitKnown() {
         List<String> names =
                 Stream.of(Topic.values()).map(topic -> topic.of(fleet)).toList();
@@ -148,7 +148,7 @@ public final class FleetTopics implements AutoCloseable {
 
     private FleetException unreachable(Exception failure) {
         Throwable cause = failure.getCause() == null ? failure : failure.getCause();
-        return new FleetException("the Kafka broker at " + bootstrap + " does not answer as it should: "
+        return new FleetException("the Kafka broker at " + bootstrap + " does not answer properly: "
                 + cause.getMessage() + ". Is it running, and is --bootstrap its address?");
     }
 

@@ -84,7 +84,7 @@ public final class FleetTopology {
         return Stores.keyValueStoreBuilder(supplier, Serdes.String(), Serdes.ByteArray());
     }
 
-    /** What every instance knows of all of a topic. */
+    /** A copy of a whole topic in every instance. */
     private static void global(Topology topology, Topic topic, String name, FleetSettings settings) {
         topology.addGlobalStore(
                 store(name, true).withLoggingDisabled(),

@@ -7,7 +7,7 @@ import org.evoloop.fleet.device.Model;
 import org.evoloop.fleet.wire.ModelRecord;
 import org.evoloop.fleet.wire.Refusal;
 
-/** The models that were published, compiled when they are asked for. What a version means is read once. */
+/** The published models, compiled on first use. A version is read only once. */
 final class Library {
     private final ReadOnlyKeyValueStore<String, byte[]> published;
     private final Map<String, Model> compiled = new HashMap<>();

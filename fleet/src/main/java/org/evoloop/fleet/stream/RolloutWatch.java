@@ -15,13 +15,13 @@ import org.evoloop.fleet.wire.Topic;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Counts how those fare that have the models of a rollout, and stops one under which too much goes wrong. */
+/** Counts the results of devices that have the models of a rollout, and stops a rollout with too many failures. */
 final class RolloutWatch implements Processor<String, byte[], String, byte[]> {
     static final String STORE = "rollout-tallies";
 
     private static final Logger LOG = LoggerFactory.getLogger(RolloutWatch.class);
 
-    /** What is stopped already, though the global copy need not say so yet. */
+    /** The rollouts stopped already, although the global copy may not show it yet. */
     private final Set<String> stopped = new HashSet<>();
 
     private ProcessorContext<String, byte[]> context;
@@ -55,7 +55,7 @@ final class RolloutWatch implements Processor<String, byte[], String, byte[]> {
         } catch (Refusal unusable) {
             return;
         }
-        // Each step of a rollout, be it a greater share, is judged by itself.
+        // Each step of a rollout, such as a larger share, is counted separately.
         String key = record.key() + ' ' + Arrays.hashCode(published);
         byte[] before = tallies.get(key);
         ByteBuffer was = ByteBuffer.wrap(before == null ? verdict(0, 0) : before);

@@ -17,7 +17,7 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** The rollouts that were published, as far as they have been looked at. */
+/** The published rollouts, as of the last {@link #refresh}. */
 final class Rollouts {
     private static final Logger LOG = LoggerFactory.getLogger(Rollouts.class);
 
@@ -32,7 +32,7 @@ final class Rollouts {
         this.library = library;
     }
 
-    /** Looks at them again; returns whether one has changed. */
+    /** Reads them again; returns whether one has changed. */
     boolean refresh() {
         boolean changed = false;
         try (KeyValueIterator<String, byte[]> each = published.all()) {
@@ -59,7 +59,7 @@ final class Rollouts {
         }
     }
 
-    /** What takes over at {@code device}, which has the models {@code version}; null if nothing does. */
+    /** The switch due at {@code device}, which has the models {@code version}; null if there is none. */
     Model.@Nullable Takeover of(String device, String version) {
         for (Rollout rollout : all.values()) {
             String leaves = rollout.isRolling() ? rollout.from() : rollout.to();
@@ -70,7 +70,7 @@ final class Rollouts {
         return null;
     }
 
-    /** Those that have led to {@code version} at {@code device}, and look how it fares. */
+    /** The rollouts that brought {@code device} to {@code version} and count its results. */
     List<String> watching(String device, String version) {
         List<String> watching = new ArrayList<>();
         for (Rollout rollout : all.values()) {

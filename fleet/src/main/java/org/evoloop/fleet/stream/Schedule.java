@@ -7,7 +7,7 @@ import java.util.TreeSet;
 import org.evoloop.fleet.device.Device;
 import org.jspecify.annotations.Nullable;
 
-/** Which device is to be looked at next, and when. */
+/** The times at which something is due, by device. */
 final class Schedule {
     private final Map<String, Due> byDevice = new HashMap<>();
     private final TreeSet<Due> inOrder =
@@ -31,7 +31,7 @@ final class Schedule {
         }
     }
 
-    /** The first at which something is due by then; null if there is none. It is taken out. */
+    /** Removes and returns the first device at which something is due by then; null if there is none. */
     @Nullable
     String poll(long atNanos) {
         if (inOrder.isEmpty() || inOrder.first().atNanos > atNanos) {

@@ -1,6 +1,6 @@
 /**
- * The fleet as a topology of Kafka Streams: a task holds the devices of one partition, and tells each what comes for
- * it. It may use {@code device} and {@code wire}.
+ * The fleet as a topology of Kafka Streams: a task holds the devices of one partition, and passes each its records. It
+ * may use {@code device} and {@code wire}.
  */
 @NullMarked
 package org.evoloop.fleet.stream;

@@ -6,7 +6,7 @@ import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Writes one JSON object, its members in the order in which they are told, so that the same things give the same bytes.
+ * Writes one JSON object, its members in the order of the calls, so that equal content gives equal bytes.
  */
 final class Json {
     private final StringBuilder text;
@@ -20,7 +20,7 @@ final class Json {
         this.text = text;
     }
 
-    /** An object in a record. */
+    /** An object inside a record. */
     static Json inner() {
         return new Json(new StringBuilder("{"));
     }
@@ -86,7 +86,7 @@ final class Json {
         return this;
     }
 
-    /** Texts, numbers and truths by name. */
+    /** Strings, numbers and booleans by name. */
     Json withValues(String name, Map<String, Object> values) {
         if (values.isEmpty()) {
             return this;

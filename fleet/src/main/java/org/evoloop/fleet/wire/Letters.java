@@ -12,7 +12,7 @@ import org.evoloop.fleet.device.Order;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The outgoing records of a device for one incoming record or one moment.
+ * The outgoing records of a device for one incoming record or one tick.
  *
  * <p>Threading: not thread-safe.
  *
@@ -30,17 +30,18 @@ public final class Letters implements DeviceListener {
     public record Letter(Topic topic, byte[] text) {}
 
     /**
-     * Starts again with a device that has the models {@code version} and, if it is not new, the state {@code kept}.
+     * Clears the records and starts with a device that has the models {@code version} and the state {@code state}, null
+     * if it is new.
      */
-    public void begin(String version, @Nullable DeviceState kept) {
+    public void begin(String version, @Nullable DeviceState state) {
         letters.clear();
-        before = kept;
+        before = state;
         model = version;
         good = 0;
         bad = 0;
     }
 
-    /** Records from now on are of the models {@code version}. */
+    /** Sets the model version of later records. */
     public void becomes(String version) {
         model = version;
     }
@@ -63,7 +64,7 @@ public final class Letters implements DeviceListener {
         }
     }
 
-    /** A device that is found elsewhere has done what its models do not know. */
+    /** A device found in another state has done something that its models do not describe. */
     private void judge(Output.Ended ended) {
         boolean diverged = ended.occurrence() instanceof Occurrence.Found
                 && !ended.before().equals(ended.after());
@@ -75,11 +76,11 @@ public final class Letters implements DeviceListener {
     }
 
     @Override
-    public void settled(DeviceState kept, boolean isNew) {
-        if (before == null || !isSame(before, kept, isNew)) {
-            add(Topic.STATES, Wire.state(kept, isNew));
+    public void settled(DeviceState state, boolean isNew) {
+        if (before == null || !isSame(before, state, isNew)) {
+            add(Topic.STATES, Wire.state(state, isNew));
         }
-        before = kept;
+        before = state;
     }
 
     private static boolean isSame(DeviceState one, DeviceState other, boolean isNew) {
@@ -93,7 +94,7 @@ public final class Letters implements DeviceListener {
                 && (one.snapshot().doubt() == null) == (other.snapshot().doubt() == null);
     }
 
-    /** One more. */
+    /** Adds a record. */
     public void add(Topic topic, byte[] text) {
         letters.add(new Letter(topic, text));
     }
@@ -108,7 +109,7 @@ public final class Letters implements DeviceListener {
         return bad;
     }
 
-    /** All, in order. */
+    /** All records, in order. */
     public List<Letter> all() {
         return letters;
     }

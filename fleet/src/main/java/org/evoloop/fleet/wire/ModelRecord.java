@@ -26,9 +26,9 @@ import org.evoloop.xmi.XmiFile;
  *
  * @param file the model file's name in messages
  * @param text the model file
- * @param original the machine in it that is the device's
- * @param evolved the machine in it that is wanted
- * @param timers the timers of states, in addition to the drawn ones
+ * @param original the name of the device's state machine in it
+ * @param evolved the name of the wanted state machine in it
+ * @param timers the timers of states, in addition to those in the diagrams
  * @param queueCapacity how many events may wait
  * @since 0.1
  */
@@ -40,7 +40,7 @@ public record ModelRecord(
     private static final Pattern VERSION = Pattern.compile("[A-Za-z0-9._-]{1,100}");
     private static final int MOST_WAITING = 1_000;
 
-    /** An event that {@code state} raises. */
+    /** An event raised {@code millis} after {@code state} is entered. */
     public record Timer(String state, String event, long millis) {}
 
     /** Parses the result of {@link #bytes}. */
@@ -103,7 +103,7 @@ public record ModelRecord(
         return new Rules(table, state -> byState.getOrDefault(state, Map.of()), queueCapacity);
     }
 
-    /** What is not declared to be the device's own can be sent to it. */
+    /** All events can be sent to the device, except those declared as its own. */
     private static DeviceEvents device(StateMachine device) {
         Set<Event> sendable = new HashSet<>(device.triggers());
         sendable.removeAll(device.spontaneous());

@@ -55,7 +55,7 @@ public final class Reading {
         if (schema > Wire.SCHEMA) {
             throw new Refusal(
                     Refusal.Reason.NEWER_SCHEMA,
-                    "its schema is " + schema + ", this program knows " + Wire.SCHEMA + "; update it first");
+                    "its schema is " + schema + ", this program supports " + Wire.SCHEMA + "; update it first");
         } else if (schema < 1) {
             throw malformed("its schema is " + schema + ", which does not exist");
         }
@@ -167,7 +167,7 @@ public final class Reading {
         return node.longValue();
     }
 
-    /** The same; {@code otherwise} if there is none. */
+    /** The number of that name; {@code otherwise} if there is none. */
     public long number(String name, long otherwise) {
         return record.has(name) ? number(name) : otherwise;
     }
@@ -192,7 +192,7 @@ public final class Reading {
         return node.stringValue();
     }
 
-    /** The same; {@code otherwise} if there is none. */
+    /** The text of that name; {@code otherwise} if there is none. */
     public String text(String name, String otherwise) {
         return record.has(name) ? text(name) : otherwise;
     }

@@ -14,7 +14,7 @@ public final class Refusal extends RuntimeException {
     public enum Reason {
         /** The record has the wrong form for its topic. */
         MALFORMED,
-        /** It is of a schema that this program does not know. */
+        /** It has a newer schema than this program supports. */
         NEWER_SCHEMA,
         /** No device of this id was registered. */
         UNKNOWN_DEVICE,
@@ -22,13 +22,13 @@ public final class Refusal extends RuntimeException {
         REGISTERED_ALREADY,
         /** No models of this version were published. */
         UNKNOWN_MODEL,
-        /** It says that it happened in the future, or so long ago that the clock must have been wrong. */
+        /** Its time is in the future, or so long ago that the clock must have been wrong. */
         CLOCK,
         /** The models cannot be used. */
         UNUSABLE_MODEL,
-        /** What is kept of the device does not fit its models. */
+        /** The stored state of the device does not fit its models. */
         UNUSABLE_STATE,
-        /** The converter itself has failed; that is a defect of this program. */
+        /** The converter itself failed; this is a defect of this program. */
         DEFECT
     }
 

@@ -81,7 +81,7 @@ public record Rollout(
         return isRolling() ? one.to(other, mapping) : other.to(one, mapping.reversed());
     }
 
-    /** Whether it still goes from {@link #from} to {@link #to}. */
+    /** Whether it is still in progress, from {@link #from} to {@link #to}, and not rolled back. */
     public boolean isRolling() {
         return stopped.isEmpty();
     }

@@ -9,25 +9,25 @@ import java.util.Locale;
  * @since 0.1
  */
 public enum Topic {
-    /** In: which device has which models. The last counts. */
+    /** In: which device has which models. The last record of a key counts. */
     DEVICES(true, true),
     /** In: what was observed at devices. */
     OCCURRENCES(true, false),
-    /** In: what has become of commands. */
+    /** In: the outcomes of commands. */
     EFFECTS(true, false),
-    /** Out: what somebody at the device has to do. */
+    /** Out: what is to be carried out at the device. */
     COMMANDS(true, false),
-    /** Out: what has become of occurrences. */
+    /** Out: the outcomes of occurrences. */
     DECISIONS(true, false),
-    /** Out: where devices are. The last counts. */
+    /** Out: the states of devices. The last record of a key counts. */
     STATES(true, true),
-    /** Out: what could not be taken, and why. */
+    /** Out: records that could not be processed, and why. */
     DEAD_LETTERS(false, false),
-    /** In: models, by version. The last counts. */
+    /** In: models, by version. The last record of a key counts. */
     MODELS(false, true),
-    /** In and out: which models take over from which, where, and how far that has got. The last counts. */
+    /** In and out: which models replace which, where, and how far that has got. The last record of a key counts. */
     ROLLOUTS(false, true),
-    /** In between: how those fare that have the models of a rollout. */
+    /** Internal: the results of devices that have the models of a rollout. */
     VERDICTS(false, false);
 
     private final boolean byDevice;
@@ -51,7 +51,7 @@ public enum Topic {
         return compacted;
     }
 
-    /** What it is called in the fleet {@code fleet}, such as {@code evoloop.dead-letters}. */
+    /** Its name in the fleet {@code fleet}, such as {@code evoloop.dead-letters}. */
     public String of(String fleet) {
         return fleet + '.' + name().toLowerCase(Locale.ROOT).replace('_', '-');
     }

@@ -17,7 +17,7 @@ import org.evoloop.statemachine.Transition;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What is written to a fleet's topics.
+ * Writes the records of a fleet's topics.
  *
  * <p>Threading: thread-safe.
  *
@@ -31,12 +31,12 @@ public final class Wire {
 
     private Wire() {}
 
-    /** What stands for a time in records: milliseconds since 1970. */
+    /** A time as it is written in records: milliseconds since 1970. */
     public static long millis(long nanos) {
         return Math.floorDiv(nanos, NANOS_PER_MILLI);
     }
 
-    /** The time that {@code millis} stands for, in nanoseconds since 1970. */
+    /** A time read from a record, in nanoseconds since 1970. */
     public static long nanos(long millis) {
         return millis * NANOS_PER_MILLI;
     }
@@ -47,8 +47,8 @@ public final class Wire {
     }
 
     /**
-     * For {@link Topic#OCCURRENCES}; {@code number} counts what this gateway tells of this device, 0 if it does not
-     * count.
+     * For {@link Topic#OCCURRENCES}; {@code number} is the gateway's sequence number for this device, 0 if it does not
+     * number its records.
      */
     public static byte[] occurrence(Occurrence occurrence, long number) {
         Json json = new Json();
@@ -103,7 +103,7 @@ public final class Wire {
         return json.withValues("values", order.values().byName()).bytes();
     }
 
-    /** For {@link Topic#DECISIONS}; null if nobody is told of it. */
+    /** For {@link Topic#DECISIONS}; null if the notice is not published. */
     public static byte @Nullable [] decision(String model, Output.Notice notice) {
         if (notice instanceof Output.Ended ended) {
             return occurrence(model, word(ended.outcome()), ended.occurrence())
@@ -148,10 +148,10 @@ public final class Wire {
     }
 
     /** For {@link Topic#STATES}. */
-    public static byte[] state(DeviceState kept, boolean isNew) {
-        Snapshot snapshot = kept.snapshot();
+    public static byte[] state(DeviceState state, boolean isNew) {
+        Snapshot snapshot = state.snapshot();
         Json json = new Json()
-                .with("model", kept.model())
+                .with("model", state.model())
                 .with("device", snapshot.at().original().name())
                 .with("system", snapshot.at().evolved().name())
                 .with("visit", snapshot.visit().number())
@@ -160,8 +160,8 @@ public final class Wire {
         if (isNew && by != null) {
             json.with("from", by.source().name()).with("by", by.event().toString());
         }
-        json.with("sequence", kept.sequence())
-                .with("settled", kept.open() == null && !snapshot.visit().over());
+        json.with("sequence", state.sequence())
+                .with("settled", state.open() == null && !snapshot.visit().over());
         Map<Event, Long> deadlines = snapshot.visit().deadlines();
         if (!deadlines.isEmpty()) {
             Json timers = Json.inner();
@@ -188,12 +188,12 @@ public final class Wire {
                 .bytes();
     }
 
-    /** How a constant is called in records. */
+    /** A constant's name in records. */
     static String word(Enum<?> constant) {
         return constant.name().toLowerCase(Locale.ROOT).replace('_', '-');
     }
 
-    /** For logs and tables: what {@code record} says. */
+    /** The text of {@code record}, for logs and tables. */
     public static String text(byte[] record) {
         return new String(record, StandardCharsets.UTF_8);
     }

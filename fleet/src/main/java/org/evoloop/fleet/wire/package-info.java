@@ -1,6 +1,6 @@
 /**
- * What the topics of a fleet are called and what their records look like: JSON, version 1, as docs/fleet.md has it. It
- * may use {@code device}, and knows nothing of Kafka.
+ * The names of a fleet's topics and the format of their records: JSON, schema version 1, as docs/fleet.md describes it.
+ * It may use {@code device}, and does not depend on Kafka.
  */
 @NullMarked
 package org.evoloop.fleet.wire;

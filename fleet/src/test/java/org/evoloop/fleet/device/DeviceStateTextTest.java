@@ -30,24 +30,24 @@ class DeviceStateTextTest {
         public void noted(Output.Notice notice) {}
 
         @Override
-        public void settled(DeviceState kept, boolean isNew) {}
+        public void settled(DeviceState state, boolean isNew) {}
     }
 
     @Test
     void whatIsWrittenIsReadAgain() {
         assertUnchanged();
         press(10);
-        assertThat(device.kept().open()).isNotNull();
+        assertThat(device.state().open()).isNotNull();
         assertUnchanged();
         device.answered(new Answer(1, Answer.Outcome.IN_DOUBT, "the line broke", null, 20));
-        assertThat(device.kept().lost()).isNotNull();
-        assertThat(device.kept().open().kind()).isEqualTo(Order.Kind.LOCATE);
+        assertThat(device.state().lost()).isNotNull();
+        assertThat(device.state().open().kind()).isEqualTo(Order.Kind.LOCATE);
         assertUnchanged();
         press(30);
         assertThat(device.isNews(5)).isTrue();
         assertThat(device.isNews(5)).isFalse();
         device.answered(new Answer(2, Answer.Outcome.SENT, "", new State("on"), 40));
-        assertThat(device.kept().heard()).isEqualTo(5);
+        assertThat(device.state().heard()).isEqualTo(5);
         assertUnchanged();
     }
 
@@ -57,9 +57,9 @@ class DeviceStateTextTest {
     }
 
     private void assertUnchanged() {
-        byte[] text = DeviceStateText.write(device.kept());
+        byte[] text = DeviceStateText.write(device.state());
         assertThat(DeviceStateText.model(text)).isEqualTo("lamp-1");
-        assertThat(DeviceStateText.read(lamp.rules(), text)).isEqualTo(device.kept());
+        assertThat(DeviceStateText.read(lamp.rules(), text)).isEqualTo(device.state());
     }
 
     @Test
@@ -67,7 +67,7 @@ class DeviceStateTextTest {
         assertThatThrownBy(() -> DeviceStateText.model("nothing\n".getBytes(StandardCharsets.UTF_8)))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("evoloop-device 1");
-        byte[] text = DeviceStateText.write(device.kept());
+        byte[] text = DeviceStateText.write(device.state());
         String damaged = new String(text, StandardCharsets.UTF_8).replace("none", "nine");
         assertThatThrownBy(() -> DeviceStateText.read(lamp.rules(), damaged.getBytes(StandardCharsets.UTF_8)))
                 .isInstanceOf(RuntimeException.class);

@@ -37,7 +37,7 @@ class DeviceTest implements DeviceListener {
     }
 
     @Override
-    public void settled(DeviceState kept, boolean isNew) {}
+    public void settled(DeviceState state, boolean isNew) {}
 
     @Test
     void anOrderIsGivenOnceAndItsAnswerMovesTheDevice() {
@@ -46,14 +46,14 @@ class DeviceTest implements DeviceListener {
         assertThat(orders.get(0).deadlineNanos()).isEqualTo(32 * SECOND);
         answer(1, Answer.Outcome.SENT, 3 * SECOND);
         answer(1, Answer.Outcome.SENT, 4 * SECOND);
-        assertThat(device.kept().snapshot().at().original()).isEqualTo(new State("on"));
-        assertThat(device.kept().snapshot().steps()).isEqualTo(1);
+        assertThat(device.state().snapshot().at().original()).isEqualTo(new State("on"));
+        assertThat(device.state().snapshot().steps()).isEqualTo(1);
     }
 
     @Test
     void aTimerIsDueBeforeWhatHappensLaterAndNotBeforeItsTime() {
         waiting();
-        assertThat(Device.dueNanos(device.kept(), 30 * SECOND)).isEqualTo(6 * SECOND);
+        assertThat(Device.dueNanos(device.state(), 30 * SECOND)).isEqualTo(6 * SECOND);
         device.due(6 * SECOND - 1);
         assertThat(orders).hasSize(1);
         device.due(6 * SECOND);
@@ -65,7 +65,7 @@ class DeviceTest implements DeviceListener {
     void aPressThatIsKnownLateStillComesBeforeATimerThatWasNotToldYet() {
         waiting();
         press(5 * SECOND);
-        assertThat(device.kept().snapshot().at().evolved()).isEqualTo(new State("incandescentOn"));
+        assertThat(device.state().snapshot().at().evolved()).isEqualTo(new State("incandescentOn"));
         device.due(7 * SECOND);
         assertThat(orders).hasSize(1);
     }
@@ -73,13 +73,13 @@ class DeviceTest implements DeviceListener {
     @Test
     void anOrderWithoutAnAnswerIsGivenUpAndTheDeviceIsAsked() {
         press(2 * SECOND);
-        long due = Device.dueNanos(device.kept(), 30 * SECOND);
+        long due = Device.dueNanos(device.state(), 30 * SECOND);
         assertThat(due).isEqualTo(62 * SECOND);
         device.due(due);
         assertThat(orders.get(1).kind()).isEqualTo(Order.Kind.LOCATE);
         device.answered(new Answer(2, Answer.Outcome.SENT, "", new State("on"), 63 * SECOND));
-        assertThat(device.kept().snapshot().at().original()).isEqualTo(new State("on"));
-        assertThat(Device.dueNanos(device.kept(), 30 * SECOND)).isEqualTo(Device.NEVER);
+        assertThat(device.state().snapshot().at().original()).isEqualTo(new State("on"));
+        assertThat(Device.dueNanos(device.state(), 30 * SECOND)).isEqualTo(Device.NEVER);
     }
 
     @Test
@@ -87,8 +87,8 @@ class DeviceTest implements DeviceListener {
         press(2 * SECOND);
         answer(1, Answer.Outcome.SENT, 62 * SECOND);
         assertThat(orders).extracting(Order::kind).containsExactly(Order.Kind.SEND, Order.Kind.LOCATE);
-        assertThat(device.kept().lost()).isNull();
-        assertThat(device.kept().snapshot().at().original()).isEqualTo(new State("on"));
+        assertThat(device.state().lost()).isNull();
+        assertThat(device.state().snapshot().at().original()).isEqualTo(new State("on"));
     }
 
     @Test
@@ -101,14 +101,14 @@ class DeviceTest implements DeviceListener {
         assertThat(device.evolve(takeover, 3 * SECOND)).isEmpty();
         assertThat(device.model()).isEqualTo("lamp-2");
         press(4 * SECOND);
-        assertThat(Device.dueNanos(device.kept(), 30 * SECOND)).isEqualTo(4 * SECOND + SECOND / 2);
+        assertThat(Device.dueNanos(device.state(), 30 * SECOND)).isEqualTo(4 * SECOND + SECOND / 2);
     }
 
     private void waiting() {
         press(2 * SECOND);
         answer(1, Answer.Outcome.SENT, 3 * SECOND);
         press(4 * SECOND);
-        assertThat(device.kept().snapshot().at().evolved()).isEqualTo(new State("wait"));
+        assertThat(device.state().snapshot().at().evolved()).isEqualTo(new State("wait"));
     }
 
     private void press(long atNanos) {

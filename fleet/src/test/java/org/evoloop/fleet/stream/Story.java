@@ -55,7 +55,7 @@ final class Story {
 
         void said() {
             letters.all().forEach(letter -> told.add(letter.topic(), id, letter.text()));
-            letters.begin(model.version(), device.kept());
+            letters.begin(model.version(), device.state());
         }
     }
 
@@ -81,13 +81,13 @@ final class Story {
     }
 
     private void happen(Alone alone) {
-        DeviceState kept = alone.device.kept();
-        if (kept.open() != null && random.nextInt(4) > 0) {
-            Answer answer = answer(kept);
+        DeviceState state = alone.device.state();
+        if (state.open() != null && random.nextInt(4) > 0) {
+            Answer answer = answer(state);
             entries.add(new Entry(Topic.EFFECTS, alone.id, Wire.effect(answer), nowMillis));
             alone.device.answered(answer);
         } else {
-            Occurrence occurrence = occurrence(kept);
+            Occurrence occurrence = occurrence(state);
             // Now and then a gateway repeats itself.
             long number = random.nextInt(8) == 0 ? alone.number : ++alone.number;
             entries.add(new Entry(Topic.OCCURRENCES, alone.id, Wire.occurrence(occurrence, number), nowMillis));
@@ -98,19 +98,19 @@ final class Story {
         alone.said();
     }
 
-    private Answer answer(DeviceState kept) {
+    private Answer answer(DeviceState state) {
         int dice = random.nextInt(100);
         Answer.Outcome outcome =
                 dice < 85 ? Answer.Outcome.SENT : dice < 93 ? Answer.Outcome.FAILED : Answer.Outcome.IN_DOUBT;
-        State state = kept.open().kind() == Order.Kind.LOCATE ? deviceState() : null;
+        State found = state.open().kind() == Order.Kind.LOCATE ? deviceState() : null;
         // Some answer what was answered long ago.
-        long sequence = random.nextInt(12) == 0 && kept.lost() != null
-                ? kept.lost().sequence()
-                : kept.open().sequence();
-        return new Answer(sequence, outcome, outcome == Answer.Outcome.SENT ? "" : "why", state, nanos());
+        long sequence = random.nextInt(12) == 0 && state.lost() != null
+                ? state.lost().sequence()
+                : state.open().sequence();
+        return new Answer(sequence, outcome, outcome == Answer.Outcome.SENT ? "" : "why", found, nanos());
     }
 
-    private Occurrence occurrence(DeviceState kept) {
+    private Occurrence occurrence(DeviceState state) {
         int dice = random.nextInt(100);
         if (dice < 4) {
             return new Occurrence.Found(deviceState(), nanos());
@@ -119,7 +119,7 @@ final class Story {
         } else if (dice < 14) {
             return heard("switch", true, 0);
         } else if (dice < 16) {
-            return heard("switch", false, kept.snapshot().visit().number());
+            return heard("switch", false, state.snapshot().visit().number());
         }
         return heard("switch", false, 0);
     }
