@@ -106,7 +106,7 @@ final class Edge implements AutoCloseable {
         });
         Exception cause = failure;
         if (cause != null) {
-            throw new IllegalStateException("a record was not written, as the topic " + told + " tells", cause);
+            throw new IllegalStateException("a record was not written: " + told, cause);
         }
     }
 
