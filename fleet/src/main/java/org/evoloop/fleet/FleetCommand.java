@@ -26,12 +26,12 @@ import picocli.CommandLine.Spec;
         name = "fleet",
         description = {
             "Converts the events of many devices at a Kafka cluster: one instance, which shares the work with all others of"
-                    + " the same name, until it gets SIGTERM. docs/fleet.md has the topics."
+                    + " the same name, until it gets SIGTERM. docs/fleet.md describes the topics."
         },
         mixinStandardHelpOptions = true,
         sortOptions = false,
         subcommands = {PublishCommand.class, RegisterCommand.class, RolloutCommand.class},
-        footer = {"", "Exit status: 0 success, 1 the demo was not as it should be, 2 wrong usage or input."})
+        footer = {"", "Exit status: 0 success, 1 the demo found a problem, 2 wrong usage or input."})
 final class FleetCommand implements Callable<Integer> {
     private static final Duration START_LIMIT = Duration.ofMinutes(10);
     private static final int PARTITIONS = 8;
@@ -48,7 +48,7 @@ final class FleetCommand implements Callable<Integer> {
                             + " take over. Starts a broker of its own unless --bootstrap names one. Takes a minute.")
     private boolean demo;
 
-    @Option(names = "--devices", paramLabel = "N", description = "So many lamps in the demo (default: 1000).")
+    @Option(names = "--devices", paramLabel = "N", description = "The number of lamps in the demo (default: 1000).")
     private @Nullable Integer devices;
 
     @Option(names = "--bootstrap", paramLabel = "HOST:PORT", description = "A broker of the cluster.")
@@ -58,39 +58,38 @@ final class FleetCommand implements Callable<Integer> {
             names = "--name",
             paramLabel = "NAME",
             defaultValue = "evoloop",
-            description = "The fleet's name, with which its topics begin (default: evoloop).")
+            description = "The fleet's name, the prefix of its topics (default: evoloop).")
     @SuppressWarnings("NullAway.Init") // picocli sets it
     private String name;
 
-    @Option(names = "--create-topics", description = "Creates the topics that are missing, and ends.")
+    @Option(names = "--create-topics", description = "Creates the missing topics, and exits.")
     private boolean createTopics;
 
     @Option(
             names = "--partitions",
             paramLabel = "N",
-            description =
-                    "Into so many parts --create-topics divides the devices; it cannot be changed later (default: 8).")
+            description = "The number of partitions that --create-topics creates for the devices; final (default: 8).")
     private @Nullable Integer partitions;
 
     @Option(
             names = "--threads",
             paramLabel = "N",
             defaultValue = "1",
-            description = "So many threads work (default: 1).")
+            description = "The number of threads (default: 1).")
     private int threads;
 
     @Option(
             names = "--standbys",
             paramLabel = "N",
             defaultValue = "0",
-            description = "So many other instances keep a copy of each device, to take it sooner (default: 0).")
+            description = "How many other instances hold a copy of each device, for faster takeover (default: 0).")
     private int standbys;
 
     @Option(
             names = "--state-dir",
             paramLabel = "DIR",
             description =
-                    "Holds a copy of what is known of the devices, so that a restart is quick (default: a directory"
+                    "The directory for a copy of the devices' states, which makes restarts fast (default: a directory"
                             + " in /var/tmp).")
     private @Nullable Path stateDirectory;
 
@@ -98,14 +97,14 @@ final class FleetCommand implements Callable<Integer> {
             names = "--commit-ms",
             paramLabel = "MS",
             defaultValue = "100",
-            description = "Results become visible that often: less is sooner, more does more (default: 100).")
+            description = "The interval between commits: short for latency, long for throughput (default: 100).")
     private long commitMillis;
 
     @Option(
             names = "--session-ms",
             paramLabel = "MS",
             defaultValue = "10000",
-            description = "Of whom nothing is heard for so long, the others take the devices (default: 10000).")
+            description = "After this silence of an instance, the others take its devices (default: 10000).")
     private long sessionMillis;
 
     @Override
@@ -206,7 +205,7 @@ final class FleetCommand implements Callable<Integer> {
                 .println(
                         problems.isEmpty()
                                 ? "nothing was lost, and nothing was done twice"
-                                : problems.size() + " things were not as they should be");
+                                : problems.size() + " problems were found");
         return problems.isEmpty() ? 0 : 1;
     }
 }

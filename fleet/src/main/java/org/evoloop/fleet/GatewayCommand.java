@@ -19,14 +19,14 @@ import picocli.CommandLine.Spec;
 @Command(
         name = "gateway",
         description = {
-            "Bridges the devices of an MQTT broker to a fleet, until it gets SIGTERM. While Kafka is not reached, what devices"
-                    + " tell is kept, and sent in order when it is."
+            "Bridges the devices of an MQTT broker to a fleet, until it gets SIGTERM. While Kafka is unreachable, the devices'"
+                    + " records are stored, and sent in order later."
         },
         mixinStandardHelpOptions = true,
         sortOptions = false,
         footer = {"", "Exit status: 0 success, 2 wrong usage or input."})
 final class GatewayCommand implements Callable<Integer> {
-    /** A connection to the broker keeps no more states. */
+    /** The most retained states that one connection to the broker holds. */
     private static final int MOST_DEVICES = 500;
 
     @Spec
@@ -42,8 +42,8 @@ final class GatewayCommand implements Callable<Integer> {
             required = true,
             paramLabel = "URL",
             description =
-                    "The devices' MQTT broker: mqtt://USER@HOST, or mqtts://USER@HOST with TLS; the password stands in"
-                            + " the environment, EVOLOOP_MQTT_PASSWORD.")
+                    "The devices' MQTT broker: mqtt://USER@HOST, or mqtts://USER@HOST with TLS; the password is in"
+                            + " the environment variable EVOLOOP_MQTT_PASSWORD.")
     @SuppressWarnings("NullAway.Init") // picocli sets it
     private String mqtt;
 
@@ -53,8 +53,8 @@ final class GatewayCommand implements Callable<Integer> {
             paramLabel = "ID",
             split = ",",
             description =
-                    "The devices, as the fleet knows them; they speak on evoloop/ID/occurrence and evoloop/ID/effect, and"
-                            + " listen to evoloop/ID/command.")
+                    "The devices' ids in the fleet; they publish on evoloop/ID/occurrence and evoloop/ID/effect, and"
+                            + " subscribe to evoloop/ID/command.")
     @SuppressWarnings("NullAway.Init") // picocli sets it
     private Set<String> devices;
 
@@ -62,7 +62,7 @@ final class GatewayCommand implements Callable<Integer> {
             names = "--journal",
             required = true,
             paramLabel = "DIR",
-            description = "Keeps what the fleet does not have yet, and what devices were given.")
+            description = "The directory for records not sent yet, and the commands already delivered.")
     @SuppressWarnings("NullAway.Init") // picocli sets it
     private Path directory;
 
@@ -70,7 +70,7 @@ final class GatewayCommand implements Callable<Integer> {
             names = "--gateway",
             paramLabel = "NAME",
             defaultValue = "gateway",
-            description = "This gateway's name, which no other of the fleet has (default: gateway).")
+            description = "This gateway's name, unique in the fleet (default: gateway).")
     @SuppressWarnings("NullAway.Init") // picocli sets it
     private String name;
 

@@ -19,11 +19,11 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** Makes models known to a fleet. */
+/** Publishes models to a fleet. */
 @Command(
         name = "publish",
         description = {
-            "Publishes a pair of models under a version, which means the same for good. They are checked first."
+            "Publishes a pair of models under a version, which cannot be changed later. They are checked first."
         },
         mixinStandardHelpOptions = true,
         sortOptions = false)
@@ -38,7 +38,7 @@ final class PublishCommand implements Callable<Integer> {
     @SuppressWarnings("NullAway.Init") // picocli sets it
     private ClusterOptions cluster;
 
-    @Parameters(index = "0", paramLabel = "VERSION", description = "What devices call them, such as lamp-2.")
+    @Parameters(index = "0", paramLabel = "VERSION", description = "The version, such as lamp-2.")
     @SuppressWarnings("NullAway.Init") // picocli sets it
     private String version;
 
@@ -50,7 +50,7 @@ final class PublishCommand implements Callable<Integer> {
             names = "--original",
             paramLabel = "NAME",
             defaultValue = "original",
-            description = "The device's machine in it.")
+            description = "The name of the device's state machine in it.")
     @SuppressWarnings("NullAway.Init") // picocli sets it
     private String original;
 
@@ -58,7 +58,7 @@ final class PublishCommand implements Callable<Integer> {
             names = "--new",
             paramLabel = "NAME",
             defaultValue = "new",
-            description = "The machine in it that is wanted.")
+            description = "The name of the wanted state machine in it.")
     @SuppressWarnings("NullAway.Init") // picocli sets it
     private String evolved;
 
@@ -66,7 +66,7 @@ final class PublishCommand implements Callable<Integer> {
             names = "--timer",
             paramLabel = "STATE:EVENT:MS",
             description =
-                    "A state raises an event after so many milliseconds; besides the time triggers that are drawn.")
+                    "A state raises an event after MS milliseconds; in addition to the time triggers in the diagrams.")
     private List<String> timers = new ArrayList<>();
 
     @Override
@@ -83,7 +83,7 @@ final class PublishCommand implements Callable<Integer> {
         byte[] before = cluster.models(version);
         if (before != null && !Arrays.equals(before, record)) {
             throw new FleetException("other models are published as " + version
-                    + " already; a version means the same for good, so give these another");
+                    + " already; a version cannot be changed, so use another for these");
         }
         cluster.write(Topic.MODELS, Map.of(version, record));
         spec.commandLine().getOut().println("the models " + version + " are published");

@@ -14,12 +14,12 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** Has other models take over in a share of a fleet, or leads back. */
+/** Switches a share of a fleet to other models, or back. */
 @Command(
         name = "rollout",
         description =
-                "Has other models take over in a share of the fleet. The same again with a greater share goes on; with"
-                        + " --back all return to the models before. It stops and leads back by itself when too much goes wrong.",
+                "Switches a share of the fleet to other models. Repeat it with a greater share to include more; with"
+                        + " --back all return to the old models. With too many failures it is rolled back automatically.",
         mixinStandardHelpOptions = true,
         sortOptions = false)
 final class RolloutCommand implements Callable<Integer> {
@@ -31,42 +31,46 @@ final class RolloutCommand implements Callable<Integer> {
     @SuppressWarnings("NullAway.Init") // picocli sets it
     private ClusterOptions cluster;
 
-    @Parameters(index = "0", paramLabel = "ROLLOUT", description = "A name for it.")
+    @Parameters(index = "0", paramLabel = "ROLLOUT", description = "The rollout's name.")
     @SuppressWarnings("NullAway.Init") // picocli sets it
     private String rollout;
 
-    @Option(names = "--from", required = true, paramLabel = "VERSION", description = "The models that are left.")
+    @Option(names = "--from", required = true, paramLabel = "VERSION", description = "The old models.")
     @SuppressWarnings("NullAway.Init") // picocli sets it
     private String from;
 
-    @Option(names = "--to", required = true, paramLabel = "VERSION", description = "The models that take over.")
+    @Option(names = "--to", required = true, paramLabel = "VERSION", description = "The new models.")
     @SuppressWarnings("NullAway.Init") // picocli sets it
     private String to;
 
-    @Option(names = "--percent", paramLabel = "P", defaultValue = "1", description = "In this share (default: 1).")
+    @Option(
+            names = "--percent",
+            paramLabel = "P",
+            defaultValue = "1",
+            description = "The share of the devices (default: 1).")
     private double percent;
 
     @Option(
             names = "--stop-percent",
             paramLabel = "P",
             defaultValue = "5",
-            description = "It stops if more of what happens there are failures or divergences (default: 5).")
+            description = "Roll back if a greater share of results are failures or divergences (default: 5).")
     private double stopPercent;
 
     @Option(
             names = "--stop-after",
             paramLabel = "N",
             defaultValue = "20",
-            description = "Once so many events were counted there (default: 20).")
+            description = "The number of results before it may be rolled back (default: 20).")
     private long stopAfter;
 
     @Option(
             names = "--map",
             paramLabel = "FILE",
-            description = "What does not go by its name, as for ./evoloop models migrate.")
+            description = "The exceptions from mapping by name, as for ./evoloop models migrate.")
     private @Nullable Path mapping;
 
-    @Option(names = "--back", description = "Leads back.")
+    @Option(names = "--back", description = "Rolls it back.")
     private boolean back;
 
     @Override
@@ -79,10 +83,10 @@ final class RolloutCommand implements Callable<Integer> {
         Path file = mapping;
         String text = file == null ? "" : ClusterOptions.text(file);
         if (from.equals(to)) {
-            throw new IllegalArgumentException("--from and --to are both " + from + "; name the models that take over");
+            throw new IllegalArgumentException("--from and --to are both " + from + "; give the new models to --to");
         }
         Rollout written = new Rollout(rollout, from, to, percent, text, stopPercent, stopAfter, back ? "by hand" : "");
-        // What cannot be led over is told here, and not only in the log of an instance.
+        // A mapping that does not fit is reported here, not only in an instance's log.
         written.takeover(cluster.requireModels(from), cluster.requireModels(to));
         cluster.write(Topic.ROLLOUTS, Map.of(rollout, written.bytes()));
         spec.commandLine().getOut().println("the rollout " + rollout + " is written");
