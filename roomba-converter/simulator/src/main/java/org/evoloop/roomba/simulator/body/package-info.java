@@ -1,6 +1,6 @@
 /**
- * The simulated robot as a thing: wheels on a floor, motors that draw current, a battery, a bumper and eyes. It knows
- * nothing of the Open Interface and does what it is told, 15 ms at a time.
+ * The simulated robot's hardware: wheels on a floor, motors that draw current, a battery, a bumper and sensors. It does
+ * not depend on the Open Interface, and advances in steps of 15 ms.
  *
  * <p>This package may use {@code simulator.room}.
  */
