@@ -1,4 +1,4 @@
-/** A connected Roomba: its connection, what its frames tell, and control of it. */
+/** A connected Roomba: its connection, the interpretation of its frames, and its control. */
 module org.evoloop.roomba.session {
     requires static org.jspecify;
     requires transitive org.evoloop.core;

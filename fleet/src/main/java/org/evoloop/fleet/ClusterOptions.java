@@ -28,7 +28,7 @@ import org.evoloop.fleet.wire.Topic;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Option;
 
-/** Which fleet a command is for, and how it writes to that. */
+/** The options that name the fleet of a command, and writing to that fleet. */
 final class ClusterOptions {
     private static final Duration POLL = Duration.ofMillis(200);
 
@@ -48,7 +48,7 @@ final class ClusterOptions {
     @SuppressWarnings("NullAway.Init") // picocli sets it
     private String fleet;
 
-    /** Where a broker is, as HOST:PORT. */
+    /** The address of a broker, as HOST:PORT. */
     String bootstrap() {
         return bootstrap;
     }
@@ -67,7 +67,7 @@ final class ClusterOptions {
         }
     }
 
-    /** @throws FleetException if the fleet's topics are not as they have to be */
+    /** @throws FleetException if topics of the fleet are missing or do not fit */
     void check() {
         try (FleetTopics topics = new FleetTopics(bootstrap, fleet)) {
             topics.check();
@@ -75,7 +75,7 @@ final class ClusterOptions {
     }
 
     /**
-     * The models that were published as {@code version}.
+     * The models published as {@code version}.
      *
      * @throws FleetException if there are none
      */
@@ -88,7 +88,7 @@ final class ClusterOptions {
         return ModelRecord.read(version, record);
     }
 
-    /** The record of the models that were published as {@code version}; null if there are none. */
+    /** The record of the models published as {@code version}; null if there are none. */
     byte @Nullable [] models(String version) {
         check();
         TopicPartition all = new TopicPartition(Topic.MODELS.of(fleet), 0);
@@ -107,12 +107,12 @@ final class ClusterOptions {
             }
         } catch (KafkaException e) {
             throw new FleetException(
-                    "the broker at " + bootstrap + " does not return what was published: " + e.getMessage());
+                    "the broker at " + bootstrap + " does not return the published models: " + e.getMessage());
         }
         return last;
     }
 
-    /** Writes these records, all of them before it returns. */
+    /** Writes these records, and waits until all are written. */
     void write(Topic topic, Map<String, byte[]> records) throws InterruptedException {
         check();
         try (KafkaProducer<String, byte[]> producer = new KafkaProducer<>(

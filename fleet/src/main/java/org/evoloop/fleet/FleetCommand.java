@@ -25,13 +25,14 @@ import picocli.CommandLine.Spec;
 @Command(
         name = "fleet",
         description = {
-            "Converts the events of many devices on a Kafka cluster. Runs one instance, which shares the work with "
-                    + "all others of the same name, until it gets SIGTERM. docs/fleet.md describes the topics."
+            "Converts the events of many devices at a Kafka cluster: one instance, which shares the work with all "
+                    + "others of"
+                    + " the same name, until it gets SIGTERM. docs/fleet.md describes the topics."
         },
         mixinStandardHelpOptions = true,
         sortOptions = false,
         subcommands = {PublishCommand.class, RegisterCommand.class, RolloutCommand.class},
-        footer = {"", "Exit status: 0 success, 1 the demo failed a check, 2 wrong usage or input."})
+        footer = {"", "Exit status: 0 success, 1 the demo found a problem, 2 wrong usage or input."})
 final class FleetCommand implements Callable<Integer> {
     private static final Duration START_LIMIT = Duration.ofMinutes(10);
     private static final int PARTITIONS = 8;
@@ -58,19 +59,17 @@ final class FleetCommand implements Callable<Integer> {
             names = "--name",
             paramLabel = "NAME",
             defaultValue = "evoloop",
-            description = "The fleet's name, with which its topics begin (default: evoloop).")
+            description = "The fleet's name, the prefix of its topics (default: evoloop).")
     @SuppressWarnings("NullAway.Init") // picocli sets it
     private String name;
 
-    @Option(names = "--create-topics", description = "Creates the missing topics, and ends.")
+    @Option(names = "--create-topics", description = "Creates the missing topics, and exits.")
     private boolean createTopics;
 
     @Option(
             names = "--partitions",
             paramLabel = "N",
-            description =
-                    "The number of partitions of the topics that --create-topics creates; it cannot be changed later "
-                            + "(default: 8).")
+            description = "The number of partitions that --create-topics creates for the devices; final (default: 8).")
     private @Nullable Integer partitions;
 
     @Option(
@@ -84,31 +83,29 @@ final class FleetCommand implements Callable<Integer> {
             names = "--standbys",
             paramLabel = "N",
             defaultValue = "0",
-            description = "How many other instances keep a copy of each device's state, so that they take over "
-                    + "sooner (default: 0).")
+            description = "How many other instances hold a copy of each device, for faster takeover (default: 0).")
     private int standbys;
 
     @Option(
             names = "--state-dir",
             paramLabel = "DIR",
-            description = "Keeps a copy of the devices' states, so that a restart is quick (default: a directory"
-                    + " in /var/tmp).")
+            description =
+                    "The directory for a copy of the devices' states, which makes restarts fast (default: a directory"
+                            + " in /var/tmp).")
     private @Nullable Path stateDirectory;
 
     @Option(
             names = "--commit-ms",
             paramLabel = "MS",
             defaultValue = "100",
-            description = "How often results become visible: a shorter interval reduces latency, a longer one "
-                    + "increases throughput (default: 100).")
+            description = "The interval between commits: short for latency, long for throughput (default: 100).")
     private long commitMillis;
 
     @Option(
             names = "--session-ms",
             paramLabel = "MS",
             defaultValue = "10000",
-            description =
-                    "How long an instance may be silent before the others take over its devices (default: " + "10000).")
+            description = "After this silence of an instance, the others take its devices (default: 10000).")
     private long sessionMillis;
 
     @Override
@@ -209,7 +206,7 @@ final class FleetCommand implements Callable<Integer> {
                 .println(
                         problems.isEmpty()
                                 ? "nothing was lost, and nothing was done twice"
-                                : problems.size() + " checks failed");
+                                : problems.size() + " problems were found");
         return problems.isEmpty() ? 0 : 1;
     }
 }

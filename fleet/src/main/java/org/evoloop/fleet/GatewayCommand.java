@@ -19,14 +19,15 @@ import picocli.CommandLine.Spec;
 @Command(
         name = "gateway",
         description = {
-            "Bridges the devices of an MQTT broker to a fleet, until it gets SIGTERM. While Kafka cannot be reached, "
-                    + "the devices' messages are stored; they are sent in order once it can."
+            "Bridges the devices of an MQTT broker to a fleet, until it gets SIGTERM. While Kafka is unreachable, "
+                    + "the devices'"
+                    + " records are stored, and sent in order later."
         },
         mixinStandardHelpOptions = true,
         sortOptions = false,
         footer = {"", "Exit status: 0 success, 2 wrong usage or input."})
 final class GatewayCommand implements Callable<Integer> {
-    /** A connection to the broker keeps no more states. */
+    /** The most retained states that one connection to the broker holds. */
     private static final int MOST_DEVICES = 500;
 
     @Spec
@@ -41,8 +42,9 @@ final class GatewayCommand implements Callable<Integer> {
             names = "--mqtt",
             required = true,
             paramLabel = "URL",
-            description = "The devices' MQTT broker: mqtt://USER@HOST, or mqtts://USER@HOST with TLS; the password is "
-                    + "taken from the environment variable EVOLOOP_MQTT_PASSWORD.")
+            description =
+                    "The devices' MQTT broker: mqtt://USER@HOST, or mqtts://USER@HOST with TLS; the password is in"
+                            + " the environment variable EVOLOOP_MQTT_PASSWORD.")
     @SuppressWarnings("NullAway.Init") // picocli sets it
     private String mqtt;
 
@@ -52,8 +54,8 @@ final class GatewayCommand implements Callable<Integer> {
             paramLabel = "ID",
             split = ",",
             description =
-                    "The devices' ids in the fleet; they publish to evoloop/ID/occurrence and evoloop/ID/effect, and "
-                            + "subscribe to evoloop/ID/command.")
+                    "The devices' ids in the fleet; they publish on evoloop/ID/occurrence and evoloop/ID/effect, and"
+                            + " subscribe to evoloop/ID/command.")
     @SuppressWarnings("NullAway.Init") // picocli sets it
     private Set<String> devices;
 
@@ -61,7 +63,7 @@ final class GatewayCommand implements Callable<Integer> {
             names = "--journal",
             required = true,
             paramLabel = "DIR",
-            description = "Stores what the fleet has not received yet, and which commands the devices got.")
+            description = "The directory for records not sent yet, and the commands already delivered.")
     @SuppressWarnings("NullAway.Init") // picocli sets it
     private Path directory;
 

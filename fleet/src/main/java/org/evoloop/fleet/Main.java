@@ -9,11 +9,11 @@ import org.evoloop.program.UsersMistakes;
 import org.evoloop.statemachine.ModelException;
 import picocli.CommandLine;
 
-/** Runs the command line; a mistake of the user is one message and exit status 2. */
+/** Runs the command line; a user's mistake gives one message and exit status 2. */
 public final class Main {
     private Main() {}
 
-    /** Runs the program that the first argument names. */
+    /** Runs the program named by the first argument. */
     public static void main(String[] arguments) {
         CommandLine line = commandLine();
         line.setOut(new PrintWriter(System.out, true, StandardCharsets.UTF_8));

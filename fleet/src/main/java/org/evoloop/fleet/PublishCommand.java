@@ -19,10 +19,12 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** Makes models known to a fleet. */
+/** Publishes models to a fleet. */
 @Command(
         name = "publish",
-        description = {"Checks a pair of models and publishes it under a version, which never changes afterwards."},
+        description = {
+            "Publishes a pair of models under a version, which cannot be changed later. They are checked first."
+        },
         mixinStandardHelpOptions = true,
         sortOptions = false)
 final class PublishCommand implements Callable<Integer> {
@@ -48,7 +50,7 @@ final class PublishCommand implements Callable<Integer> {
             names = "--original",
             paramLabel = "NAME",
             defaultValue = "original",
-            description = "The device's machine in it.")
+            description = "The name of the device's state machine in it.")
     @SuppressWarnings("NullAway.Init") // picocli sets it
     private String original;
 
@@ -56,14 +58,15 @@ final class PublishCommand implements Callable<Integer> {
             names = "--new",
             paramLabel = "NAME",
             defaultValue = "new",
-            description = "The machine in it that the owner wants.")
+            description = "The name of the wanted state machine in it.")
     @SuppressWarnings("NullAway.Init") // picocli sets it
     private String evolved;
 
     @Option(
             names = "--timer",
             paramLabel = "STATE:EVENT:MS",
-            description = "STATE raises EVENT after MS milliseconds, in addition to the time triggers in the models.")
+            description =
+                    "A state raises an event after MS milliseconds; in addition to the time triggers in the diagrams.")
     private List<String> timers = new ArrayList<>();
 
     @Override
@@ -80,7 +83,7 @@ final class PublishCommand implements Callable<Integer> {
         byte[] before = cluster.models(version);
         if (before != null && !Arrays.equals(before, record)) {
             throw new FleetException("other models are published as " + version
-                    + " already; a version never changes, so choose another one for these");
+                    + " already; a version cannot be changed, so use another for these");
         }
         cluster.write(Topic.MODELS, Map.of(version, record));
         spec.commandLine().getOut().println("the models " + version + " are published");

@@ -13,10 +13,10 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** Takes devices into a fleet. */
+/** Registers devices with a fleet. */
 @Command(
         name = "register",
-        description = "Adds devices to the fleet, in the initial states of their models.",
+        description = "Registers devices with the fleet, in the initial states of their models.",
         mixinStandardHelpOptions = true,
         sortOptions = false)
 final class RegisterCommand implements Callable<Integer> {
@@ -42,9 +42,7 @@ final class RegisterCommand implements Callable<Integer> {
         Map<String, byte[]> records = new LinkedHashMap<>();
         devices.forEach(device -> records.put(device, Wire.device(model)));
         cluster.write(Topic.DEVICES, records);
-        spec.commandLine()
-                .getOut()
-                .println(devices.size() + " written; what could not be taken is in the dead letters");
+        spec.commandLine().getOut().println(devices.size() + " written; rejected ones are in the dead letters");
         return 0;
     }
 }

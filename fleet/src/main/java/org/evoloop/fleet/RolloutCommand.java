@@ -14,13 +14,12 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** Has other models take over in a share of a fleet, or leads back. */
+/** Switches a share of a fleet to other models, or back. */
 @Command(
         name = "rollout",
         description =
-                "Rolls other models out to a share of the fleet. Repeat it with a larger share to continue; --back "
-                        + "returns all devices to the previous models. It stops and rolls back by itself if too much "
-                        + "goes wrong.",
+                "Switches a share of the fleet to other models. Repeat it with a greater share to include more; with"
+                        + " --back all return to the old models. With too many failures it is rolled back automatically.",
         mixinStandardHelpOptions = true,
         sortOptions = false)
 final class RolloutCommand implements Callable<Integer> {
@@ -36,11 +35,11 @@ final class RolloutCommand implements Callable<Integer> {
     @SuppressWarnings("NullAway.Init") // picocli sets it
     private String rollout;
 
-    @Option(names = "--from", required = true, paramLabel = "VERSION", description = "The version to replace.")
+    @Option(names = "--from", required = true, paramLabel = "VERSION", description = "The old models.")
     @SuppressWarnings("NullAway.Init") // picocli sets it
     private String from;
 
-    @Option(names = "--to", required = true, paramLabel = "VERSION", description = "The models that take over.")
+    @Option(names = "--to", required = true, paramLabel = "VERSION", description = "The new models.")
     @SuppressWarnings("NullAway.Init") // picocli sets it
     private String to;
 
@@ -48,31 +47,30 @@ final class RolloutCommand implements Callable<Integer> {
             names = "--percent",
             paramLabel = "P",
             defaultValue = "1",
-            description = "The share of the devices, in " + "percent (default: 1).")
+            description = "The share of the devices (default: 1).")
     private double percent;
 
     @Option(
             names = "--stop-percent",
             paramLabel = "P",
             defaultValue = "5",
-            description = "It stops if more than this percentage of the events there are failures or divergences "
-                    + "(default: 5).")
+            description = "Roll back if a greater share of results are failures or divergences (default: 5).")
     private double stopPercent;
 
     @Option(
             names = "--stop-after",
             paramLabel = "N",
             defaultValue = "20",
-            description = "How many events it counts there before it may stop (default: 20).")
+            description = "The number of results before it may be rolled back (default: 20).")
     private long stopAfter;
 
     @Option(
             names = "--map",
             paramLabel = "FILE",
-            description = "Mapping rules for names that differ, as for ./evoloop models migrate.")
+            description = "The exceptions from mapping by name, as for ./evoloop models migrate.")
     private @Nullable Path mapping;
 
-    @Option(names = "--back", description = "Leads back.")
+    @Option(names = "--back", description = "Rolls it back.")
     private boolean back;
 
     @Override
@@ -85,10 +83,10 @@ final class RolloutCommand implements Callable<Integer> {
         Path file = mapping;
         String text = file == null ? "" : ClusterOptions.text(file);
         if (from.equals(to)) {
-            throw new IllegalArgumentException("--from and --to are both " + from + "; name the models that take over");
+            throw new IllegalArgumentException("--from and --to are both " + from + "; give the new models to --to");
         }
         Rollout written = new Rollout(rollout, from, to, percent, text, stopPercent, stopAfter, back ? "by hand" : "");
-        // What cannot be led over is told here, and not only in the log of an instance.
+        // A mapping that does not fit is reported here, not only in an instance's log.
         written.takeover(cluster.requireModels(from), cluster.requireModels(to));
         cluster.write(Topic.ROLLOUTS, Map.of(rollout, written.bytes()));
         spec.commandLine().getOut().println("the rollout " + rollout + " is written");

@@ -4,7 +4,7 @@ import java.nio.file.Path;
 import java.util.concurrent.CountDownLatch;
 import org.evoloop.fleet.broker.LocalBroker;
 
-/** A broker in a process of its own, which can be killed: directory, port and the controller's port. */
+/** A broker in a separate process, which can be killed; its arguments are directory, port and controller's port. */
 public final class BrokerProcess {
     private BrokerProcess() {}
 

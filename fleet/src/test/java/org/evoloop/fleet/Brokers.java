@@ -5,14 +5,14 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import org.evoloop.fleet.broker.LocalBroker;
 
-/** One broker for all test classes of a run: it takes seconds to start. Each test has a fleet of its own there. */
+/** One broker for all test classes of a run, since it takes seconds to start. Each test has its own fleet. */
 public final class Brokers {
     private static String bootstrap = "";
     private static int fleets;
 
     private Brokers() {}
 
-    /** Where it is; it ends with the process. */
+    /** Its address; it is stopped with the process. */
     public static synchronized String shared() throws IOException {
         if (bootstrap.isEmpty()) {
             Path directory = Files.createTempDirectory(Path.of("target"), "broker-");
@@ -23,7 +23,7 @@ public final class Brokers {
         return bootstrap;
     }
 
-    /** A fleet that nobody else has. */
+    /** The name of a fleet that no other test uses. */
     public static synchronized String freshFleet() {
         fleets++;
         return "test" + fleets;

@@ -22,7 +22,7 @@ import org.apache.kafka.common.utils.Utils;
 import org.evoloop.fleet.stream.FleetTopics;
 import org.evoloop.fleet.wire.Topic;
 
-/** A fleet's topics at a broker, as tests write and read them. */
+/** Writes and reads a fleet's topics at a broker. */
 public final class Cluster implements AutoCloseable {
     private static final Duration LIMIT = Duration.ofSeconds(90);
 
@@ -30,7 +30,7 @@ public final class Cluster implements AutoCloseable {
     private final int partitions;
     private final KafkaProducer<String, byte[]> producer;
     private final KafkaConsumer<String, byte[]> consumer;
-    private final TopicRecords told = new TopicRecords();
+    private final TopicRecords records = new TopicRecords();
 
     /** A fresh fleet at the shared broker. */
     public static Cluster fresh(int partitions) throws IOException {
@@ -84,29 +84,29 @@ public final class Cluster implements AutoCloseable {
         producer.flush();
     }
 
-    /** All that has been read so far. */
-    public TopicRecords told() {
-        return told;
+    /** All records read so far. */
+    public TopicRecords records() {
+        return records;
     }
 
-    /** Reads on until what was read is enough. */
+    /** Reads until the records satisfy {@code enough}. */
     public TopicRecords readUntil(Predicate<TopicRecords> enough) {
         long last = System.nanoTime();
-        while (!enough.test(told)) {
+        while (!enough.test(records)) {
             if (!read(Duration.ofMillis(200)).isEmpty()) {
                 last = System.nanoTime();
             } else if (System.nanoTime() - last > LIMIT.toNanos()) {
-                throw new AssertionError("nothing came for " + LIMIT + " after " + told.size() + " records");
+                throw new AssertionError("nothing came for " + LIMIT + " after " + records.size() + " records");
             }
         }
-        return told;
+        return records;
     }
 
-    /** Reads what comes within {@code limit}. */
+    /** Reads the records that arrive within {@code limit}. */
     public List<ConsumerRecord<String, byte[]>> read(Duration limit) {
         List<ConsumerRecord<String, byte[]>> read = new ArrayList<>();
         for (ConsumerRecord<String, byte[]> record : consumer.poll(limit)) {
-            told.add(topicOf(record), record.key(), record.value());
+            records.add(topicOf(record), record.key(), record.value());
             read.add(record);
         }
         return read;

@@ -12,7 +12,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import picocli.CommandLine;
 
-/** What is wrong with the command line is one message, and exit status 2. */
+/** A mistake on the command line gives one message, and exit status 2. */
 class FleetCommandTest {
     private final StringWriter out = new StringWriter();
     private final StringWriter err = new StringWriter();
@@ -25,7 +25,7 @@ class FleetCommandTest {
     }
 
     @Test
-    void mistakesAreToldInOneMessage() throws Exception {
+    void mistakesGiveOneMessage() throws Exception {
         mistake("give --bootstrap HOST:PORT, or --demo", "fleet");
         mistake("--devices is 0, allowed is 1 to 1000000", "fleet", "--demo", "--devices", "0");
         mistake("--devices is for --demo", "fleet", "--bootstrap", "localhost:1", "--devices", "3");

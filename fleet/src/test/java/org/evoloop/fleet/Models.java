@@ -7,7 +7,7 @@ import java.nio.file.Path;
 import java.util.List;
 import org.evoloop.fleet.wire.ModelRecord;
 
-/** Models of the project as records. */
+/** The project's models as records. */
 public final class Models {
     /** The lamp whose second light comes on with two presses within 2 s. */
     public static final ModelRecord LAMP = lamp(2_000);
@@ -19,7 +19,7 @@ public final class Models {
         return new ModelRecord(file, text(file), "original", "new", timers, 8);
     }
 
-    /** The cleaning robot of the paper; how long it waits for a second press is up to a function at the robot. */
+    /** The paper's cleaning robot; a function at the robot determines how long it waits for a second press. */
     public static final ModelRecord ROBOT = new ModelRecord(
             "models/cleaning-robot.xml", text("models/cleaning-robot.xml"), "original", "new", List.of(), 8);
 

@@ -7,7 +7,7 @@ import java.util.TreeMap;
 import org.evoloop.fleet.wire.Topic;
 import org.evoloop.fleet.wire.Wire;
 
-/** What stands in topics: by topic and device, in order. */
+/** The records of topics, by topic and device, in order. */
 public final class TopicRecords {
     private final Map<String, List<String>> records = new TreeMap<>();
 

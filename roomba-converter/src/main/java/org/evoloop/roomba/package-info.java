@@ -1,7 +1,7 @@
 /**
  * The Roomba converter: an event converter that gives a cleaning robot the functions Move and SpotWait.
  *
- * <p>This room may use everything else of this module and the framework.
+ * <p>This package may use everything else of this module and the framework.
  */
 @NullMarked
 package org.evoloop.roomba;

@@ -21,13 +21,13 @@ import picocli.CommandLine.Spec;
 @Command(
         name = "bench",
         description = {
-            "Measures the fleet at a broker in the same process: beside a topology that only passes records through, with few"
-                    + " devices and many, and how long a command takes. Takes about ten minutes."
+            "Measures the fleet with a broker in the same process: throughput compared with a topology that only passes records"
+                    + " on, with few and many devices, and the latency of a command. Takes about ten minutes."
         },
         mixinStandardHelpOptions = true)
 public final class BenchCommand implements Callable<Integer> {
-    /** As many bytes as the fleet keeps of a lamp, and as many events as it takes until the JVM has compiled all. */
-    private static final int KEPT = 270;
+    /** The bytes that the fleet stores for a lamp, and the events until the JVM has compiled everything. */
+    private static final int STORED_BYTES = 270;
 
     private static final int EVENTS = 600_000;
 
@@ -35,7 +35,7 @@ public final class BenchCommand implements Callable<Integer> {
     @SuppressWarnings("NullAway.Init") // picocli sets it
     private CommandSpec spec;
 
-    @Option(names = "--fleet", description = "Measures the fleet, and not a single converter.")
+    @Option(names = "--fleet", description = "Measures the fleet instead of a single converter.")
     private boolean fleet;
 
     @Option(
@@ -56,13 +56,13 @@ public final class BenchCommand implements Callable<Integer> {
             Throughput throughput = new Throughput(broker.bootstrap(), scratch.directory(), lamp);
             int many = quick ? 100_000 : 1_000_000;
             say("warming up");
-            throughput.of(1_000, EVENTS, KEPT, true);
+            throughput.of(1_000, EVENTS, STORED_BYTES, true);
             throughput.of(1_000, EVENTS, 0, true);
             List<Throughput.Measured> bare = new ArrayList<>();
             List<Throughput.Measured> ours = new ArrayList<>();
             for (int round = 0; round < (quick ? 1 : 3); round++) {
                 say("round " + (round + 1));
-                bare.add(throughput.of(1_000, EVENTS, KEPT, true));
+                bare.add(throughput.of(1_000, EVENTS, STORED_BYTES, true));
                 ours.add(throughput.of(1_000, EVENTS, 0, true));
             }
             Throughput.Measured passedFew = Throughput.median(bare);
@@ -71,7 +71,7 @@ public final class BenchCommand implements Callable<Integer> {
             row("bare pass-through, 1,000 devices", passedFew);
             row("fleet, 1,000 devices", few);
             say(String.format(Locale.ROOT, "%,d devices", many));
-            Throughput.Measured passedMany = throughput.of(many, Traffic.CYCLE * many, KEPT, true);
+            Throughput.Measured passedMany = throughput.of(many, Traffic.CYCLE * many, STORED_BYTES, true);
             row(String.format(Locale.ROOT, "bare pass-through, %,d devices", many), passedMany);
             Throughput.Measured all = throughput.of(many, Traffic.CYCLE * many, 0, true);
             row(String.format(Locale.ROOT, "fleet, %,d devices", many), all);
@@ -79,7 +79,7 @@ public final class BenchCommand implements Callable<Integer> {
             row("fleet, 100,000 devices on disk", throughput.of(100_000, 300_000, 0, false));
             compare("1,000 devices", few, passedFew);
             compare("many devices", all, passedMany);
-            tell(
+            print(
                     "CPU time per event, many devices / 1,000: fleet %.2f, bare pass-through %.2f",
                     few.perCpuSecond() / all.perCpuSecond(), passedFew.perCpuSecond() / passedMany.perCpuSecond());
             latencies(new Latency(broker.bootstrap(), scratch.directory(), Lamp.waiting(2_000)));
@@ -88,7 +88,7 @@ public final class BenchCommand implements Callable<Integer> {
     }
 
     private void compare(String where, Throughput.Measured ours, Throughput.Measured bare) {
-        tell(
+        print(
                 "fleet / bare pass-through, %s: per CPU second %.0f %%, per second %.0f %%",
                 where, 100 * ours.perCpuSecond() / bare.perCpuSecond(), 100 * ours.perSecond() / bare.perSecond());
     }
@@ -97,18 +97,18 @@ public final class BenchCommand implements Callable<Integer> {
         say("latency");
         for (int commitMillis : new int[] {10, 30, 100, 300}) {
             Latencies measured = latency.of(Duration.ofMillis(commitMillis), quick ? 1_000 : 3_000, 300);
-            tell(
+            print(
                     "occurrence to command, commit interval %3d ms: p50 %d ms, p99 %d ms",
                     commitMillis, measured.percentile(50), measured.percentile(99));
         }
     }
 
     private void head() {
-        tell("%-36s %10s %14s %14s %10s", "", "events/s", "events/CPU s", "bytes/device", "restore s");
+        print("%-36s %10s %14s %14s %10s", "", "events/s", "events/CPU s", "bytes/device", "restore s");
     }
 
     private void row(String what, Throughput.Measured measured) {
-        tell(
+        print(
                 "%-36s %,10.0f %,14.0f %,14.0f %10.1f",
                 what,
                 measured.perSecond(),
@@ -117,7 +117,7 @@ public final class BenchCommand implements Callable<Integer> {
                 measured.restoreSeconds());
     }
 
-    private void tell(String format, Object... details) {
+    private void print(String format, Object... details) {
         PrintWriter out = spec.commandLine().getOut();
         out.println(String.format(Locale.ROOT, format, details).stripTrailing());
         out.flush();

@@ -9,7 +9,7 @@ import org.evoloop.fleet.stream.FleetException;
 import org.evoloop.fleet.stream.FleetSettings;
 import org.evoloop.fleet.wire.ModelRecord;
 
-/** How long it takes from an occurrence to its command, both at the edge, while some hundred come in a second. */
+/** Measures the time from an occurrence to its command, both at the edge, at some hundred occurrences per second. */
 final class Latency {
     private final String bootstrap;
     private final Path directory;
@@ -22,7 +22,7 @@ final class Latency {
         this.lamp = lamp;
     }
 
-    /** In milliseconds, of {@code presses}, {@code perSecond} of them in a second. */
+    /** The latencies of {@code presses} presses, {@code perSecond} per second, in milliseconds. */
     Latencies of(Duration commitInterval, int presses, int perSecond) throws InterruptedException {
         runs++;
         String name = "latency-" + runs;

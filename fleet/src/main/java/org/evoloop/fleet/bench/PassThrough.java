@@ -16,17 +16,17 @@ import org.evoloop.fleet.wire.Topic;
 final class PassThrough implements Processor<String, byte[], String, byte[]> {
     private static final String STORE = "devices";
 
-    private final byte[] kept;
+    private final byte[] initial;
     private ProcessorContext<String, byte[]> context;
     private KeyValueStore<String, byte[]> store;
 
     @SuppressWarnings("NullAway.Init") // init comes before all else
-    private PassThrough(int keptBytes) {
-        this.kept = new byte[keptBytes];
+    private PassThrough(int storedBytes) {
+        this.initial = new byte[storedBytes];
     }
 
-    /** @param keptBytes how much is kept of a device */
-    static Topology topology(String fleet, int keptBytes) {
+    /** @param storedBytes the bytes stored for a device */
+    static Topology topology(String fleet, int storedBytes) {
         Topology topology = new Topology();
         String[] sources = {"devices-in", "occurrences-in", "effects-in"};
         Topic[] topics = {Topic.DEVICES, Topic.OCCURRENCES, Topic.EFFECTS};
@@ -38,7 +38,7 @@ final class PassThrough implements Processor<String, byte[], String, byte[]> {
                     Serdes.ByteArray().deserializer(),
                     topics[each].of(fleet));
         }
-        topology.addProcessor("pass-through", () -> new PassThrough(keptBytes), sources);
+        topology.addProcessor("pass-through", () -> new PassThrough(storedBytes), sources);
         topology.addStateStore(
                 Stores.keyValueStoreBuilder(Stores.inMemoryKeyValueStore(STORE), Serdes.String(), Serdes.ByteArray())
                         .withCachingEnabled(),
@@ -61,7 +61,7 @@ final class PassThrough implements Processor<String, byte[], String, byte[]> {
     @Override
     public void process(Record<String, byte[]> record) {
         byte[] known = store.get(record.key());
-        store.put(record.key(), known == null ? kept.clone() : known.clone());
+        store.put(record.key(), known == null ? initial.clone() : known.clone());
         context.forward(record);
     }
 }

@@ -29,8 +29,8 @@ import org.evoloop.fleet.wire.ModelRecord;
 import org.evoloop.fleet.wire.Topic;
 
 /**
- * Measures how fast records waiting at the broker are processed, from when the instance works until the last is
- * committed.
+ * Measures how fast a backlog of records at the broker is processed, from when the instance runs until the last record
+ * is committed.
  */
 final class Throughput {
     private static final int PARTITIONS = 4;
@@ -47,9 +47,9 @@ final class Throughput {
     /**
      * The measurements of a run.
      *
-     * @param seconds by the clock
-     * @param cpuSeconds of this process: broker, Streams and all
-     * @param bytesPerDevice what is kept of a device, key and value
+     * @param seconds wall-clock time
+     * @param cpuSeconds CPU time of this process, including the broker and Streams
+     * @param bytesPerDevice the bytes stored for a device, key and value
      */
     record Measured(int events, double seconds, double cpuSeconds, double bytesPerDevice, double restoreSeconds) {
         double perSecond() {
@@ -67,8 +67,8 @@ final class Throughput {
         this.lamp = lamp;
     }
 
-    /** @param keptBytes what a bare topology keeps of a device; 0 for the fleet itself */
-    Measured of(int devices, int events, int keptBytes, boolean inMemory) throws InterruptedException {
+    /** @param storedBytes the bytes that a bare topology stores for a device; 0 for the fleet itself */
+    Measured of(int devices, int events, int storedBytes, boolean inMemory) throws InterruptedException {
         runs++;
         String name = "bench-" + runs;
         FleetSettings plain = FleetSettings.defaults()
@@ -82,18 +82,18 @@ final class Throughput {
             topics.create(PARTITIONS);
             traffic.write(Topic.MODELS, "lamp", lamp.bytes(), System.currentTimeMillis());
             traffic.register("lamp");
-            try (Fleet fleet = started(settings, topology(settings, keptBytes))) {
+            try (Fleet fleet = started(settings, topology(settings, storedBytes))) {
                 awaitDone(admin, fleet.name(), Topic.DEVICES);
             }
             traffic.happen(events);
-            Measured measured = measure(admin, settings, topology(settings, keptBytes), events);
+            Measured measured = measure(admin, settings, topology(settings, storedBytes), events);
             topics.delete();
             return measured;
         }
     }
 
-    private static Topology topology(FleetSettings settings, int keptBytes) {
-        return keptBytes > 0 ? PassThrough.topology(settings.fleet(), keptBytes) : FleetTopology.of(settings);
+    private static Topology topology(FleetSettings settings, int storedBytes) {
+        return storedBytes > 0 ? PassThrough.topology(settings.fleet(), storedBytes) : FleetTopology.of(settings);
     }
 
     private Fleet started(FleetSettings settings, Topology topology) throws InterruptedException {
@@ -156,7 +156,7 @@ final class Throughput {
                 if (all) {
                     return;
                 } else if (System.nanoTime() - begun > LIMIT.toNanos()) {
-                    throw new FleetException("the records were not taken within " + LIMIT);
+                    throw new FleetException("the records were not processed within " + LIMIT);
                 }
                 LockSupport.parkNanos(LOOK_NANOS);
             }
@@ -165,7 +165,7 @@ final class Throughput {
         }
     }
 
-    /** Of several runs, the one in the middle by CPU time. */
+    /** The median of several runs by CPU time. */
     static Measured median(List<Measured> runs) {
         return runs.stream()
                 .sorted(Comparator.comparingDouble(Measured::cpuSeconds))

@@ -18,8 +18,8 @@ import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 
 /**
- * What happens at lamps, written beforehand: each is pressed, answers the command that follows, and is switched off at
- * the lamp itself, again and again.
+ * The records of lamps, written before the measurement: each lamp is pressed, answers the command that follows, and is
+ * switched off by hand, repeatedly.
  */
 final class Traffic implements AutoCloseable {
     private static final Event SWITCH = new Event("switch");
@@ -57,9 +57,9 @@ final class Traffic implements AutoCloseable {
     }
 
     void write(Topic topic, String key, byte[] record, long timestamp) {
-        Future<RecordMetadata> told =
+        Future<RecordMetadata> sent =
                 producer.send(new ProducerRecord<>(topic.of(fleet), null, timestamp, key, record));
-        if (told.isCancelled()) {
+        if (sent.isCancelled()) {
             throw new IllegalStateException("a record was not written");
         }
     }
@@ -71,7 +71,7 @@ final class Traffic implements AutoCloseable {
         producer.flush();
     }
 
-    /** So many records, to one device after the other. */
+    /** Writes {@code records} records, for one device after the other. */
     void happen(int records) {
         for (int each = 0; each < records; each++) {
             int device = each % devices;

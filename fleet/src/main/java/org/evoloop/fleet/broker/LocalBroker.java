@@ -47,7 +47,7 @@ public final class LocalBroker implements AutoCloseable {
         }
     }
 
-    /** Starts it on these ports, for example those that it had before. */
+    /** Starts it on these ports, for example those of an earlier run. */
     public static LocalBroker start(Path directory, int port, int controllerPort) {
         String bootstrap = "localhost:" + port;
         Properties settings = settings(directory, port, controllerPort);
@@ -66,7 +66,7 @@ public final class LocalBroker implements AutoCloseable {
         settings.put("controller.listener.names", "CONTROLLER");
         settings.put("controller.quorum.voters", "1@localhost:" + controllerPort);
         settings.put("inter.broker.listener.name", "PLAINTEXT");
-        // One node has no replicas, and nobody else to wait for.
+        // A single node has no replicas, and no other members to wait for.
         settings.put("offsets.topic.replication.factor", "1");
         settings.put("transaction.state.log.replication.factor", "1");
         settings.put("transaction.state.log.min.isr", "1");
@@ -75,7 +75,7 @@ public final class LocalBroker implements AutoCloseable {
         settings.put("offsets.topic.num.partitions", "4");
         settings.put("transaction.state.log.num.partitions", "4");
         settings.put("auto.create.topics.enable", "false");
-        // What is replayed has the times at which it happened, which may be long ago.
+        // Replayed records keep their original times, which may be long ago.
         settings.put("log.retention.ms", "-1");
         settings.put("group.min.session.timeout.ms", "1000");
         settings.put("log.cleaner.dedupe.buffer.size", "2000000");
@@ -114,7 +114,7 @@ public final class LocalBroker implements AutoCloseable {
         return bootstrap;
     }
 
-    /** Ends it; its data is kept. */
+    /** Stops it; its data remains in the directory. */
     @Override
     public void close() {
         server.shutdown();

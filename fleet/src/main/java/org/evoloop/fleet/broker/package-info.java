@@ -1,4 +1,4 @@
-/** A Kafka broker in this process, for demo, benchmark and tests. It may use nothing else of the fleet. */
+/** A Kafka broker in this process, for demo, benchmark and tests. It may use no other package of the fleet. */
 @NullMarked
 package org.evoloop.fleet.broker;
 

@@ -120,7 +120,7 @@ public final class Demo implements AutoCloseable {
     private void rollOut(String to, double percent) {
         edge.write(Topic.ROLLOUTS, "to-" + to, new Rollout("to-" + to, "lamp-1", to, percent, "", 5, 50, "").bytes());
         long wanted = Math.round(edge.size() * percent / 100);
-        // A share is drawn by lot, so it is met more or less.
+        // Devices are selected by a hash, so the share is only approximate.
         await(() -> percent < 100 ? has(to) * 2L >= wanted && has(to) > 0 : has(to) == wanted);
         press(2, to + " takes over at " + Math.round(percent) + " %");
         check(percent < 100 || has(to) == wanted, to + " did not take over everywhere");
@@ -133,14 +133,14 @@ public final class Demo implements AutoCloseable {
         await(() -> has("lamp-3") * 20L > edge.size());
         row("lamp-3 takes over at 10 %; its lamps do not react");
         pressUntil(() -> !edge.stopped().isEmpty());
-        check(!edge.stopped().isEmpty(), "a rollout under which everything fails was not stopped");
+        check(!edge.stopped().isEmpty(), "a rollout in which every event fails was not stopped");
         row("stopped: " + edge.stopped());
         pressUntil(() -> has("lamp-3") == 0);
-        check(has("lamp-3") == 0, "lamp-3 was not taken back everywhere");
+        check(has("lamp-3") == 0, "lamp-3 was not rolled back everywhere");
         row("lamp-2 is back everywhere");
     }
 
-    /** Nobody presses any more: what is on its way arrives. */
+    /** Without further presses, waits until everything in progress has finished. */
     private void settle() {
         long[] seen = {-1};
         long[] since = {System.nanoTime()};
@@ -157,7 +157,7 @@ public final class Demo implements AutoCloseable {
         check(
                 edge.sequences() == edge.counts().commands,
                 "a command was lost: the lamps got " + edge.counts().commands + " of " + edge.sequences());
-        check(edge.elsewhere() == 0, edge.elsewhere() + " lamps are not in the states that the fleet has recorded");
+        check(edge.elsewhere() == 0, edge.elsewhere() + " lamps are in other states than the fleet shows");
         check(
                 edge.counts().switches == edge.counts().pressed,
                 "of " + edge.counts().pressed + " presses " + edge.counts().switches + " were decided");

@@ -34,8 +34,7 @@ import org.evoloop.statemachine.StateMachine;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Simulated lamps at a fleet's topics: what is pressed goes there, and what comes from there is carried out and
- * counted.
+ * Simulated lamps connected to a fleet's topics: publishes their presses, and carries out and counts the commands.
  *
  * <p>Threading: for one thread.
  */
@@ -54,7 +53,7 @@ final class Edge implements AutoCloseable {
     private String stopped = "";
     private volatile @Nullable Exception failure;
 
-    /** What happened since the demo began. */
+    /** The counts since the start of the demo. */
     static final class Counts {
         long pressed;
         long commands;
@@ -99,14 +98,14 @@ final class Edge implements AutoCloseable {
     }
 
     void write(Topic topic, String key, byte[] record) {
-        Future<RecordMetadata> told = producer.send(new ProducerRecord<>(topic.of(fleet), key, record), (at, cause) -> {
+        Future<RecordMetadata> sent = producer.send(new ProducerRecord<>(topic.of(fleet), key, record), (at, cause) -> {
             if (cause != null) {
                 failure = cause;
             }
         });
         Exception cause = failure;
         if (cause != null) {
-            throw new IllegalStateException("a record was not written: " + told, cause);
+            throw new IllegalStateException("a record was not written, " + sent, cause);
         }
     }
 
@@ -115,7 +114,7 @@ final class Edge implements AutoCloseable {
         producer.flush();
     }
 
-    /** Somebody operates the switch of a lamp. */
+    /** Operates the switch of a lamp. */
     void press(int lamp) {
         String id = ids.get(lamp);
         long now = nowNanos();
@@ -128,7 +127,7 @@ final class Edge implements AutoCloseable {
         counts.pressed++;
     }
 
-    /** Sees to what has come, for {@code limit} at most if nothing has. */
+    /** Handles new records; waits at most {@code limit} if there are none. */
     void poll(Duration limit) {
         for (ConsumerRecord<String, byte[]> record : consumer.poll(limit)) {
             SimulatedLamp lamp = lamps.get(record.key());
@@ -200,7 +199,7 @@ final class Edge implements AutoCloseable {
         return ids.size();
     }
 
-    /** How many lamps have which models. */
+    /** The number of lamps by model version. */
     Map<String, Integer> byModel() {
         Map<String, Integer> byModel = new TreeMap<>();
         lamps.values().forEach(lamp -> byModel.merge(lamp.model(), 1, Integer::sum));
@@ -208,27 +207,27 @@ final class Edge implements AutoCloseable {
         return byModel;
     }
 
-    /** How often a command has come twice. */
+    /** The number of commands received twice. */
     int repeated() {
         return lamps.values().stream().mapToInt(SimulatedLamp::repeated).sum();
     }
 
-    /** How many lamps are not in the states that the fleet has recorded. */
+    /** The number of lamps in another state than the fleet shows. */
     long elsewhere() {
         return lamps.values().stream().filter(lamp -> !lamp.isWhereItIsShown()).count();
     }
 
-    /** How many wait for a timer. */
+    /** The number of lamps that wait for a timer. */
     long waiting() {
         return lamps.values().stream().filter(SimulatedLamp::isWaiting).count();
     }
 
-    /** How many timers have fired before they were due. */
+    /** The number of timers that fired before they were due. */
     long early() {
         return lamps.values().stream().mapToLong(SimulatedLamp::early).sum();
     }
 
-    /** How many commands the fleet has given, as far as their numbers tell. */
+    /** The number of commands sent by the fleet, according to their sequence numbers. */
     long sequences() {
         return lamps.values().stream().mapToLong(SimulatedLamp::sequence).sum();
     }

@@ -33,7 +33,7 @@ public final class Presses implements AutoCloseable {
         edge.register("lamp");
     }
 
-    /** The time that each took until its command came. */
+    /** Presses each lamp once; returns the times until the commands arrived. */
     public Latencies pressEachOnce(int perSecond) {
         await(() -> edge.byModel().getOrDefault("lamp", 0) == edge.size());
         long begun = System.nanoTime();

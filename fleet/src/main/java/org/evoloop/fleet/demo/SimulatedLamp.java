@@ -9,7 +9,7 @@ import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
 import org.jspecify.annotations.Nullable;
 
-/** A lamp as it is: its original model moves it, and each command is carried out once, whatever the line repeats. */
+/** A simulated lamp: behaves as its original model, and carries out each command once, even if it is delivered twice. */
 final class SimulatedLamp {
     private final StateMachine machine;
     private State state;
@@ -60,7 +60,7 @@ final class SimulatedLamp {
         return new Answer(order.sequence(), Answer.Outcome.FAILED, reason, null, nowNanos);
     }
 
-    /** How the fleet has it: its models, and where it and the evolved system are. */
+    /** Sets what the fleet shows: its models, and the states of the lamp and the evolved system. */
     void shownAs(String version, String deviceState, String systemState) {
         model = version;
         shown = deviceState;
@@ -71,7 +71,7 @@ final class SimulatedLamp {
         return model;
     }
 
-    /** Whether the fleet has it where it is. */
+    /** Whether the fleet shows its actual state. */
     boolean isWhereItIsShown() {
         return shown.equals(state.name());
     }
@@ -84,34 +84,34 @@ final class SimulatedLamp {
         return lastSequence;
     }
 
-    /** Its switch is pressed; only when it is off, a command follows at once. */
+    /** Its switch is pressed; a command follows at once only if it is off. */
     void pressed(long nanos) {
         pressedNanos = system.equals("off") ? nanos : 0;
     }
 
-    /** When it was pressed, the first time that it is asked. */
+    /** Returns the time of the press once, then clears it. */
     long takePress() {
         long nanos = pressedNanos;
         pressedNanos = 0;
         return nanos;
     }
 
-    /** Whether the fleet waits for a timer of it. */
+    /** Whether one of its timers runs in the fleet. */
     boolean isWaiting() {
         return system.equals("wait");
     }
 
-    /** A timer of it is due then. */
+    /** One of its timers is due at {@code millis}. */
     void due(long millis) {
         deadlines.add(millis);
     }
 
-    /** A timer of it has fired. */
+    /** One of its timers has fired. */
     void fired(long millis) {
         firings.add(millis);
     }
 
-    /** How many timers have fired for which none was due since the one before. */
+    /** The number of timers that fired although none was due since the previous one. */
     long early() {
         long early = 0;
         long before = Long.MIN_VALUE;

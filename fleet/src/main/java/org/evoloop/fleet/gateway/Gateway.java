@@ -39,8 +39,8 @@ import org.slf4j.LoggerFactory;
 
 /**
  * Connects the devices of an MQTT broker to a fleet. Under {@code evoloop/DEVICE/} a device publishes on {@code
- * occurrence} and {@code effect}, and listens to {@code command}, {@code state} and {@code kept}; the payloads are the
- * fleet's records.
+ * occurrence} and {@code effect}, and subscribes to {@code command}, {@code state} and {@code kept}; the payloads are
+ * the fleet's records.
  *
  * <p>Lifecycle: {@link #start}, then {@link #close}.
  *
@@ -59,20 +59,20 @@ public final class Gateway implements AutoCloseable {
     private final String fleet;
     private final String name;
     private final Set<String> devices;
-    private final Consumer<String> teller;
+    private final Consumer<String> statusListener;
     private final BrokerConnection mqtt;
     private final Outbox outbox;
     private final Carried carried;
     private final CountDownLatch closing = new CountDownLatch(1);
     private final List<Thread> threads = new ArrayList<>();
-    private String told = "";
+    private String reported = "";
 
     /**
      * A gateway that is not started yet.
      *
      * @param name the name of this gateway, unique in the fleet
      * @param directory the directory for records that the fleet does not have yet
-     * @param teller receives changes of the links' status
+     * @param statusListener receives changes of the links' status
      */
     public Gateway(
             String bootstrap,
@@ -81,18 +81,18 @@ public final class Gateway implements AutoCloseable {
             BrokerAddress mqtt,
             Set<String> devices,
             Path directory,
-            Consumer<String> teller) {
+            Consumer<String> statusListener) {
         this.bootstrap = bootstrap;
         this.fleet = fleet;
         this.name = name;
         this.devices = Set.copyOf(devices);
-        this.teller = teller;
+        this.statusListener = statusListener;
         this.outbox = new Outbox(directory, 0);
         this.carried = new Carried(directory);
         this.mqtt = new BrokerConnection(mqtt, name);
         for (String device : devices) {
-            this.mqtt.subscribe(topic(device, "occurrence"), message -> keep(Topic.OCCURRENCES, device, message));
-            this.mqtt.subscribe(topic(device, "effect"), message -> keep(Topic.EFFECTS, device, message));
+            this.mqtt.subscribe(topic(device, "occurrence"), message -> store(Topic.OCCURRENCES, device, message));
+            this.mqtt.subscribe(topic(device, "effect"), message -> store(Topic.EFFECTS, device, message));
         }
     }
 
@@ -100,7 +100,7 @@ public final class Gateway implements AutoCloseable {
         return "evoloop/" + device + '/' + what;
     }
 
-    /** Starts; waits for neither broker. */
+    /** Starts without waiting for either broker. */
     public void start() {
         mqtt.open();
         threads.add(new Thread(this::sendAll, "gateway-" + name + "-sender"));
@@ -110,25 +110,25 @@ public final class Gateway implements AutoCloseable {
 
     // From the devices
 
-    /** What lacks its time has happened just now. */
-    private void keep(Topic topic, String device, Message message) {
+    /** Stores a record to be sent. A record without a time gets the current one. */
+    private void store(Topic topic, String device, Message message) {
         String payload = message.payload().strip();
         String record = payload.startsWith("{") && !payload.contains("\"atMillis\"")
                 ? "{\"atMillis\":" + System.currentTimeMillis() + ',' + payload.substring(1)
                 : payload;
         outbox.add(topic.name(), device, record);
-        kept(device, record);
+        acknowledge(device, record);
     }
 
-    /** A device that numbers what it tells learns that it need not tell it again. */
-    private void kept(String device, String record) {
+    /** Acknowledges a numbered record, so that the device need not send it again. */
+    private void acknowledge(String device, String record) {
         long number = number(record);
         if (number > 0) {
             mqtt.publish(Message.command(topic(device, "kept"), "{\"schema\":1,\"number\":" + number + '}'));
         }
     }
 
-    /** The number that the device has given it; 0 if it has given none, or the fleet makes a dead letter of it. */
+    /** The device's number of the record; 0 if it has none, or is invalid and will become a dead letter. */
     private static long number(String record) {
         try {
             return Reading.of(record.getBytes(StandardCharsets.UTF_8)).number("number", 0);
@@ -142,13 +142,13 @@ public final class Gateway implements AutoCloseable {
         while (isOpen()) {
             try (KafkaProducer<String, byte[]> producer = producer()) {
                 producer.initTransactions();
-                tell("Kafka can be reached; records waiting: " + outbox.size());
+                report("Kafka can be reached; records waiting: " + outbox.size());
                 while (isOpen()) {
                     send(producer, outbox.first(BATCH, POLL.toMillis()));
                 }
             } catch (KafkaException unreachable) {
-                tell("Kafka cannot be reached; the devices' messages are stored");
-                LOG.debug("the records keep waiting", unreachable);
+                report("Kafka is not reached; the devices' records are stored");
+                LOG.debug("the records remain stored", unreachable);
                 pause();
             } catch (InterruptedException closed) {
                 return;
@@ -156,7 +156,7 @@ public final class Gateway implements AutoCloseable {
         }
     }
 
-    /** All of them or none: were one lost and the next taken, the lost one would come too late. */
+    /** Sends all or none: if only a later record arrived, the earlier one would be taken for a repetition. */
     private void send(KafkaProducer<String, byte[]> producer, List<Outbox.Entry> batch) {
         if (batch.isEmpty()) {
             return;
@@ -225,7 +225,7 @@ public final class Gateway implements AutoCloseable {
                 carry(record.key(), order, Wire.text(record.value()));
             }
         } catch (Refusal unreadable) {
-            LOG.error("a command for {} is ignored: {}", record.key(), unreadable.detail());
+            LOG.error("a command for {} is skipped: {}", record.key(), unreadable.detail());
         }
     }
 
@@ -274,7 +274,7 @@ public final class Gateway implements AutoCloseable {
         return all;
     }
 
-    // How it is
+    // Status
 
     /** The number of records that wait for a connection to the fleet. */
     public int waiting() {
@@ -286,10 +286,10 @@ public final class Gateway implements AutoCloseable {
         return mqtt.isUp();
     }
 
-    private synchronized void tell(String how) {
-        if (!how.equals(told)) {
-            told = how;
-            teller.accept(how + "; MQTT: " + mqtt.describe());
+    private synchronized void report(String status) {
+        if (!status.equals(reported)) {
+            reported = status;
+            statusListener.accept(status + "; MQTT: " + mqtt.describe());
         }
     }
 

@@ -1,6 +1,6 @@
 /**
- * Between an MQTT broker, where devices are, and a fleet's topics: what devices tell is kept in files until the fleet
- * has it, and commands reach a device once. It may use {@code device}, {@code wire} and {@code stream}.
+ * Connects the devices of an MQTT broker to a fleet's topics: records from devices are stored in files until the fleet
+ * has them, and each command reaches its device once. It may use {@code device}, {@code wire} and {@code stream}.
  */
 @NullMarked
 package org.evoloop.fleet.gateway;

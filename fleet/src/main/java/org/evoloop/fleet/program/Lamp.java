@@ -29,7 +29,7 @@ public final class Lamp {
             return new ModelRecord(
                     "light-bulb.xml", Files.readString(file), "original", "new", timers, ModelRecord.QUEUE);
         } catch (NoSuchFileException e) {
-            throw new FleetException("the lamp's models are not where they should be: " + file);
+            throw new FleetException("the file of the lamp's models is missing: " + file);
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }

@@ -1,4 +1,4 @@
-/** What the fleet's programs have in common. It may use {@code stream} and {@code wire}. */
+/** Code shared by the fleet's programs. It may use {@code stream} and {@code wire}. */
 @NullMarked
 package org.evoloop.fleet.program;
 

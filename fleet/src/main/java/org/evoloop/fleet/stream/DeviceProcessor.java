@@ -91,7 +91,7 @@ final class DeviceProcessor implements Processor<String, byte[], String, byte[]>
         } catch (Refusal refusal) {
             refuse(record, from, refusal);
         } catch (RuntimeException defect) {
-            LOG.error("a record for {} could not be processed; this is a bug", record.key(), defect);
+            LOG.error("a record for {} could not be processed; this is a defect", record.key(), defect);
             refuse(record, from, new Refusal(Refusal.Reason.DEFECT, defect.toString()));
         }
     }
@@ -222,7 +222,7 @@ final class DeviceProcessor implements Processor<String, byte[], String, byte[]>
             device.due(Wire.nanos(nowMillis), clock.isWall());
             store(id, before, device, nowMillis);
         } catch (RuntimeException defect) {
-            LOG.error("a due timer or command of {} could not be handled; this is a bug", id, defect);
+            LOG.error("a due timer or command of {} could not be handled; this is a defect", id, defect);
         }
     }
 

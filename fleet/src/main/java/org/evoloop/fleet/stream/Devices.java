@@ -71,8 +71,7 @@ final class Devices {
             return DeviceStateText.read(
                     library.model(DeviceStateText.model(bytes)).rules(), bytes);
         } catch (SnapshotException | IllegalArgumentException e) {
-            throw new Refusal(
-                    Refusal.Reason.UNUSABLE_STATE, "the device's stored state cannot be read: " + e.getMessage());
+            throw new Refusal(Refusal.Reason.UNUSABLE_STATE, "the stored state of the device: " + e.getMessage());
         }
     }
 
@@ -94,7 +93,7 @@ final class Devices {
                 try {
                     consumer.accept(next.key, Device.dueNanos(read(next.value), patienceNanos));
                 } catch (Refusal refusal) {
-                    LOG.error("no timer of the device {} will fire: {}", next.key, refusal.detail());
+                    LOG.error("the timers of the device {} are not watched: {}", next.key, refusal.detail());
                 }
             }
         }

@@ -109,7 +109,7 @@ public final class FleetTopics implements AutoCloseable {
             if (partitions > 0 && each.getKey().isByDevice() && each.getValue() != partitions) {
                 problems.add("  " + each.getKey().of(fleet) + " has " + each.getValue() + " partitions, "
                         + Topic.OCCURRENCES.of(fleet) + " has " + partitions
-                        + "; all records of a device must be in the same partition");
+                        + "; these numbers must be equal");
             }
         }
         if (!problems.isEmpty()) {

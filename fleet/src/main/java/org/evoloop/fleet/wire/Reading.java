@@ -45,7 +45,7 @@ public final class Reading {
         try {
             node = bytes == null ? null : MAPPER.readTree(bytes);
         } catch (JacksonException e) {
-            throw malformed("it is not JSON: " + e.getOriginalMessage());
+            throw malformed("it is not valid JSON: " + e.getOriginalMessage());
         }
         if (node == null || !node.isObject()) {
             throw malformed("a JSON object was expected");

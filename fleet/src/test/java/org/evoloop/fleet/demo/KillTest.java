@@ -86,7 +86,7 @@ class KillTest {
         instance.onExit().thenAccept(ended -> startAgain(number, ended, bootstrap));
     }
 
-    /** As a service manager does with an instance that found no broker when it began, and has ended by itself. */
+    /** Restarts an instance that exited because it found no broker, as a service manager does. */
     private synchronized void startAgain(int number, Process ended, String bootstrap) {
         if (instances.get(number) == ended) {
             restarts++;
@@ -110,7 +110,7 @@ class KillTest {
                 directory.resolve("broker").toString(),
                 String.valueOf(port),
                 String.valueOf(controller));
-        // It answers once it is there.
+        // The call returns as soon as the broker runs.
         try (Admin admin = Admin.create(Map.of(
                 "bootstrap.servers", bootstrap, "default.api.timeout.ms", "120000", "request.timeout.ms", "5000"))) {
             admin.describeCluster().nodes().get(120, TimeUnit.SECONDS);

@@ -12,7 +12,7 @@ import org.evoloop.fleet.wire.ModelRecord;
 import org.evoloop.fleet.wire.Topic;
 import org.evoloop.statemachine.StateMachine;
 
-/** Lamps that are pressed while things go wrong, and what must hold of them afterwards. */
+/** Lamps that are pressed during failures, and the assertions that must hold afterwards. */
 final class PressedLamps implements AutoCloseable {
     private static final Duration LIMIT = Duration.ofMinutes(4);
 
@@ -34,7 +34,7 @@ final class PressedLamps implements AutoCloseable {
         await(() -> edge.byModel().getOrDefault("lamp-1", 0) == edge.size());
     }
 
-    /** So many presses, one after the other. */
+    /** Presses {@code times} times, one after the other. */
     void press(int times) {
         for (int each = 0; each < times; each++) {
             edge.press(random.nextInt(edge.size()));
@@ -46,12 +46,12 @@ final class PressedLamps implements AutoCloseable {
         return edge.counts().pressed;
     }
 
-    /** Waits until so many presses are decided. */
+    /** Waits until {@code presses} presses are decided. */
     void awaitDecided(long presses) {
         await(() -> edge.counts().switches >= presses);
     }
 
-    /** Waits until all has arrived that must, and looks at what did. */
+    /** Waits until all expected records have arrived, and checks them. */
     void settle() {
         await(() -> edge.counts().switches >= edge.counts().pressed && edge.elsewhere() == 0 && edge.waiting() == 0);
         assertThat(edge.counts().switches).as("each press is decided once").isEqualTo(edge.counts().pressed);

@@ -13,7 +13,7 @@ import org.evoloop.fleet.stream.FleetSettings;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Three instances of which now one leaves and now one comes, while lamps are pressed. */
+/** Instances of a fleet leave and join while lamps are pressed. */
 class RebalanceTest {
     @TempDir
     private Path directory;

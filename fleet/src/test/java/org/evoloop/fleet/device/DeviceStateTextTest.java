@@ -15,14 +15,14 @@ import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.junit.jupiter.api.Test;
 
-/** What is kept of a device goes through text unchanged, whatever it is in the middle of. */
+/** A device's state is the same after writing and reading it, whatever is in progress. */
 class DeviceStateTextTest {
     private static final long PATIENCE = 1_000_000_000L;
 
     private final Model lamp = ModelRecord.read("lamp-1", Models.LAMP.bytes());
-    private final Device device = new Device(lamp, PATIENCE, new Deaf(), 1);
+    private final Device device = new Device(lamp, PATIENCE, new IgnoringListener(), 1);
 
-    private static final class Deaf implements DeviceListener {
+    private static final class IgnoringListener implements DeviceListener {
         @Override
         public void ordered(Order order) {}
 
@@ -34,7 +34,7 @@ class DeviceStateTextTest {
     }
 
     @Test
-    void whatIsWrittenIsReadAgain() {
+    void readingReturnsWhatWasWritten() {
         assertUnchanged();
         press(10);
         assertThat(device.state().open()).isNotNull();
@@ -63,7 +63,7 @@ class DeviceStateTextTest {
     }
 
     @Test
-    void anotherTextIsRefused() {
+    void otherTextsAreRejected() {
         assertThatThrownBy(() -> DeviceStateText.model("nothing\n".getBytes(StandardCharsets.UTF_8)))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("evoloop-device 1");

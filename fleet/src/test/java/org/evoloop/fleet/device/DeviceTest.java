@@ -15,7 +15,7 @@ import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.junit.jupiter.api.Test;
 
-/** The converter of one device, told one thing after the other. */
+/** The converter of one device, with one input after the other. */
 class DeviceTest implements DeviceListener {
     private static final long SECOND = 1_000_000_000L;
 
@@ -62,7 +62,7 @@ class DeviceTest implements DeviceListener {
     }
 
     @Test
-    void aPressThatIsKnownLateStillComesBeforeATimerThatWasNotToldYet() {
+    void aPressThatArrivesLateIsHandledBeforeATimerThatHasNotFiredYet() {
         waiting();
         press(5 * SECOND);
         assertThat(device.state().snapshot().at().evolved()).isEqualTo(new State("incandescentOn"));
@@ -83,7 +83,7 @@ class DeviceTest implements DeviceListener {
     }
 
     @Test
-    void anAnswerOfALaterTimeFindsTheOrderGivenUpEvenIfNobodyHasLookedAtTheClock() {
+    void anAnswerAfterTheLimitFindsTheOrderGivenUpEvenWithoutATickInBetween() {
         press(2 * SECOND);
         answer(1, Answer.Outcome.SENT, 62 * SECOND);
         assertThat(orders).extracting(Order::kind).containsExactly(Order.Kind.SEND, Order.Kind.LOCATE);

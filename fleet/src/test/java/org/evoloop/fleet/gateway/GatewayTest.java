@@ -22,7 +22,7 @@ import org.evoloop.mqtt.Mosquitto;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** A lamp at a real MQTT broker, in a fleet at a real Kafka broker, which is away for a while. */
+/** A lamp at a real MQTT broker, in a fleet at a real Kafka broker, which is unavailable for a while. */
 class GatewayTest {
     private static final String FLEET = "bridged";
     private static final Duration LIMIT = Duration.ofSeconds(90);
@@ -31,10 +31,10 @@ class GatewayTest {
     private Path directory;
 
     private final List<String> commands = new CopyOnWriteArrayList<>();
-    private final List<String> told = new CopyOnWriteArrayList<>();
+    private final List<String> statuses = new CopyOnWriteArrayList<>();
 
     @Test
-    void whatTheLampTellsWhileKafkaIsAwayIsKeptAndComesInOrder() throws Exception {
+    void recordsOfTheLampAreStoredWhileKafkaIsUnavailableAndSentInOrder() throws Exception {
         int port = LocalBroker.freePort();
         int controller = LocalBroker.freePort();
         Path kafka = directory.resolve("kafka");
@@ -58,19 +58,19 @@ class GatewayTest {
                 press(lamp);
                 cluster.readUntil(all -> all.of(Topic.DECISIONS, "lamp").size() == 1);
                 assertThat(commands).hasSize(1);
-                assertThat(cluster.told().of(Topic.DECISIONS, "lamp").get(0))
+                assertThat(cluster.records().of(Topic.DECISIONS, "lamp").get(0))
                         .contains("handled", "\"system\":\"on\"}}");
-                // Kafka goes away; two presses within two seconds are the second light, whenever that gets known.
+                // Kafka stops; two presses within two seconds switch on the second light, even if they arrive later.
                 broker.close();
                 press(lamp);
                 press(lamp);
                 Awaitility.await().atMost(LIMIT).until(() -> gateway.waiting() == 2);
                 broker = LocalBroker.start(kafka, port, controller);
                 cluster.readUntil(all -> all.of(Topic.DECISIONS, "lamp").size() == 3);
-                assertThat(cluster.told().of(Topic.DECISIONS, "lamp").get(2)).contains("incandescentOn");
+                assertThat(cluster.records().of(Topic.DECISIONS, "lamp").get(2)).contains("incandescentOn");
                 Awaitility.await().atMost(LIMIT).until(() -> gateway.waiting() == 0);
                 assertThat(commands).hasSize(1);
-                assertThat(told.get(0)).contains("Kafka can be reached");
+                assertThat(statuses.get(0)).contains("Kafka can be reached");
             }
         } finally {
             broker.close();
@@ -79,10 +79,11 @@ class GatewayTest {
 
     private Gateway gateway(String bootstrap, Mosquitto mosquitto) {
         BrokerAddress address = BrokerAddress.parse("mqtt://127.0.0.1:" + mosquitto.port());
-        return new Gateway(bootstrap, FLEET, "house", address, Set.of("lamp"), directory.resolve("journal"), told::add);
+        return new Gateway(
+                bootstrap, FLEET, "house", address, Set.of("lamp"), directory.resolve("journal"), statuses::add);
     }
 
-    /** It does what it is told, and says so. */
+    /** Carries out each command, and reports it. */
     private BrokerConnection lamp(Mosquitto mosquitto) {
         BrokerConnection lamp =
                 new BrokerConnection(BrokerAddress.parse("mqtt://127.0.0.1:" + mosquitto.port()), "the-lamp");

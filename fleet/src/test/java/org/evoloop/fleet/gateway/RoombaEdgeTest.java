@@ -58,7 +58,7 @@ class RoombaEdgeTest {
             Process gateway = gateway(cluster, mosquitto);
             Process edge = edge(mosquitto, "60");
 
-            // The robot acts by itself, and the fleet follows; then it is under control, and the fleet decides.
+            // First the robot acts by itself and the fleet follows; then it is under control and the fleet decides.
             awaitLog("edge-2", "the gateway's broker can be reached");
             roomba.press(Button.CLEAN);
             awaitState(cluster, "On", "On");
@@ -68,19 +68,19 @@ class RoombaEdgeTest {
             roomba.until(robot -> robot.activity() == RobotActivity.CLEAN);
             assertThat(sent(cluster)).containsExactly("Clean");
 
-            // The gateway is killed; what is pressed meanwhile comes when it is back.
+            // The gateway is killed; presses in the meantime arrive after its restart.
             kill(gateway);
             roomba.press(Button.CLEAN);
             roomba.until(robot -> robot.activity() == RobotActivity.ON);
             gateway(cluster, mosquitto);
             awaitState(cluster, "On", "SpotWait");
 
-            // The edge is killed; the function of the new state begins again, and ends the state.
+            // The edge is killed; the new state's function restarts, and ends the state.
             kill(edge);
             edge(mosquitto, "1");
             awaitState(cluster, "On", "On");
 
-            // Move runs at the robot, and has it clean where it arrives.
+            // Move runs at the robot, which cleans where it arrives.
             roomba.until(robot -> robot.oiMode() == OiMode.SAFE);
             roomba.press(Button.SPOT);
             awaitState(cluster, "On", "Move");
@@ -92,7 +92,7 @@ class RoombaEdgeTest {
             assertThat(decided(cluster))
                     .endsWith("Clean", "Clean", "timeout", "Spot", "arriveSpot")
                     .hasSizeBetween(5, 6);
-            assertThat(cluster.told().of(Topic.DEAD_LETTERS)).isEmpty();
+            assertThat(cluster.records().of(Topic.DEAD_LETTERS)).isEmpty();
         }
     }
 
@@ -101,8 +101,8 @@ class RoombaEdgeTest {
     }
 
     private static void awaitState(Cluster cluster, String device, String system) {
-        cluster.readUntil(told -> {
-            List<String> states = told.of(Topic.STATES, ROBOT);
+        cluster.readUntil(records -> {
+            List<String> states = records.of(Topic.STATES, ROBOT);
             return !states.isEmpty()
                     && states.get(states.size() - 1)
                             .contains("\"device\":\"" + device + "\",\"system\":\"" + system + "\"");
@@ -110,16 +110,16 @@ class RoombaEdgeTest {
     }
 
     private static List<String> sent(Cluster cluster) {
-        return cluster.told().of(Topic.COMMANDS, ROBOT).stream()
+        return cluster.records().of(Topic.COMMANDS, ROBOT).stream()
                 .map(record -> Reading.of(record.getBytes(StandardCharsets.UTF_8)))
                 .filter(record -> record.text("kind").equals("send"))
                 .map(record -> record.text("event"))
                 .toList();
     }
 
-    /** What was pressed or raised and came to an end; where the robot was found is beside the point. */
+    /** The handled events that were pressed or raised, without the states in which the robot was found. */
     private static List<String> decided(Cluster cluster) {
-        return cluster.told().of(Topic.DECISIONS, ROBOT).stream()
+        return cluster.records().of(Topic.DECISIONS, ROBOT).stream()
                 .map(record -> Reading.of(record.getBytes(StandardCharsets.UTF_8)))
                 .filter(record -> record.text("outcome").equals("handled"))
                 .map(record -> record.text("occurrence"))

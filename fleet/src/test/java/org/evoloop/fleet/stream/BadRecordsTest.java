@@ -12,7 +12,7 @@ import org.evoloop.fleet.wire.Wire;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What cannot be taken becomes a dead letter with its reason, and is in nobody's way. */
+/** A record that cannot be processed becomes a dead letter with its reason, and does not block others. */
 class BadRecordsTest {
     @TempDir
     private Path directory;
@@ -24,7 +24,7 @@ class BadRecordsTest {
             fleet.register("good", "lamp-1");
             long now = RunningFleet.nowNanos();
             long hour = 3_600_000_000_000L;
-            bad(fleet, "a", Topic.OCCURRENCES, "{\"schema\":1,", "malformed", "not JSON");
+            bad(fleet, "a", Topic.OCCURRENCES, "{\"schema\":1,", "malformed", "not valid JSON");
             bad(fleet, "b", Topic.OCCURRENCES, "[1]", "malformed", "a JSON object was expected");
             bad(fleet, "c", Topic.OCCURRENCES, "{\"schema\":2}", "newer-schema", "update it first");
             bad(fleet, "d", Topic.OCCURRENCES, Wire.text(RunningFleet.press(now)), "unknown-device", "no device d");
@@ -42,17 +42,19 @@ class BadRecordsTest {
             bad(fleet, "good", Topic.DEVICES, "{\"schema\":1,\"model\":\"other\"}", "registered-already", "a rollout");
             fleet.press("good");
             fleet.answer("good", 1, Answer.Outcome.SENT);
-            fleet.cluster.readUntil(told -> told.of(Topic.DECISIONS, "good").size() == 1);
-            assertThat(fleet.cluster.told().of(Topic.DECISIONS, "good").get(0)).contains("\"outcome\":\"handled\"");
+            fleet.cluster.readUntil(
+                    records -> records.of(Topic.DECISIONS, "good").size() == 1);
+            assertThat(fleet.cluster.records().of(Topic.DECISIONS, "good").get(0))
+                    .contains("\"outcome\":\"handled\"");
         }
     }
 
     private static void bad(
             RunningFleet fleet, String device, Topic topic, String record, String reason, String detail) {
-        int before = fleet.cluster.told().of(Topic.DEAD_LETTERS, device).size();
+        int before = fleet.cluster.records().of(Topic.DEAD_LETTERS, device).size();
         fleet.cluster.write(topic, device, record.getBytes(StandardCharsets.UTF_8));
         List<String> letters = fleet.cluster
-                .readUntil(told -> told.of(Topic.DEAD_LETTERS, device).size() > before)
+                .readUntil(records -> records.of(Topic.DEAD_LETTERS, device).size() > before)
                 .of(Topic.DEAD_LETTERS, device);
         assertThat(letters.get(before))
                 .contains("\"reason\":\"" + reason + "\"")

@@ -10,10 +10,10 @@ import org.apache.kafka.clients.admin.NewTopic;
 import org.evoloop.fleet.Brokers;
 import org.junit.jupiter.api.Test;
 
-/** Topics that are missing or do not fit together are named, all of them at once. */
+/** Topics that are missing or do not fit together are all named in one message. */
 class FleetTopicsTest {
     @Test
-    void whatIsMissingOrDoesNotFitIsNamed() throws Exception {
+    void missingAndMismatchedTopicsAreNamed() throws Exception {
         String fleet = Brokers.freshFleet();
         try (FleetTopics topics = new FleetTopics(Brokers.shared(), fleet)) {
             assertThatThrownBy(topics::check)
@@ -37,7 +37,7 @@ class FleetTopicsTest {
     }
 
     @Test
-    void whatIsNoAddressIsSaidToBeNone() {
+    void anInvalidAddressIsReported() {
         assertThatThrownBy(() -> new FleetTopics("nowhere", "x"))
                 .isInstanceOf(FleetException.class)
                 .hasMessageContaining("'nowhere' is not the address of a Kafka broker");

@@ -13,7 +13,7 @@ import org.evoloop.fleet.wire.Topic;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Other models take over by share, and lead back when too much goes wrong. */
+/** Rollouts switch a share of the devices to other models, and are rolled back after too many failures. */
 class RolloutTest {
     private static final List<String> DEVICES =
             IntStream.range(0, 40).mapToObj(each -> "lamp-" + each).toList();
@@ -22,7 +22,7 @@ class RolloutTest {
     private Path directory;
 
     @Test
-    void aRolloutTakesInItsShareAndStopsByItself() throws Exception {
+    void aRolloutIncludesItsShareAndStopsByItself() throws Exception {
         Rollout half = new Rollout("to-2", "lamp-1", "lamp-2", 50, "", 10, 4, "");
         List<String> taken = DEVICES.stream().filter(half::takesIn).toList();
         assertThat(taken.size()).isBetween(8, 32);
@@ -31,29 +31,30 @@ class RolloutTest {
             fleet.publish("lamp-2", Models.lamp(1_000).bytes());
             DEVICES.forEach(device -> fleet.register(device, "lamp-1"));
             fleet.cluster.write(Topic.ROLLOUTS, half.name(), half.bytes());
-            // Idle devices take part as well: nothing has happened at them.
-            fleet.cluster.readUntil(told -> taken.stream().allMatch(device -> has(told, device, "lamp-2")));
+            // Idle devices, for which there were no records, are included.
+            fleet.cluster.readUntil(records -> taken.stream().allMatch(device -> has(records, device, "lamp-2")));
             List<String> others =
                     DEVICES.stream().filter(device -> !half.takesIn(device)).toList();
-            assertThat(others).allMatch(device -> has(fleet.cluster.told(), device, "lamp-1"));
+            assertThat(others).allMatch(device -> has(fleet.cluster.records(), device, "lamp-1"));
             for (String device : taken.subList(0, 5)) {
                 fleet.press(device);
                 fleet.answer(device, 1, Answer.Outcome.FAILED);
             }
-            fleet.cluster.readUntil(told -> told.of(Topic.ROLLOUTS, half.name()).size() == 2);
-            assertThat(fleet.cluster.told().of(Topic.ROLLOUTS, half.name()).get(1))
+            fleet.cluster.readUntil(
+                    records -> records.of(Topic.ROLLOUTS, half.name()).size() == 2);
+            assertThat(fleet.cluster.records().of(Topic.ROLLOUTS, half.name()).get(1))
                     .containsPattern("\"stopped\":\"\\d of \\d were failures or divergences, more than 10.0 %\"");
-            fleet.cluster.readUntil(told -> DEVICES.stream().allMatch(device -> has(told, device, "lamp-1")));
+            fleet.cluster.readUntil(records -> DEVICES.stream().allMatch(device -> has(records, device, "lamp-1")));
         }
     }
 
-    private static boolean has(TopicRecords told, String device, String model) {
-        List<String> states = told.of(Topic.STATES, device);
+    private static boolean has(TopicRecords records, String device, String model) {
+        List<String> states = records.of(Topic.STATES, device);
         return states.get(states.size() - 1).contains("\"model\":\"" + model + "\"");
     }
 
     @Test
-    void aGreaterShareTakesInAllOfTheSmaller() {
+    void aGreaterShareIncludesAllDevicesOfASmallerOne() {
         Rollout one = new Rollout("x", "a", "b", 1, "", 5, 20, "");
         List<String> many =
                 IntStream.range(0, 20_000).mapToObj(each -> "d" + each).toList();

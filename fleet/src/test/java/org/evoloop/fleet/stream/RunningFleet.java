@@ -15,7 +15,7 @@ import org.evoloop.fleet.wire.Topic;
 import org.evoloop.fleet.wire.Wire;
 import org.evoloop.statemachine.Event;
 
-/** A fleet of one instance that runs by the wall clock, with its topics. */
+/** A fleet of one instance with the wall clock, and its topics. */
 final class RunningFleet implements AutoCloseable {
     final Cluster cluster;
     private final FleetSettings settings;
@@ -39,28 +39,28 @@ final class RunningFleet implements AutoCloseable {
         return next;
     }
 
-    /** Another instance, which has nothing on its disk, takes the place of this one. */
+    /** Replaces this instance by another with an empty disk. */
     void restart(Path directory) throws Exception {
         fleet.close();
         fleet = started(directory);
     }
 
-    /** Publishes models, and waits until a device can have them. */
+    /** Publishes models, and waits until devices can use them. */
     void publish(String version, byte[] record) {
         cluster.write(Topic.MODELS, version, record);
         cluster.flush();
         String probe = "probe-" + version;
-        // What is published reaches the instances a moment later; nobody is told when.
+        // Published models reach the instances a little later, without notice; a probe shows when.
         do {
             cluster.write(Topic.DEVICES, probe, Wire.device(version));
-            int before = cluster.told().size();
-            cluster.readUntil(told -> told.size() > before);
-        } while (cluster.told().of(Topic.STATES, probe).isEmpty());
+            int before = cluster.records().size();
+            cluster.readUntil(records -> records.size() > before);
+        } while (cluster.records().of(Topic.STATES, probe).isEmpty());
     }
 
     void register(String device, String version) {
         cluster.write(Topic.DEVICES, device, Wire.device(version));
-        cluster.readUntil(told -> !told.of(Topic.STATES, device).isEmpty());
+        cluster.readUntil(records -> !records.of(Topic.STATES, device).isEmpty());
     }
 
     static long nowNanos() {
@@ -78,9 +78,9 @@ final class RunningFleet implements AutoCloseable {
         cluster.write(Topic.OCCURRENCES, device, press(nowNanos()));
     }
 
-    /** Waits for the command of this number, and answers it. */
+    /** Waits for the command with this sequence number, and answers it. */
     void answer(String device, int sequence, Answer.Outcome outcome) {
-        cluster.readUntil(told -> told.of(Topic.COMMANDS, device).size() >= sequence);
+        cluster.readUntil(records -> records.of(Topic.COMMANDS, device).size() >= sequence);
         Answer answer = new Answer(sequence, outcome, "as the test wants it", null, nowNanos());
         cluster.write(Topic.EFFECTS, device, Wire.effect(answer));
     }

@@ -15,19 +15,19 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** At a real broker each device says what its core says alone, byte for byte. */
+/** With a real broker each device writes the same records as its core alone, byte for byte. */
 class SameAsAloneTest {
     @TempDir
     private Path directory;
 
     @Test
-    void whatDevicesSayIsWhatTheirCoresSayAlone() throws Exception {
+    void devicesWriteTheSameRecordsAsTheirCoresAlone() throws Exception {
         compare(200, 30, 4);
     }
 
     @Test
     @Tag("slow")
-    void soItIsForTenThousandRandomSequences() throws Exception {
+    void tenThousandRandomSequencesGiveTheSameRecords() throws Exception {
         compare(10_000, 20, 8);
     }
 
@@ -41,7 +41,7 @@ class SameAsAloneTest {
             story.entries()
                     .forEach(entry -> cluster.write(entry.topic(), entry.device(), entry.record(), entry.atMillis()));
             cluster.flush();
-            TopicRecords expected = story.toldAt(cluster);
+            TopicRecords expected = story.recordsAt(cluster);
             FleetSettings settings = FleetSettings.defaults()
                     .withFleet(cluster.fleet())
                     .withStateDirectory(directory)
@@ -49,13 +49,14 @@ class SameAsAloneTest {
             try (Fleet fleet = new Fleet(Brokers.shared(), settings)) {
                 fleet.start();
                 assertThat(fleet.awaitRunning(Duration.ofMinutes(1))).isTrue();
-                cluster.readUntil(told -> told.size() >= expected.size());
+                cluster.readUntil(records -> records.size() >= expected.size());
             }
             cluster.read(Duration.ofMillis(500));
             expected.all()
                     .forEach((key, records) ->
-                            assertThat(cluster.told().all().get(key)).as(key).isEqualTo(records));
-            assertThat(cluster.told().all().keySet()).isEqualTo(expected.all().keySet());
+                            assertThat(cluster.records().all().get(key)).as(key).isEqualTo(records));
+            assertThat(cluster.records().all().keySet())
+                    .isEqualTo(expected.all().keySet());
         }
     }
 }

@@ -23,21 +23,21 @@ import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 
 /**
- * What happens at some devices at random, and what each one's core says to that when it is told alone in this JVM:
- * never written down and read again, never in a store.
+ * Random records of some devices, and the expected results: those of each device's core alone in this JVM, without
+ * serialization or a store.
  */
 final class Story {
     static final long BEGIN = 1_000_000;
     private static final long PATIENCE_NANOS = 30_000_000_000L;
 
-    /** What is written to a topic. */
+    /** A record written to a topic. */
     record Entry(Topic topic, String device, byte[] record, long atMillis) {}
 
     private final Random random;
     private final Model model;
     private final List<Entry> entries = new ArrayList<>();
     private final Map<String, Alone> devices = new LinkedHashMap<>();
-    private final TopicRecords told = new TopicRecords();
+    private final TopicRecords expected = new TopicRecords();
     private long nowMillis = BEGIN;
 
     private final class Alone {
@@ -50,11 +50,11 @@ final class Story {
             this.id = id;
             letters.begin(model.version(), null);
             this.device = new Device(model, PATIENCE_NANOS, letters, Wire.nanos(nowMillis));
-            said();
+            collect();
         }
 
-        void said() {
-            letters.all().forEach(letter -> told.add(letter.topic(), id, letter.text()));
+        void collect() {
+            letters.all().forEach(letter -> expected.add(letter.topic(), id, letter.text()));
             letters.begin(model.version(), device.state());
         }
     }
@@ -70,7 +70,7 @@ final class Story {
         }
         List<Alone> all = List.copyOf(this.devices.values());
         for (int step = 0; step < steps * devices; step++) {
-            // Each device has something to tell every few seconds, and now and then nothing for long.
+            // Each device has a record every few seconds, and sometimes a long pause.
             tick(devices > 1_000 ? 1 : 1 + random.nextInt(random.nextInt(10) == 0 ? 200 : 20));
             happen(all.get(random.nextInt(devices)));
         }
@@ -88,14 +88,14 @@ final class Story {
             alone.device.answered(answer);
         } else {
             Occurrence occurrence = occurrence(state);
-            // Now and then a gateway repeats itself.
+            // Sometimes a gateway repeats a record.
             long number = random.nextInt(8) == 0 ? alone.number : ++alone.number;
             entries.add(new Entry(Topic.OCCURRENCES, alone.id, Wire.occurrence(occurrence, number), nowMillis));
             if (alone.device.isNews(number)) {
                 alone.device.observed(occurrence);
             }
         }
-        alone.said();
+        alone.collect();
     }
 
     private Answer answer(DeviceState state) {
@@ -103,7 +103,7 @@ final class Story {
         Answer.Outcome outcome =
                 dice < 85 ? Answer.Outcome.SENT : dice < 93 ? Answer.Outcome.FAILED : Answer.Outcome.IN_DOUBT;
         State found = state.open().kind() == Order.Kind.LOCATE ? deviceState() : null;
-        // Some answer what was answered long ago.
+        // Some answers are for an order that was already given up.
         long sequence = random.nextInt(12) == 0 && state.lost() != null
                 ? state.lost().sequence()
                 : state.open().sequence();
@@ -143,14 +143,14 @@ final class Story {
         return entries;
     }
 
-    /** What is due by the last record of each device's partition is due here, too. */
-    TopicRecords toldAt(Cluster cluster) {
+    /** The expected records, with everything due by the time of the last record of each device's partition. */
+    TopicRecords recordsAt(Cluster cluster) {
         Map<Integer, Long> last = new LinkedHashMap<>();
         entries.forEach(entry -> last.merge(cluster.partitionOf(entry.device), entry.atMillis, Math::max));
         devices.forEach((id, alone) -> {
             alone.device.due(Wire.nanos(last.get(cluster.partitionOf(id))));
-            alone.said();
+            alone.collect();
         });
-        return told;
+        return expected;
     }
 }

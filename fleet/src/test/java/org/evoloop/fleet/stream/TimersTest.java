@@ -13,7 +13,7 @@ import org.evoloop.fleet.wire.Wire;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Timers are due by the wall clock, and devices with different models stand side by side. */
+/** Timers use the wall clock, and devices with different models run side by side. */
 class TimersTest {
     @TempDir
     private Path directory;
@@ -31,7 +31,7 @@ class TimersTest {
             long pressed = RunningFleet.nowNanos();
             devices.forEach(fleet::press);
             for (String device : devices) {
-                // The timer leads to a command by itself.
+                // The timer alone causes a command.
                 fleet.answer(device, 2, Answer.Outcome.SENT);
                 String timeout = await(fleet, Topic.DECISIONS, device, "\"source\":\"timer\"");
                 long fired = reading(timeout).number("atMillis") - Wire.millis(pressed);
@@ -44,7 +44,7 @@ class TimersTest {
     private static String await(RunningFleet fleet, Topic topic, String device, String part) {
         return fleet
                 .cluster
-                .readUntil(told -> told.of(topic, device).stream().anyMatch(record -> record.contains(part)))
+                .readUntil(records -> records.of(topic, device).stream().anyMatch(record -> record.contains(part)))
                 .of(topic, device)
                 .stream()
                 .filter(record -> record.contains(part))
@@ -65,7 +65,7 @@ class TimersTest {
             fleet.press("lamp");
             fleet.answer("lamp", 1, Answer.Outcome.SENT);
             await(fleet, Topic.DECISIONS, "lamp", "\"system\":\"on\"}}");
-            // As if it had been pressed a moment ago, and the timer were due already when that is known.
+            // A press in the recent past, whose timer is already due when the record arrives.
             fleet.cluster.write(Topic.OCCURRENCES, "lamp", RunningFleet.press(RunningFleet.nowNanos()));
             await(fleet, Topic.STATES, "lamp", "timersMillis");
             fleet.restart(second);

@@ -12,7 +12,7 @@ import java.util.Set;
  * @since 0.1
  */
 public sealed interface ActuatorCommand extends Command {
-    /** Of a wheel on the floor. */
+    /** The highest speed of a wheel on the floor. */
     int FASTEST_MM_PER_S = 500;
 
     /**
@@ -23,7 +23,7 @@ public sealed interface ActuatorCommand extends Command {
      *     spin in place; 32767 and -32768 drive straight
      */
     record Drive(int velocityMmPerS, int radiusMm) implements ActuatorCommand {
-        /** The radius of a straight line; the robot takes -32768 for the same. */
+        /** The radius of a straight line; -32768 has the same effect. */
         public static final int STRAIGHT = 32767;
 
         /** The radius that spins in place, to the left. */
@@ -255,14 +255,14 @@ public sealed interface ActuatorCommand extends Command {
      * Stores a song under a number.
      *
      * @param number 0 to 4
-     * @param notes 1 to 255; the specification allows {@value #NOTES_PER_SONG}, and robots let more spill over into the
-     *     songs that follow
+     * @param notes 1 to 255; the specification allows {@value #NOTES_PER_SONG}; with more, robots overwrite the songs
+     *     that follow
      */
     record Song(int number, List<Note> notes) implements ActuatorCommand {
-        /** How many songs a robot holds. */
+        /** The number of songs that a robot stores. */
         public static final int SONGS = 5;
 
-        /** What a robot has room for under each number. */
+        /** The number of notes that a robot stores for each song. */
         public static final int NOTES_PER_SONG = 16;
 
         /**

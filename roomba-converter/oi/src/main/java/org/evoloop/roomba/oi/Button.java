@@ -12,7 +12,7 @@ import java.util.Set;
 public enum Button {
     /** Cleans, or wakes the robot. */
     CLEAN(0),
-    /** Cleans where the robot stands. */
+    /** Cleans the spot where the robot is. */
     SPOT(1),
     /** Sends the robot to its dock. */
     DOCK(2),
@@ -43,7 +43,7 @@ public enum Button {
         return Bytes.hasBit(bits, bit);
     }
 
-    /** The buttons whose bits are set; a set of the caller's own. */
+    /** The buttons whose bits are set, as a new set. */
     public static Set<Button> fromBits(int bits) {
         Set<Button> buttons = EnumSet.noneOf(Button.class);
         for (Button button : values()) {

@@ -4,7 +4,7 @@ package org.evoloop.roomba.oi;
 final class Bytes {
     private Bytes() {}
 
-    /** The opcode and its data octets; of each number the low eight bits count. */
+    /** The opcode and its data octets: the low eight bits of each number. */
     static byte[] of(Opcode opcode, int... data) {
         byte[] bytes = new byte[1 + data.length];
         bytes[0] = (byte) opcode.code();

@@ -10,7 +10,7 @@ import java.util.Optional;
 public enum ChargingState {
     /** No current flows into the battery. */
     NOT_CHARGING(0),
-    /** Charges a battery that was flat for long, which takes hours. */
+    /** Charges a battery that was empty for a long time, which takes hours. */
     RECONDITIONING(1),
     /** Charges as fast as it can. */
     FULL_CHARGING(2),

@@ -40,12 +40,12 @@ public sealed interface Command
         return Opcode.of(this);
     }
 
-    /** The opcode and its data as they go over the wire; an array of the caller's own. */
+    /** The opcode and its data as they are sent, in a new array. */
     default byte[] bytes() {
         return Bytes.of(opcode());
     }
 
-    /** As if the battery were pulled: any mode to {@link OiMode#OFF}; the robot prints its boot text. */
+    /** Like removing the battery: any mode to {@link OiMode#OFF}; the robot prints its boot text. */
     record Reset() implements Command {}
 
     /** Any mode to {@link OiMode#PASSIVE}. */
@@ -102,7 +102,7 @@ public sealed interface Command
     }
 
     /**
-     * When the robot shall clean by itself, once a week on each of the days.
+     * Sets when the robot cleans by itself, once a week on each of the days.
      *
      * @param times to the minute; empty switches the schedule off
      */

@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
-/** From an opcode and its data bytes to the command; the counterpart of {@link Command#bytes()}. */
+/** Decodes a command from its opcode and data bytes; the inverse of {@link Command#bytes()}. */
 final class CommandDecoder {
     private CommandDecoder() {}
 
@@ -59,7 +59,7 @@ final class CommandDecoder {
         };
     }
 
-    /** The wheel command that comes nearest to one out of its range; null for other commands. */
+    /** The valid wheel command nearest to one out of its range; null for other commands. */
     static @Nullable Command nearest(Opcode opcode, byte[] data) {
         return switch (opcode) {
             case DRIVE -> ActuatorCommand.Drive.nearest(Bytes.signed16(data, 0), Bytes.signed16(data, 2));

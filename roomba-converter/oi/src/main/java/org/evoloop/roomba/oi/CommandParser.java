@@ -32,7 +32,7 @@ public final class CommandParser {
         record Malformed(
                 Opcode opcode, String reason, @Nullable Command nearest) implements Parsed {}
 
-        /** A byte where an opcode should be, and is none. */
+        /** A byte in the place of an opcode that is not a known opcode. */
         record UnknownOpcode(int opcode) implements Parsed {}
     }
 
@@ -47,14 +47,14 @@ public final class CommandParser {
         this.consumer = consumer;
     }
 
-    /** Takes {@code count} bytes from {@code offset} on. */
+    /** Parses {@code count} bytes from {@code offset} on. */
     public void feed(byte[] bytes, int offset, int count) {
         for (int i = offset; i < offset + count; i++) {
             feed(bytes[i]);
         }
     }
 
-    /** Takes one byte. */
+    /** Parses one byte. */
     public void feed(byte octet) {
         Opcode current = opcode;
         if (skipNext) {

@@ -4,7 +4,7 @@ import java.util.List;
 
 /**
  * A command that asks for sensor packets (specification, "Input Commands"). The replies to {@link Sensors} and
- * {@link QueryList} come raw and would mingle with the frames of a {@link Stream}, so use one way at a time.
+ * {@link QueryList} are raw bytes and would mix with the frames of a {@link Stream}, so use only one at a time.
  *
  * <p>Threading: immutable.
  *

@@ -25,7 +25,7 @@ public enum Packet implements PacketId {
     VIRTUAL_WALL(13, Form.UNSIGNED_8, "", 0, 1),
     /** Bits: 0 side brush, 2 main brush, 3 right wheel, 4 left wheel. */
     OVERCURRENTS(14, Form.UNSIGNED_8, "", 0, 29),
-    /** How much dirt comes in. */
+    /** The amount of dirt picked up. */
     DIRT_DETECT(15, Form.UNSIGNED_8, "", 0, 255),
     /** Always 0. */
     UNUSED_16(16, Form.UNSIGNED_8, "", 0, 255),
@@ -33,21 +33,21 @@ public enum Packet implements PacketId {
     INFRARED_OMNI(17, Form.UNSIGNED_8, "", 0, 255),
     /** Bits of {@link Button}; set only while a button is held down. */
     BUTTONS(18, Form.UNSIGNED_8, "", 0, 255),
-    /** Since it was last asked for; saturates. Wrong before firmware 3.3.0. */
+    /** The distance since the last request; saturates. Wrong before firmware 3.3.0. */
     DISTANCE(19, Form.SIGNED_16, "mm", -32768, 32767),
-    /** Since it was last asked for, counterclockwise; saturates. Wrong up to firmware 3.4.0. */
+    /** The angle since the last request, counterclockwise; saturates. Wrong up to firmware 3.4.0. */
     ANGLE(20, Form.SIGNED_16, "degrees", -32768, 32767),
     /** The code of a {@link ChargingState}. */
     CHARGING_STATE(21, Form.UNSIGNED_8, "", 0, 5),
     /** Of the battery. */
     VOLTAGE(22, Form.UNSIGNED_16, "mV", 0, 65535),
-    /** Negative flows out of the battery. */
+    /** Negative while the battery discharges. */
     CURRENT(23, Form.SIGNED_16, "mA", -32768, 32767),
     /** Of the battery. */
     TEMPERATURE(24, Form.SIGNED_8, "degrees Celsius", -128, 127),
     /** Has been seen to underflow to about 65000. */
     BATTERY_CHARGE(25, Form.UNSIGNED_16, "mAh", 0, 65535),
-    /** What the battery holds when full, as the robot estimates it. */
+    /** The charge of a full battery, as estimated by the robot. */
     BATTERY_CAPACITY(26, Form.UNSIGNED_16, "mAh", 0, 65535),
     /** How strong the wall is seen. */
     WALL_SIGNAL(27, Form.UNSIGNED_16, "", 0, 1023),
@@ -71,7 +71,7 @@ public enum Packet implements PacketId {
     SONG_NUMBER(36, Form.UNSIGNED_8, "", 0, 4),
     /** 1 while a song plays. */
     SONG_PLAYING(37, Form.UNSIGNED_8, "", 0, 1),
-    /** How many packets the stream has in a frame. */
+    /** The number of packets in a frame of the stream. */
     NUMBER_OF_STREAM_PACKETS(38, Form.UNSIGNED_8, "", 0, 108),
     /** Of the last {@link ActuatorCommand.Drive}, not measured. */
     REQUESTED_VELOCITY(39, Form.SIGNED_16, "mm/s", -500, 500),
@@ -99,9 +99,9 @@ public enum Packet implements PacketId {
     LIGHT_BUMP_FRONT_RIGHT_SIGNAL(50, Form.UNSIGNED_16, "", 0, 4095),
     /** How near something is to the right of the bumper. */
     LIGHT_BUMP_RIGHT_SIGNAL(51, Form.UNSIGNED_16, "", 0, 4095),
-    /** What the left receiver hears; values as of {@link #INFRARED_OMNI}. */
+    /** The code received on the left; values as of {@link #INFRARED_OMNI}. */
     INFRARED_LEFT(52, Form.UNSIGNED_8, "", 0, 255),
-    /** What the right receiver hears; values as of {@link #INFRARED_OMNI}. */
+    /** The code received on the right; values as of {@link #INFRARED_OMNI}. */
     INFRARED_RIGHT(53, Form.UNSIGNED_8, "", 0, 255),
     /** Of the left wheel. */
     LEFT_MOTOR_CURRENT(54, Form.SIGNED_16, "mA", -32768, 32767),
@@ -111,7 +111,7 @@ public enum Packet implements PacketId {
     MAIN_BRUSH_CURRENT(56, Form.SIGNED_16, "mA", -32768, 32767),
     /** Of the side brush. */
     SIDE_BRUSH_CURRENT(57, Form.SIGNED_16, "mA", -32768, 32767),
-    /** Bits: 0 the front wheel tells of forward progress, 1 its sensor is off or dirty. */
+    /** Bits: 0 the front wheel shows forward progress, 1 its sensor is off or dirty. */
     STASIS(58, Form.UNSIGNED_8, "", 0, 3);
 
     private enum Form {

@@ -49,7 +49,7 @@ public final class SensorValues {
         return reader.values();
     }
 
-    /** Reads what stands between the length and the checksum of a frame whose ids and lengths are known to be right. */
+    /** Reads the payload, between length and checksum, of a frame whose ids and lengths are known to be right. */
     static SensorValues decodePayload(byte[] frame, int from, int end) {
         Reader reader = new Reader(frame, from);
         while (reader.offset < end) {
@@ -190,12 +190,12 @@ public final class SensorValues {
         return value(Packet.OVERCURRENTS) != 0;
     }
 
-    /** Packet 19: since it was last asked for. */
+    /** Packet 19: the distance since the last request. */
     public int distanceMm() {
         return value(Packet.DISTANCE);
     }
 
-    /** Packet 20: since it was last asked for, counterclockwise. */
+    /** Packet 20: the angle since the last request, counterclockwise. */
     public int angleDegrees() {
         return value(Packet.ANGLE);
     }
@@ -220,7 +220,7 @@ public final class SensorValues {
         return value(Packet.VOLTAGE);
     }
 
-    /** Packet 23: negative flows out of the battery. */
+    /** Packet 23: negative while the battery discharges. */
     public int currentMilliAmps() {
         return value(Packet.CURRENT);
     }

@@ -20,9 +20,9 @@ public final class StreamFrame {
 
     static final int LONGEST_PAYLOAD = 255;
 
-    /** The two forms of the checksum that iRobot's documents know. */
+    /** The two forms of the checksum in iRobot's documents. */
     public enum Checksum {
-        /** All bytes from the header to the checksum add up to 0 in 8 bits. What robots really send. */
+        /** All bytes from the header to the checksum add up to 0 in 8 bits. Real robots send this form. */
         WITH_HEADER,
         /**
          * As before, but without the header. The form in the Roomba 500's specification; no robot was seen to use it.
@@ -37,7 +37,7 @@ public final class StreamFrame {
         return payloadLength(packets) + OVERHEAD;
     }
 
-    /** The frame's length byte: one byte an id, and the data. */
+    /** The frame's length byte: one byte per id, and the data. */
     static int payloadLength(Collection<? extends PacketId> packets) {
         int length = packets.size() + PacketId.size(packets);
         Bytes.requireRange("ids and data in a stream frame", length, 0, LONGEST_PAYLOAD, "bytes");

@@ -30,12 +30,12 @@ public final class StreamFramer {
     private final @Nullable List<PacketId> expected;
     private final int expectedPayload;
 
-    /** The candidate from its header on, and behind it what is still to be looked at. */
+    /** The candidate from its header on, followed by bytes not examined yet. */
     private final byte[] buffer = new byte[StreamFrame.LONGEST_PAYLOAD + StreamFrame.OVERHEAD];
 
     private int buffered;
 
-    /** How many bytes of the candidate fit so far. */
+    /** The number of the candidate's bytes that fit so far. */
     private int fitting;
 
     private int sum;
@@ -67,7 +67,7 @@ public final class StreamFramer {
         return new StreamFramer(null, 0);
     }
 
-    /** Takes {@code count} bytes from {@code offset} on; returns the frames that are complete with them, in order. */
+    /** Handles {@code count} bytes from {@code offset} on; returns the frames that they complete, in order. */
     public List<SensorValues> feed(byte[] bytes, int offset, int count) {
         List<SensorValues> complete = new ArrayList<>(1);
         for (int i = offset; i < offset + count; i++) {

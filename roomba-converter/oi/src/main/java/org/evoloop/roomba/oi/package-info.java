@@ -4,7 +4,7 @@
  * here; where measured robots differ, the type says so. Both sides are here, since the simulated robot parses what the
  * application encodes and the other way round.
  *
- * <p>This room uses nothing of Evoloop. It knows no ports, threads or clocks.
+ * <p>This package uses no other part of Evoloop, and no ports, threads or clocks.
  */
 @NullMarked
 package org.evoloop.roomba.oi;

@@ -12,38 +12,38 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Sees to it that the robot is under control, or left alone, as its user wants it: control that the robot gives up is
- * taken again, a command that got lost is sent again, and a robot that was out of sight is stopped.
+ * Keeps the robot under control or leaves it alone, as requested: takes control again after the robot has left it,
+ * repeats lost commands, and stops a robot that was unreachable.
  *
  * <p>Threading: not thread-safe, but the methods {@code is...} may be called from any thread.
  */
 final class Control {
     private static final Logger LOG = LoggerFactory.getLogger(RoombaSession.class);
 
-    /** So many frames after it came back into sight it is plain what the robot does. */
+    /** The frames after which the activity of a robot that was unreachable is known. */
     private static final int SETTLING_FRAMES = 4;
 
     /**
-     * A command that ends control shows within a few frames, in the mode; if not there, its motors must have begun by
-     * now. It must not be sent twice if it has arrived: the second Clean ends what the first began.
+     * A command that ends control shows in the mode within a few frames; otherwise the motors must have started within
+     * this many. A command that has arrived must not be sent twice: a second Clean stops the cleaning.
      */
     static final int CONFIRM_FRAMES = ActivityEstimate.START_FRAMES;
 
     /**
-     * What completes a pending command is on the line for 45 ms, and a robot needs 20 ms to digest a change of its
+     * The bytes that complete a pending command take 45 ms on the line, and a robot needs 20 ms after a change of its
      * mode.
      */
     private static final int DIGEST_FRAMES = 6;
 
-    /** Three Safe commands, with whatever was pending completed between. */
+    /** Three Safe commands, with pending commands completed in between. */
     private static final int TRIES_ON_DOCK = 5;
 
-    /** What a frame has shown of the robot. */
+    /** The knowledge of the robot's activity after a frame. */
     enum Known {
         NOTHING,
-        /** It is on and does nothing, whatever it was taken to do. */
+        /** It is on and idle, whatever the estimate was. */
         ON,
-        /** It does what it is taken to do. */
+        /** Its activity is the estimated one. */
         AS_ESTIMATED
     }
 
@@ -69,19 +69,19 @@ final class Control {
         this.estimate = estimate;
     }
 
-    /** Control is wanted now, and again whenever the robot has left Safe mode by itself. */
+    /** Requests control now, and again whenever the robot has left Safe mode by itself. */
     void want() {
         wanted = true;
         engaged = true;
     }
 
-    /** The robot is to be left to itself for now; if it comes back from out of sight, control is taken. */
+    /** Leaves the robot alone for now; control is taken if it becomes reachable again after a loss. */
     void leaveAlone() {
         wanted = false;
         engaged = true;
     }
 
-    /** The robot is to be left to itself for good. */
+    /** Leaves the robot alone permanently. */
     void release() {
         if (regaining) {
             loseSight();
@@ -93,7 +93,7 @@ final class Control {
         regaining = false;
     }
 
-    /** The last command is not sent again, whatever became of it. */
+    /** The last command is not repeated, even if it was lost. */
     void forgetCommand() {
         unconfirmed = null;
         again = null;
@@ -104,7 +104,7 @@ final class Control {
         return wanted;
     }
 
-    /** Whether the robot has just come back into sight and is about to be stopped. */
+    /** Whether the robot has just become reachable again and is about to be stopped. */
     boolean isRegaining() {
         return regaining;
     }
@@ -112,8 +112,7 @@ final class Control {
     /** A command has been sent. */
     void commanded(Command command) {
         if (engaged) {
-            // Who commands the robot makes it do what it is taken to do; frames that are on their way tell older
-            // things.
+            // After a command the estimate is known; frames already on their way show the state before it.
             mayHaveMissed = false;
         }
         unconfirmed = null;
@@ -121,31 +120,31 @@ final class Control {
         again = null;
         if (command.opcode().endsControl()) {
             unconfirmed = underControl ? command : null;
-            // Counted anew: the frames that are on their way still show control.
+            // Restart the count: frames already on their way still show control.
             framesWith = 0;
         }
     }
 
-    /** The robot is out of sight; what it does meanwhile nobody knows. */
+    /** The robot is unreachable, so its activity is unknown. */
     void loseSight() {
         outOfSight = true;
         settlingFrames = SETTLING_FRAMES;
     }
 
-    /** Takes the next frame; returns what has become known of the robot. */
+    /** Handles the next frame; returns what it shows of the robot's activity. */
     Known update(Telemetry now) {
         sendAgain();
         comeBackIntoSight();
         boolean on = seeControl(now.isUnderControl());
-        boolean owed = isTellingOwed();
+        boolean mustReport = mustReport();
         on |= takeBack(now);
-        return on ? Known.ON : owed ? Known.AS_ESTIMATED : Known.NOTHING;
+        return on ? Known.ON : mustReport ? Known.AS_ESTIMATED : Known.NOTHING;
     }
 
     /**
-     * The robot is back. What its owner did to it meanwhile cannot be told from what it shows: cleaning and spot
-     * cleaning look alike. So as soon as it is to be controlled at all, control is taken, which ends whatever it does;
-     * then it is on.
+     * Handles a robot that is reachable again. Its frames do not show what its owner made it do in the meantime:
+     * cleaning and spot cleaning look the same. So control is taken if it is wanted at all, which ends any activity, so
+     * that its state is on.
      */
     private void comeBackIntoSight() {
         if (outOfSight && engaged && --settlingFrames <= 0) {
@@ -156,10 +155,10 @@ final class Control {
         }
     }
 
-    /** Returns whether it is known that the robot does nothing. */
+    /** Returns whether the robot is known to be idle. */
     private boolean seeControl(boolean now) {
         if (now && !underControl) {
-            // Only when it begins: a command that ends control takes some frames to show.
+            // Only at the start of control: a command that ends it takes some frames to show.
             estimate.controlled();
         }
         underControl = now;
@@ -179,13 +178,12 @@ final class Control {
     }
 
     /**
-     * A command should have ended control, and the mode does not show that. What became of it only the motors can tell:
-     * the robot is at work, or it has not received it.
+     * A command should have ended control, but the mode does not show it. The motors show whether the robot has received
+     * the command: if so, it is working.
      */
     private void confirm(Command command) {
         if (estimate.isAtWork() && !halted) {
-            // It may drive by what commands have become of which a part was lost. One that works by itself takes no
-            // notice.
+            // It may be executing a command garbled by lost bytes; stop it. A robot that works by itself ignores this.
             halted = true;
             framesWith = 0;
             connection.completeWhateverIsPending();
@@ -198,8 +196,7 @@ final class Control {
                     connection.description());
         } else if (framesWith >= CONFIRM_FRAMES && estimate.isAtRest()) {
             framesWith = 0;
-            // It may have been taken for the data of a command of which a part was lost, and one more would complete
-            // that.
+            // The robot may have taken it for the data of an incomplete command, which a repetition would complete.
             connection.completeWhateverIsPending();
             again = command;
             againFrames = DIGEST_FRAMES;
@@ -214,8 +211,8 @@ final class Control {
         }
     }
 
-    /** Who engages with the robot has not heard what it did before, though it was in sight. */
-    private boolean isTellingOwed() {
+    /** Whether a new user of the robot must be notified of its activity, which started before. */
+    private boolean mustReport() {
         if (mayHaveMissed && engaged && ++engagedFrames == SpotWatch.QUIET_FRAMES) {
             mayHaveMissed = false;
             return !wanted && !regaining && !outOfSight;
@@ -224,9 +221,9 @@ final class Control {
     }
 
     /**
-     * The robot leaves Safe mode by itself, for instance when it is lifted, and a command may be lost on a noisy line:
-     * it is taken back, tried again until it obeys. On its dock it never does; but so many tries have switched it on,
-     * which is told by true.
+     * Takes control again if the robot has left Safe mode by itself, for example because it was lifted; repeats the
+     * command, which may be lost on a noisy line. On its dock the robot never obeys, but the attempts have switched it
+     * on; then this returns true.
      */
     private boolean takeBack(Telemetry now) {
         SensorValues values = now.values();

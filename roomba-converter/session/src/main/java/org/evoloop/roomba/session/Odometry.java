@@ -12,7 +12,7 @@ import org.jspecify.annotations.Nullable;
  * @since 0.1
  */
 public final class Odometry {
-    /** Wheel diameter 72.0 mm, 508.8 counts a revolution (specification, packets 43 and 44). */
+    /** Wheel diameter 72.0 mm, 508.8 counts per revolution (specification, packets 43 and 44). */
     static final double MM_PER_COUNT = Math.PI * 72.0 / 508.8;
 
     /** Distance between the wheels (specification, packet 20). */

@@ -1,7 +1,7 @@
 package org.evoloop.roomba.session;
 
 /**
- * The robot's pose relative to that at the beginning of the session: x ahead, y to the left.
+ * The robot's pose relative to that at the start of the session: x ahead, y to the left.
  *
  * <p>Threading: immutable.
  *
@@ -11,7 +11,7 @@ package org.evoloop.roomba.session;
  * @since 0.1
  */
 public record OdometryPose(double xMm, double yMm, double headingRad) {
-    /** Where the session began. */
+    /** The pose at the start of the session. */
     public static final OdometryPose ORIGIN = new OdometryPose(0, 0, 0);
 
     /**
@@ -23,12 +23,12 @@ public record OdometryPose(double xMm, double yMm, double headingRad) {
                 xMm + distanceMm * Math.cos(direction), yMm + distanceMm * Math.sin(direction), direction);
     }
 
-    /** How far it is to a point, in mm. */
+    /** The distance to a point, in mm. */
     public double distanceTo(double otherXMm, double otherYMm) {
         return Math.hypot(otherXMm - xMm, otherYMm - yMm);
     }
 
-    /** Where a point lies as seen from here, counterclockwise from straight ahead, -pi to pi. */
+    /** The direction of a point from here, counterclockwise from straight ahead, -pi to pi. */
     public double bearingTo(double otherXMm, double otherYMm) {
         return Math.IEEEremainder(Math.atan2(otherYMm - yMm, otherXMm - xMm) - headingRad, 2 * Math.PI);
     }

@@ -28,8 +28,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Reads the robot: bytes into frames, frames into what it shows, and that into what it does by itself, which is told to
- * whoever listens: presses of its buttons, the end of a spot cleaning, and what it is seen to do.
+ * Decodes the robot's bytes into frames, infers its activity from them, and notifies listeners: of presses of its
+ * buttons, the end of a spot cleaning, and its activity.
  *
  * <p>Threading: thread-safe; listeners are called on the thread that reads, one call at a time.
  */
@@ -38,8 +38,8 @@ final class RobotReader implements ConnectionOwner {
 
     private static final int BUFFER_BYTES = 4_096;
 
-    /** So many frames whose checksum is wrong, and none whose is right, are no chance. */
-    private static final int TELLING_FRAMES = 20;
+    /** This many frames with a wrong checksum, and none with a right one, cannot be due to noise. */
+    private static final int SIGNIFICANT_FRAMES = 20;
 
     private final Connection connection;
     private final List<SessionListener> listeners = new CopyOnWriteArrayList<>();
@@ -55,8 +55,8 @@ final class RobotReader implements ConnectionOwner {
     private final Control control;
     private final Undocking undocking;
     private final CircumstanceWatch circumstances = new CircumstanceWatch();
-    private Circumstances told = Circumstances.USUAL;
-    private boolean tellAgain;
+    private Circumstances reported = Circumstances.USUAL;
+    private boolean reportAgain;
     private int framesUntilTold;
     private volatile @Nullable Telemetry latest;
 
@@ -75,7 +75,7 @@ final class RobotReader implements ConnectionOwner {
         return connection;
     }
 
-    /** Who controls the robot; only to be used by whoever holds the monitor of this object. */
+    /** The robot's control; callers must hold the monitor of this object. */
     Control control() {
         return control;
     }
@@ -88,7 +88,7 @@ final class RobotReader implements ConnectionOwner {
         listeners.remove(listener);
     }
 
-    /** What the last frame told; null before the first. */
+    /** The contents of the last frame; null before the first. */
     @Nullable
     Telemetry latest() {
         return latest;
@@ -116,7 +116,7 @@ final class RobotReader implements ConnectionOwner {
     private void framed(SensorValues values) {
         Telemetry earlier = latest;
         Telemetry now = new Telemetry(earlier == null ? 1 : earlier.frame() + 1, values, odometry.update(values));
-        // Telemetry is published before the first answer is, since whoever waits for that reads it.
+        // Publish the telemetry before completing the first answer: threads that wait for the answer read it.
         latest = now;
         connection.answered();
         listeners.forEach(listener -> listener.received(now));
@@ -124,17 +124,17 @@ final class RobotReader implements ConnectionOwner {
         if (obeyed != null) {
             listeners.forEach(listener -> listener.obeyed(obeyed));
         }
-        boolean again = tellAgain;
+        boolean again = reportAgain;
         if (circumstances.update(values, estimate.activity().isWork()) || (again && circumstances.isSure())) {
-            tellCircumstances(again ? Circumstances.USUAL : told);
+            reportCircumstances(again ? Circumstances.USUAL : reported);
         }
-        tellAgain |= undocking.update(now);
+        reportAgain |= undocking.update(now);
         switch (control.update(now)) {
             case ON -> {
                 estimate.controlled();
-                tellSeen(EstimatedActivity.ON);
+                reportSeen(EstimatedActivity.ON);
             }
-            case AS_ESTIMATED -> tellActivity();
+            case AS_ESTIMATED -> reportActivity();
             case NOTHING -> {}
         }
         for (Button button : buttons.update(values.buttons())) {
@@ -146,24 +146,24 @@ final class RobotReader implements ConnectionOwner {
             listeners.forEach(listener -> listener.spotEnded(ending));
         }
         boolean seen = estimate.update(values, now.isUnderControl(), !control.isWanted());
-        // The end of a spot cleaning has just been told; what begins with it must not be overtaken.
+        // After reporting the end of a spot cleaning, report nothing else, so that its effects are handled first.
         if (seen && ending == null) {
-            tellActivity();
+            reportActivity();
         }
         if (framesUntilTold > 0 && --framesUntilTold == 0) {
-            tellSeen(estimate.activity());
+            reportSeen(estimate.activity());
         }
     }
 
-    private void tellCircumstances(Circumstances before) {
-        tellAgain = false;
+    private void reportCircumstances(Circumstances before) {
+        reportAgain = false;
         Circumstances now = circumstances.now();
-        told = now;
+        reported = now;
         listeners.forEach(listener -> listener.changed(before, now, estimate.activity()));
     }
 
     /**
-     * Drives the robot, which was put into Full mode, off its dock, until it is away from it or somebody else moves it.
+     * Drives the robot, which is in Full mode, off its dock, until it is clear of it or something else drives it.
      */
     synchronized void beginUndocking() {
         Telemetry now = latest;
@@ -172,49 +172,49 @@ final class RobotReader implements ConnectionOwner {
         }
     }
 
-    /** Whether the robot is on its way off its dock. */
+    /** Whether the robot is driving off its dock. */
     synchronized boolean isUndocking() {
         return undocking.isUnderWay();
     }
 
-    /** The robot stands, wherever it is on its way off its dock. */
+    /** Stops the robot if it is driving off its dock. */
     synchronized void endUndocking() {
         undocking.end();
     }
 
-    /** What the robot does is told soon, unless it is commanded before. */
-    synchronized void tellSoon() {
+    /** Reports the robot's activity soon, unless a command is sent first. */
+    synchronized void reportSoon() {
         framesUntilTold = CommandEffect.SHOW_FRAMES;
     }
 
-    /** The robot's circumstances are told with the next frame, though they have been told before. */
-    synchronized void tellAgain() {
-        tellAgain = true;
+    /** Reports the robot's circumstances with the next frame, even if they have not changed. */
+    synchronized void reportAgain() {
+        reportAgain = true;
     }
 
     private void pressed(Button button, boolean robotActs) {
         listeners.forEach(listener -> listener.pressed(button, robotActs));
         if (robotActs) {
-            tellAgain |= undocking.giveUp();
+            reportAgain |= undocking.giveUp();
             estimate.pressed(button);
             if (estimate.activity() == EstimatedActivity.SPOT) {
                 spotWatch.started();
             } else {
                 spotWatch.forget();
             }
-            tellActivity();
+            reportActivity();
         }
     }
 
-    /** Tells what the robot does. */
-    private void tellActivity() {
-        // In stand-by it shows nothing that it would not show when it is on.
+    /** Reports the robot's activity. */
+    private void reportActivity() {
+        // The frames do not distinguish stand-by from on.
         if (estimate.activity() != EstimatedActivity.STANDBY) {
-            tellSeen(estimate.activity());
+            reportSeen(estimate.activity());
         }
     }
 
-    private void tellSeen(EstimatedActivity activity) {
+    private void reportSeen(EstimatedActivity activity) {
         listeners.forEach(listener -> listener.seen(activity));
     }
 
@@ -231,7 +231,7 @@ final class RobotReader implements ConnectionOwner {
         }
     }
 
-    /** What the robot did when another process saw it last. */
+    /** Sets the activity that another process last reported. */
     synchronized void assume(EstimatedActivity last) {
         estimate.assume(last);
         if (last == EstimatedActivity.SPOT) {
@@ -244,16 +244,16 @@ final class RobotReader implements ConnectionOwner {
         effect.sending(command);
     }
 
-    /** Whether the effect of the last command is still to be seen. */
+    /** Whether the effect of the last command has not been seen yet. */
     synchronized boolean isEffectAwaited() {
         return effect.isAwaited();
     }
 
     /**
-     * What the robot does, if its frames show it for sure; a command that did not make it do so is not sent again. Null
-     * if they do not, or not yet.
+     * The robot's activity, if its frames show it with certainty; then a command without that effect is not repeated.
+     * Null if they do not, or not yet.
      *
-     * @param since the number of a frame; what is told has to be newer
+     * @param since the number of a frame; only newer frames count
      */
     synchronized @Nullable EstimatedActivity known(long since) {
         Telemetry now = latest;
@@ -270,7 +270,7 @@ final class RobotReader implements ConnectionOwner {
     /** A command has been sent. */
     synchronized void commanded(Command command) {
         framesUntilTold = 0;
-        tellAgain |= undocking.giveUp();
+        reportAgain |= undocking.giveUp();
         control.commanded(command);
         estimate.commanded(command);
         if (command instanceof Command.Spot && estimate.activity() == EstimatedActivity.SPOT) {
@@ -278,12 +278,12 @@ final class RobotReader implements ConnectionOwner {
         }
     }
 
-    /** Somebody else has stopped the robot. */
+    /** The robot was stopped from outside. */
     synchronized void stoppedByOthers(String why) {
         listeners.forEach(listener -> listener.stopped(why));
     }
 
-    /** What was seen of the robot counts no more. */
+    /** Earlier frames no longer count. */
     @Override
     public synchronized void outOfSight() {
         control.loseSight();
@@ -291,7 +291,7 @@ final class RobotReader implements ConnectionOwner {
         estimate.forget();
         undocking.end();
         circumstances.forget();
-        tellAgain = true;
+        reportAgain = true;
     }
 
     @Override
@@ -302,7 +302,7 @@ final class RobotReader implements ConnectionOwner {
     @Override
     public synchronized void fellAsleep() {
         if (circumstances.fellAsleep()) {
-            tellCircumstances(told);
+            reportCircumstances(reported);
         }
     }
 
@@ -316,10 +316,10 @@ final class RobotReader implements ConnectionOwner {
         return firstBytes;
     }
 
-    /** Frames that fit in everything but their checksum are no matter of the baud rate. */
+    /** Frames in which only the checksum is wrong do not indicate a wrong baud rate. */
     @Override
     public synchronized String frameTrouble() {
-        if (framer.frames() > 0 || framer.badChecksums() < TELLING_FRAMES) {
+        if (framer.frames() > 0 || framer.badChecksums() < SIGNIFICANT_FRAMES) {
             return "";
         }
         return 2 * framer.headerlessChecksums() > framer.badChecksums()
@@ -334,7 +334,7 @@ final class RobotReader implements ConnectionOwner {
         return (now == null || !now.isUnderControl()) && estimate.isAtRest();
     }
 
-    /** The mode of the last frame, and how many frames were good and bad. */
+    /** The mode of the last frame, and the numbers of good and bad frames. */
     synchronized String describe(Telemetry now) {
         String mode = now.values()
                 .mode()

@@ -11,16 +11,16 @@ import org.evoloop.roomba.oi.Packet;
 import org.evoloop.roomba.oi.SensorValues;
 
 /**
- * What a frame tells for people and programs. The bin is not among it: no packet of the Open Interface tells whether
- * that is full, or there.
+ * The readings of a frame, for people and programs. The bin is not included: no packet of the Open Interface shows
+ * whether it is full or missing.
  *
  * <ul>
- *   <li>{@code battery}, %: charge by capacity (packets 25 and 26); not there while the robot tells no capacity
- *   <li>{@code docked}: it stands on its home base (34); {@code charging}: a charger fills its battery, or keeps it
+ *   <li>{@code battery}, %: charge by capacity (packets 25 and 26); absent while the robot reports no capacity
+ *   <li>{@code docked}: it is on its home base (34); {@code charging}: a charger fills its battery, or keeps it
  *   full (21)
  *   <li>{@code lifted}: a wheel hangs in the air (7); {@code stuck}: a motor draws too much current (14)
- *   <li>{@code error}: what keeps it from working, in words, or {@code none}
- *   <li>{@code asleep}: it hears nothing until it is woken; {@code mode}: its OI mode (35), in lower case
+ *   <li>{@code error}: what prevents it from working, in words, or {@code none}
+ *   <li>{@code asleep}: it ignores commands until it is woken; {@code mode}: its OI mode (35), in lower case
  * </ul>
  */
 final class RobotReadings {

@@ -65,18 +65,18 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
 
     private static final Duration EFFECT_LIMIT = Duration.ofMillis(500);
 
-    /** A robot that was told to work must show it within 3 s, and rest when it has rested for 1 s. */
+    /** A robot that starts to work shows it within 3 s, and one at rest is recognised after 1 s. */
     private static final Duration ACTIVITY_LIMIT = Duration.ofMillis(4_500);
 
-    /** A pulse, the boot text, at most two questions, and control. */
+    /** A wake pulse, the boot text, at most two requests, and control. */
     private static final Duration WAKE_LIMIT = Duration.ofSeconds(10);
 
-    /** The limits of two questions, and a pulse between them. */
+    /** The limits of two requests, and a wake pulse between them. */
     private static final Duration SOON = Duration.ofSeconds(4);
 
     private static final Duration UNDOCK_LIMIT = Duration.ofSeconds(12);
 
-    /** How often is looked whether the robot shows what is waited for: three times a frame. */
+    /** The polling interval while waiting for the robot to show something: three times per frame. */
     private static final Duration LOOK = Duration.ofMillis(5);
 
     private final Clock clock;
@@ -210,7 +210,7 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
      */
     public Optional<ActivityEstimate.EstimatedActivity> awaitActivity() throws InterruptedException {
         Telemetry last = reader.latest();
-        // A frame may have been on its way when it was asked; without waiting there is none on its way.
+        // The next frame may have been sent before this call; without waiting, none is on its way.
         long since = last == null || !options.mayWait() ? 0 : last.frame() + 1;
         awaitUntil(() -> reader.known(since) != null, ACTIVITY_LIMIT);
         return connection.isUp() ? Optional.ofNullable(reader.known(since)) : Optional.empty();
@@ -364,14 +364,14 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
      * listeners that have just reported an event and need its confirmation.
      */
     public void tellSoon() {
-        reader.tellSoon();
+        reader.reportSoon();
     }
 
     /**
      * Reports the robot's circumstances to listeners again, with the next frame; see {@link SessionListener#changed}.
      */
     public void tellAgain() {
-        reader.tellAgain();
+        reader.reportAgain();
     }
 
     /**
@@ -398,7 +398,7 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
     /** Whether the robot obeys drive commands or is about to; waits while a frame is being looked at. */
     public boolean mayBeUnderControl() {
         synchronized (reader) {
-            // Control that was just asked for may show only in the next frame.
+            // Control that was just requested may show only in the next frame.
             return control.isWanted() || control.isRegaining() || reader.isUndocking() || isUnderControl();
         }
     }
@@ -428,13 +428,13 @@ public final class RoombaSession implements DeviceLink, AutoCloseable {
         return connection.downSince();
     }
 
-    /** Port, trouble or mode, and how many frames were good and bad. */
+    /** Port, problem or mode, and the numbers of good and bad frames. */
     @Override
     public String describe() {
         Telemetry now = reader.latest();
         String trouble = connection.trouble();
         if (!trouble.isEmpty() || now == null) {
-            // A link that was never there is named by what is wrong with it.
+            // Without any link so far, the problem already names the port.
             return connection.hasLink() ? connection.description() + ": " + trouble : trouble;
         }
         return connection.description() + ", " + reader.describe(now);

@@ -15,7 +15,7 @@ import org.evoloop.roomba.session.inference.SpotWatch;
  */
 public interface SessionListener {
 
-    /** A frame has come. Called before anything that the frame tells. */
+    /** A frame was received. Called before the notifications that result from it. */
     default void received(Telemetry telemetry) {}
 
     /**
@@ -25,23 +25,23 @@ public interface SessionListener {
      */
     default void pressed(Button button, boolean robotActs) {}
 
-    /** The robot's mode shows that this command, the very one that was sent, has had its effect. */
+    /** The robot's mode shows the effect of this command, the same object that was sent. */
     default void obeyed(Command command) {}
 
     /** A spot cleaning has ended. */
     default void spotEnded(SpotWatch.Ending how) {}
 
-    /** Somebody else has stopped the robot, for the reason given: what drove it is not to go on. */
+    /** The robot was stopped from outside, for the given reason: whatever drove it must stop. */
     default void stopped(String why) {}
 
-    /** The robot does this now, whatever it was taken to do; it may be known already. */
+    /** The robot's activity was observed; it may be known already, or differ from the estimate. */
     default void seen(EstimatedActivity activity) {}
 
     /**
-     * The robot's circumstances have changed, or are told again because somebody {@link RoombaSession#tellAgain asked}:
-     * then {@code before} is {@link Circumstances#USUAL}.
+     * The robot's circumstances have changed, or are reported again after {@link RoombaSession#tellAgain}: then
+     * {@code before} is {@link Circumstances#USUAL}.
      *
-     * @param activity what the robot is taken to do
+     * @param activity the robot's estimated activity
      */
     default void changed(Circumstances before, Circumstances now, EstimatedActivity activity) {}
 }

@@ -4,7 +4,7 @@ import java.time.Duration;
 import java.util.OptionalInt;
 
 /**
- * How a session treats its robot. The defaults suit every robot that keeps to the specification.
+ * The options of a session. The defaults suit every robot that follows the specification.
  *
  * <p>Distance and angle (packets 19 and 20), which old firmware reports wrong, and stasis (58), whose values differ
  * between models, are not used at all.
@@ -58,8 +58,8 @@ public final class SessionOptions {
     }
 
     /**
-     * What the robot adds to the OI mode it reports: 1 for some 600 models with Wi-Fi, else 0; empty if the session is
-     * to find out, see {@link org.evoloop.roomba.session.inference.ModeOffset}.
+     * The offset of the OI mode that the robot reports: 1 for some 600 models with Wi-Fi, else 0; empty if the session
+     * is to detect it, see {@link org.evoloop.roomba.session.inference.ModeOffset}.
      */
     public OptionalInt modeOffset() {
         return modeOffset;

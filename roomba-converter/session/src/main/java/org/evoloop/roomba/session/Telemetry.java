@@ -10,7 +10,7 @@ import org.evoloop.roomba.oi.SensorValues;
  *
  * @param frame its number in the session, from 1; frames are 15 ms apart
  * @param values the sensors
- * @param pose the robot's pose by its wheels
+ * @param pose the robot's pose from odometry
  * @since 0.1
  */
 public record Telemetry(long frame, SensorValues values, OdometryPose pose) {

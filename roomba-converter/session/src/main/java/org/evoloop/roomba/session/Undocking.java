@@ -7,33 +7,33 @@ import org.evoloop.roomba.session.inference.ActivityEstimate;
 
 /**
  * Drives the robot backwards off its dock. On the dock it falls back from Safe to Passive mode at once (specification,
- * "Safe Mode"), so the first centimetres are driven in Full mode; as soon as the dock's contacts are gone, Safe mode is
- * on, with the robot's own care for cliffs and wheel drops.
+ * "Safe Mode"), so the first centimetres are driven in Full mode; once it is off the dock's contacts, it is in Safe
+ * mode, in which the robot itself stops at cliffs and wheel drops.
  *
  * <p>Time is counted in frames of the stream, one every 15 ms.
  *
  * <p>Threading: not thread-safe.
  */
 final class Undocking {
-    /** About as fast as the robot backs off its dock by itself. */
+    /** About the speed at which the robot itself backs off its dock. */
     private static final int BACK_MM_PER_S = -100;
 
     private static final DriveDirect BACK = new DriveDirect(BACK_MM_PER_S, BACK_MM_PER_S);
     private static final DriveDirect STAND = new DriveDirect(0, 0);
 
-    /** So far the robot drives: from there it turns without touching the dock. */
+    /** The distance to drive: there it can turn without touching the dock. */
     private static final double FAR_MM = 300;
 
-    /** A robot needs 20 ms to digest a change of its mode. */
+    /** A robot needs 20 ms after a change of its mode. */
     private static final int DIGEST_FRAMES = 2;
 
-    /** So often it is told to drive: every 0.75 s. */
+    /** The interval at which the drive command is repeated: 0.75 s. */
     private static final int AGAIN_FRAMES = 50;
 
-    /** So long the contacts may last: 3 s. */
+    /** The limit for leaving the contacts: 3 s. */
     private static final int STUCK_FRAMES = 200;
 
-    /** So long all of it may last: 8 s. */
+    /** The limit for the whole drive: 8 s. */
     private static final int LONGEST_FRAMES = 533;
 
     private enum Phase {
@@ -50,26 +50,26 @@ final class Undocking {
     private int frames;
     private OdometryPose from;
 
-    /** @param sink sends what it is given */
+    /** @param sink sends commands */
     Undocking(Consumer<Command> sink, ActivityEstimate estimate) {
         this.sink = sink;
         this.estimate = estimate;
         this.from = OdometryPose.ORIGIN;
     }
 
-    /** Whether the robot is on its way. */
+    /** Whether the robot is driving off its dock. */
     boolean isUnderWay() {
         return phase != Phase.IDLE;
     }
 
-    /** Begins with a robot that has been put into Full mode. */
+    /** Starts; the robot was put into Full mode. */
     void begin(Telemetry now) {
         from = now.pose();
         phase = Phase.LEAVING;
         frames = 0;
     }
 
-    /** Takes the next frame; returns whether it was the last one of the way, however that has ended. */
+    /** Handles the next frame; returns whether the drive has ended, successfully or not. */
     boolean update(Telemetry now) {
         if (phase == Phase.IDLE) {
             return false;
@@ -88,7 +88,7 @@ final class Undocking {
         } else if (phase == Phase.CLEARING && (far || frames >= LONGEST_FRAMES)) {
             end();
         } else if (phase == Phase.LEAVING && frames % AGAIN_FRAMES == 0) {
-            // What came first may have been taken for the data of a command of which a part was lost.
+            // The first one may have been taken for the data of an incomplete command.
             sink.accept(new Command.Full());
         } else if (frames % AGAIN_FRAMES == DIGEST_FRAMES) {
             sink.accept(BACK);
@@ -96,14 +96,14 @@ final class Undocking {
         return phase == Phase.IDLE;
     }
 
-    /** Somebody else moves the robot from here on; returns whether it was on its way. */
+    /** Ends without stopping the robot, which something else drives now; returns whether it was driving. */
     boolean giveUp() {
         boolean given = phase != Phase.IDLE;
         phase = Phase.IDLE;
         return given;
     }
 
-    /** Stops the robot where it is, if it is on its way. */
+    /** Stops the robot if it is driving off its dock. */
     void end() {
         if (giveUp()) {
             sink.accept(STAND);

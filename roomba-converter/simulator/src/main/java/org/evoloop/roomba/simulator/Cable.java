@@ -3,13 +3,13 @@ package org.evoloop.roomba.simulator;
 import java.io.IOException;
 
 /**
- * The cable between the robot and its client, which people can pull and plug in again. The robot does not mind.
+ * The cable between the robot and its client, which can be unplugged and plugged in again. The robot is not affected.
  *
  * @since 0.1
  */
 public interface Cable {
     /**
-     * Pulls the cable: the client sees a hang-up.
+     * Unplugs the cable: the client sees a hang-up.
      *
      * @throws IllegalArgumentException if it is unplugged already
      */

@@ -9,7 +9,7 @@ import org.evoloop.roomba.simulator.webcam.WebcamOptions;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Option;
 
-/** The command line's part that becomes {@link WebcamOptions}, which checks the values. */
+/** The command line options for {@link WebcamOptions}, which checks the values. */
 final class CameraArguments {
     private static final Pattern SIZE = Pattern.compile("(\\d{1,5})x(\\d{1,5})");
 
@@ -44,7 +44,7 @@ final class CameraArguments {
     /**
      * The options; empty if there is no camera.
      *
-     * @throws IllegalArgumentException naming the option that is wrong
+     * @throws IllegalArgumentException naming the invalid option
      */
     Optional<WebcamOptions> toOptions() {
         Integer wantedPort = port;

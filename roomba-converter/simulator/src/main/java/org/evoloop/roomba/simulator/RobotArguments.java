@@ -11,7 +11,7 @@ import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.TypeConversionException;
 
-/** The command line's part that becomes {@link RobotOptions}, which checks the values. */
+/** The command line options for {@link RobotOptions}, which checks the values. */
 final class RobotArguments {
     private static final double MILLIS_PER_SECOND = 1000;
     private static final Path LIVING_ROOM = Path.of("living-room");
@@ -106,7 +106,7 @@ final class RobotArguments {
     /**
      * The options.
      *
-     * @throws IllegalArgumentException a line for each that is wrong
+     * @throws IllegalArgumentException with a line for each invalid option
      */
     RobotOptions toOptions() {
         return RobotOptions.builder()

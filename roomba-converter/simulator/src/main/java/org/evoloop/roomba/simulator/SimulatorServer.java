@@ -48,7 +48,7 @@ public final class SimulatorServer implements Cable, AutoCloseable {
     private static final Duration END_LIMIT = Duration.ofSeconds(2);
     private static final int BUFFER_BYTES = 1_024;
 
-    /** How long the robot waits for its cable before it looks again. */
+    /** The polling interval while the cable is unplugged. */
     private static final long UNPLUGGED_REST_NANOS = TimeUnit.MILLISECONDS.toNanos(10);
 
     private final Path link;
@@ -97,7 +97,7 @@ public final class SimulatorServer implements Cable, AutoCloseable {
     /**
      * Starts a robot, as {@link #start(Path, RobotOptions, Clock, double)}, and somebody who watches it.
      *
-     * @param observer told the state after every tick, on the server's thread
+     * @param observer receives the state after every tick, on the server's thread
      */
     public static SimulatorServer start(
             Path link, RobotOptions options, Clock clock, double speed, Consumer<RobotState> observer)
@@ -196,7 +196,7 @@ public final class SimulatorServer implements Cable, AutoCloseable {
         return (int) Math.max(1, Math.min(waitNanos / NANOS_PER_MILLI, Pty.LONGEST_WAIT_MILLIS));
     }
 
-    /** The robot behind the port, to look at it and to press its buttons. */
+    /** The robot behind the port, to inspect it and press its buttons. */
     public SimulatedRoomba robot() {
         return robot;
     }
@@ -206,7 +206,7 @@ public final class SimulatorServer implements Cable, AutoCloseable {
         return Optional.ofNullable(camera);
     }
 
-    /** The file that clients open. */
+    /** The path that clients open. */
     public Path path() {
         return link;
     }
@@ -230,7 +230,7 @@ public final class SimulatorServer implements Cable, AutoCloseable {
         pty = Pty.open(link);
     }
 
-    /** Pulls the cables, removes the link and ends the robot. A second call does nothing. */
+    /** Unplugs the cables, removes the link and stops the robot. A second call does nothing. */
     @Override
     public void close() {
         synchronized (this) {

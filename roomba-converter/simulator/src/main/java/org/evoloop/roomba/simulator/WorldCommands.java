@@ -64,7 +64,7 @@ public final class WorldCommands {
     public static final List<String> NAMES =
             USAGES.stream().map(usage -> usage.replaceFirst(" .*", "")).toList();
 
-    /** What can be pressed. */
+    /** The names of the buttons that can be pressed. */
     public static final List<String> BUTTON_NAMES = List.of("clean", "spot", "dock");
 
     private static final List<Button> BUTTONS = List.of(Button.CLEAN, Button.SPOT, Button.DOCK);
@@ -76,7 +76,7 @@ public final class WorldCommands {
     private final @Nullable Webcam camera;
     private volatile boolean ended;
 
-    /** Commands for this robot, which has no cable to unplug and no camera. */
+    /** Commands for this robot, without a cable or a camera. */
     public WorldCommands(SimulatedRoomba robot) {
         this(robot, null, null);
     }
@@ -92,7 +92,7 @@ public final class WorldCommands {
         this.camera = camera;
     }
 
-    /** Carries out one line and returns its answer, without a line's end. */
+    /** Carries out one line and returns its answer, without a line separator. */
     public String execute(String line) {
         List<String> words = Arrays.asList(line.trim().split("\\s+"));
         try {

@@ -2,7 +2,7 @@
  * For tests of programs that drive a Roomba: {@link org.evoloop.roomba.testkit.SimulatedRoombaExtension} gives each of
  * them a simulated one on a serial port. Linux only.
  *
- * <p>This room uses the simulator and JUnit 5.
+ * <p>This package uses the simulator and JUnit 5.
  */
 @NullMarked
 package org.evoloop.roomba.testkit;

@@ -1,7 +1,7 @@
 /**
  * The commands around a camera: try it, measure it, and print the marker that it looks for.
  *
- * <p>This room may use all of {@code camera} and {@code org.evoloop.time}.
+ * <p>This package may use all of {@code camera} and {@code org.evoloop.time}.
  */
 @NullMarked
 package org.evoloop.roomba.camera.tool;

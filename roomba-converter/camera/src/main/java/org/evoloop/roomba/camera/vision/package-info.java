@@ -2,7 +2,7 @@
  * What the house asks of OpenCV, and how it is found: only whoever calls {@link
  * org.evoloop.roomba.camera.vision.OpenCv#vision} needs it on the machine.
  *
- * <p>This room may use {@code camera}.
+ * <p>This package may use {@code camera}.
  */
 @NullMarked
 package org.evoloop.roomba.camera.vision;

@@ -35,7 +35,7 @@ public final class Connection {
     static final int BAUD = 115_200;
     static final int ALTERNATE_BAUD = 19_200;
 
-    /** Field code leaves this much after a command that changes the mode. */
+    /** The pause that existing programs leave after a command that changes the mode. */
     public static final Duration MODE_CHANGE = Duration.ofMillis(20);
 
     /** How often the connection checks itself. */
@@ -50,7 +50,7 @@ public final class Connection {
     /** A robot in Passive mode falls asleep after five minutes; a pulse a minute keeps it awake. */
     static final Duration KEEP_AWAKE = Duration.ofMinutes(1);
 
-    /** How often a sleeping robot is asked for its stream: it may have been woken, and its messages lost. */
+    /** How often a sleeping robot is asked for its stream: it may have been woken and its messages lost. */
     public static final Duration ASK_SLEEPER = Duration.ofSeconds(5);
 
     /** After a change of the baud rate the robot needs 100 ms. */
@@ -74,7 +74,7 @@ public final class Connection {
     private final ConnectionState state = new ConnectionState();
     private volatile long lastFrameNanos;
     private volatile Instant downSince = Instant.EPOCH;
-    private volatile boolean told;
+    private volatile boolean attemptsReported;
     private volatile boolean maySleep;
     private boolean alternateTried;
     private int attempt;
@@ -151,7 +151,7 @@ public final class Connection {
         return firstAnswer.future();
     }
 
-    /** Opens a link and asks the robot for its stream. */
+    /** Opens a link and requests the robot's stream. */
     private void plugIn() {
         plugIn(BAUD, Phase.ASKING);
         attempt = 1;
@@ -176,7 +176,7 @@ public final class Connection {
                 owner.read(link);
                 ended = true;
             } catch (Throwable failure) {
-                // Not even an Error may end the reading here, or nobody would give the link back.
+                // Even an Error must not end this thread here, or the link would not be closed.
                 LOG.error("{}: received data could not be handled", link.description(), failure);
             }
         }
@@ -216,7 +216,7 @@ public final class Connection {
 
     private void ask() {
         if (state.phase() != Phase.ASKING) {
-            // It has answered while it was woken; a Start would now end its control.
+            // It answered during the wake pulse; a Start would now end its control.
             return;
         }
         if (attempt == 1) {
@@ -242,11 +242,11 @@ public final class Connection {
         });
     }
 
-    /** A frame has come. */
+    /** A frame was received. */
     public void answered() {
         lastFrameNanos = clock.nanoTime();
         if (state.enterFrom(Phase.ASKING, Phase.UP, "")) {
-            told = false;
+            attemptsReported = false;
             firstAnswer.came();
         }
     }
@@ -278,7 +278,7 @@ public final class Connection {
             }
             case ASKING -> {
                 if (now - askedNanos >= answerLimit.toNanos()) {
-                    goOnAsking();
+                    continueAsking();
                 }
             }
             case DOWN -> replug();
@@ -328,7 +328,7 @@ public final class Connection {
         });
     }
 
-    /** Bytes have arrived: a robot that was asleep has been woken. */
+    /** Bytes were received: a robot that was asleep has been woken. */
     public void stirred() {
         if (isAsleep()) {
             thread.run(() -> {
@@ -343,7 +343,7 @@ public final class Connection {
     private void fallSilent() {
         if (state.enterFrom(Phase.UP, Phase.ASKING, "the robot has fallen silent; " + TRYING)) {
             LOG.warn("{}: {}", description(), state.trouble());
-            told = true;
+            attemptsReported = true;
             loseSight();
             attempt = 1;
             owner.outOfSight();
@@ -361,12 +361,12 @@ public final class Connection {
     }
 
     /** Wakes the robot and asks again; after some attempts tries the other baud rate, at first only once. */
-    private void goOnAsking() {
-        // The next look must not come here before the question was asked.
+    private void continueAsking() {
+        // The next check must not get here before the request was sent.
         askedNanos = clock.nanoTime() + WAKE_PULSE.toNanos();
         attempt++;
         if (attempt <= ATTEMPTS) {
-            tellWhatIsTried();
+            reportAttempts();
             pulse(this::ask);
         } else if (!alternateTried) {
             alternateTried = true;
@@ -381,9 +381,9 @@ public final class Connection {
         }
     }
 
-    private void tellWhatIsTried() {
-        if (!told && state.enterFrom(Phase.ASKING, Phase.ASKING, noAnswer() + "; " + TRYING)) {
-            told = true;
+    private void reportAttempts() {
+        if (!attemptsReported && state.enterFrom(Phase.ASKING, Phase.ASKING, noAnswer() + "; " + TRYING)) {
+            attemptsReported = true;
             LOG.warn("{}: {}", description(), state.trouble());
         }
     }
@@ -395,7 +395,7 @@ public final class Connection {
                 : known;
     }
 
-    /** The robot may listen at the alternate rate; then it is told to come back to the usual one. */
+    /** The robot may use the alternate rate; tells it there to return to the usual one. */
     private void changeRate() {
         plug.pull();
         try {
@@ -405,7 +405,7 @@ public final class Connection {
             replug();
             return;
         }
-        // What it has heard at the wrong rate may have begun any command.
+        // Bytes received at the wrong rate may have started any command.
         plug.completeWhateverIsPending();
         later(MODE_CHANGE.plus(Plug.completionTime(ALTERNATE_BAUD)), () -> {
             plug.trySend(new Command.Baud(BAUD));
@@ -425,7 +425,7 @@ public final class Connection {
         });
     }
 
-    /** Does some work for the link of this moment; nothing if there is another one by then, or none. */
+    /** Schedules work for the current link; it is skipped if the link was replaced or closed by then. */
     private void later(Duration delay, Runnable work) {
         long plugging = plug.current();
         thread.schedule(delay, () -> {
@@ -450,7 +450,7 @@ public final class Connection {
     }
 
     /**
-     * Completes a command of which the robot may have received a part; ends its control.
+     * Completes a command that the robot may have received in part; ends its control.
      *
      * @see Plug#completeWhateverIsPending
      */

@@ -9,24 +9,24 @@ import org.evoloop.link.Link;
  */
 public interface ConnectionOwner {
     /**
-     * Reads {@code link}, from the first byte on, and tells {@link Connection#answered} of each frame. Returns when
-     * nothing more comes: when the link has ended, or, if it does not wait, for now. Called on the thread that reads.
+     * Reads {@code link} from the first byte on, and calls {@link Connection#answered} for each frame. Returns when the
+     * link has ended or, if it does not wait, when no more bytes are available. Called on the reading thread.
      */
     void read(Link link);
 
-    /** The robot is out of sight. Called on the thread that reads or on the connection's own. */
+    /** The robot is unreachable. Called on the reading thread or the connection's own. */
     void outOfSight();
 
-    /** What is known of whatever answers. */
+    /** The first bytes received, which help to identify the device. */
     FirstBytes firstBytes();
 
-    /** What is wrong with the frames that come, if that is known; else empty. */
+    /** The problem with the received frames, if known; else empty. */
     String frameTrouble();
 
-    /** Whether the robot may be kept awake by a pulse now: it is on its own and does nothing. */
+    /** Whether the robot may be kept awake by a pulse now: it is not under control and is idle. */
     boolean isDozing();
 
-    /** Whether a robot that is silent now has fallen asleep, as it does when nobody uses it. */
+    /** Whether a robot that is silent now has fallen asleep, as an unused robot does. */
     boolean isDrowsy();
 
     /** The robot has fallen asleep. Called on the connection's own thread. */

@@ -1,7 +1,7 @@
 package org.evoloop.roomba.session.connection;
 
 /**
- * Where a connection stands, and what is wrong with it.
+ * The phase of a connection, and its problem.
  *
  * <pre>
  *   NEW --&gt; ASKING --frame--&gt; UP --silence--&gt; ASKING
@@ -12,7 +12,7 @@ package org.evoloop.roomba.session.connection;
  *
  *   UP --silence of a robot that may sleep--&gt; ASLEEP --woken--&gt; ASKING
  *
- *   close() --&gt; CLOSED, from wherever it is, for good
+ *   close() --&gt; CLOSED, from every phase, permanently
  * </pre>
  *
  * <p>Threading: thread-safe.
@@ -23,9 +23,9 @@ final class ConnectionState {
         NEW,
         ASKING,
         UP,
-        /** The link is open, and the robot hears nothing until it is woken. */
+        /** The link is open, and the robot ignores commands until it is woken. */
         ASLEEP,
-        /** The robot is told, at the alternate rate, to come back to the usual one; frames do not count. */
+        /** The robot is told, at the alternate rate, to return to the usual one; frames are ignored. */
         CHANGING_RATE,
         DOWN,
         CLOSED
@@ -38,12 +38,12 @@ final class ConnectionState {
         return phase;
     }
 
-    /** What is wrong; empty if nothing is. */
+    /** The problem; empty if there is none. */
     String trouble() {
         return trouble;
     }
 
-    /** Goes on to a phase, with what is wrong in it; false if the connection has been closed, which is for good. */
+    /** Enters a phase, with its problem; returns false if the connection is closed, which is permanent. */
     synchronized boolean enter(Phase next, String withTrouble) {
         boolean open = phase != Phase.CLOSED;
         if (open) {
@@ -53,7 +53,7 @@ final class ConnectionState {
         return open;
     }
 
-    /** The same from one phase only; false if the connection is in another. */
+    /** Enters a phase from {@code from} only; returns false if the connection is in another phase. */
     synchronized boolean enterFrom(Phase from, Phase next, String withTrouble) {
         return phase == from && enter(next, withTrouble);
     }

@@ -14,8 +14,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Does a connection's work piece by piece, now or later: on one thread of its own, or, without waiting, on the caller's
- * and the clock's. What fails is logged, and the next piece is done all the same.
+ * Runs a connection's tasks, now or later: on its own thread or, without waiting, on the caller's and the clock's. A
+ * failing task is logged, and does not affect later ones.
  *
  * <p>Threading: all methods may be called from any thread.
  */
@@ -42,7 +42,7 @@ final class ConnectionThread {
         return made;
     }
 
-    /** Does some work and waits for its end. @throws RuntimeException what the work throws */
+    /** Runs a task and waits for its end. @throws RuntimeException thrown by the task */
     void runAndWait(Runnable work) {
         try {
             CompletableFuture.runAsync(work, own).join();
@@ -51,7 +51,7 @@ final class ConnectionThread {
         }
     }
 
-    /** Does some work as soon as possible, unless this is closed by then. */
+    /** Runs a task as soon as possible, unless this is closed by then. */
     void run(Runnable work) {
         try {
             own.execute(() -> runUnlessClosed(work));
@@ -70,7 +70,7 @@ final class ConnectionThread {
         }
     }
 
-    /** Does some work after a while, unless this is closed by then. */
+    /** Runs a task after a delay, unless this is closed by then. */
     void schedule(Duration delay, Runnable work) {
         if (closed) {
             return;
@@ -82,7 +82,7 @@ final class ConnectionThread {
         }
     }
 
-    /** Waits for the work of this moment to end; no more is done. Idempotent. */
+    /** Waits for the current task to end; no further one is run. Idempotent. */
     void close() {
         closed = true;
         if (thread != null) {

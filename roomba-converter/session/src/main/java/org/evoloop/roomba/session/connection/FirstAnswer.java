@@ -3,7 +3,7 @@ package org.evoloop.roomba.session.connection;
 import java.util.concurrent.CompletableFuture;
 
 /**
- * The first frame of a robot, and who waits for it.
+ * The first frame of a robot, and waiting for it.
  *
  * <p>Threading: thread-safe.
  */
@@ -12,27 +12,27 @@ final class FirstAnswer {
     private volatile boolean patient;
     private volatile Runnable greeting = () -> {};
 
-    /** Nothing but the end is a failure from now on; {@code firstGreeting} is run when the frame comes. */
+    /** From now on only the end counts as a failure; {@code firstGreeting} is run when the frame comes. */
     void waitPatiently(Runnable firstGreeting) {
         patient = true;
         greeting = firstGreeting;
     }
 
-    /** A frame has come. */
+    /** A frame was received. */
     void came() {
         if (answer.complete(null)) {
             greeting.run();
         }
     }
 
-    /** None has come in time. */
+    /** No frame was received in time. */
     void failed(RuntimeException cause) {
         if (!patient) {
             answer.completeExceptionally(cause);
         }
     }
 
-    /** None will come any more. */
+    /** No frame will be received any more. */
     void ended(RuntimeException cause) {
         answer.completeExceptionally(cause);
     }

@@ -15,10 +15,10 @@ public final class FirstBytes {
     private final byte[] bytes = new byte[KEPT];
     private int length;
 
-    /** None yet. */
+    /** No bytes yet. */
     public FirstBytes() {}
 
-    /** Takes the next {@code count} bytes of a buffer; only the first are kept. */
+    /** Adds the next {@code count} bytes of a buffer; only the first ones are stored. */
     public synchronized void take(byte[] buffer, int count) {
         int taken = Math.min(count, KEPT - length);
         System.arraycopy(buffer, 0, bytes, length, taken);
@@ -29,7 +29,7 @@ public final class FirstBytes {
         return length == 0;
     }
 
-    /** What is probably wrong, and how to fix it. */
+    /** The probable problem, and how to fix it. */
     synchronized String diagnosis(String port) {
         if (length == 0) {
             return port

@@ -13,10 +13,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * One end of the cable: the link of the moment, which is replaced by another whenever it is plugged in anew, and the
- * thread that reads it.
+ * The current link, which is replaced each time the cable is plugged in again, and the thread that reads it.
  *
- * <p>Threading: any thread may send and close; links are replaced and told apart by one thread at a time.
+ * <p>Threading: any thread may send and close; only one thread at a time replaces and compares links.
  */
 final class Plug {
     private static final Logger LOG = LoggerFactory.getLogger(Connection.class);
@@ -38,12 +37,12 @@ final class Plug {
         this.cable = cable;
     }
 
-    /** What the next link will be known by; from now on what the last one tells is ignored. */
+    /** The number of the next link; callbacks of the previous one are ignored from now on. */
     long next() {
         return ++pluggings;
     }
 
-    /** What the link of this moment is known by. */
+    /** The number of the current link. */
     long current() {
         return pluggings;
     }
@@ -55,7 +54,7 @@ final class Plug {
         return fresh;
     }
 
-    /** Reads the link of this moment on a thread of its own, which has to end with the link. */
+    /** Reads the current link on a separate thread, which must end with the link. */
     void startReading(Runnable reading) {
         Thread started = new Thread(reading, READER);
         started.setDaemon(true);
@@ -63,19 +62,19 @@ final class Plug {
         started.start();
     }
 
-    /** The link of this moment; null before the first. */
+    /** The current link; null before the first. */
     @Nullable
     Link link() {
         return link;
     }
 
-    /** Closes the link of this moment; what it tells from now on is ignored. */
+    /** Closes the current link; its later callbacks are ignored. */
     void pull() {
         next();
         close();
     }
 
-    /** Closes the link of this moment, and waits until nobody reads it any more. */
+    /** Closes the current link, and waits for the reading thread to end. */
     void close() {
         Link current = link;
         if (current != null) {
@@ -98,7 +97,7 @@ final class Plug {
         current.send(bytes);
     }
 
-    /** Sends a command if that can be done; nobody is told if not. */
+    /** Sends a command if possible; else does nothing. */
     void trySend(Command command) {
         trySend(command.bytes());
     }
@@ -112,9 +111,9 @@ final class Plug {
     }
 
     /**
-     * A robot that has received only a part of a command waits for the rest, for ever (specification, "Roomba Open
-     * Interface Commands"). Repeated Start commands complete whatever it is: they are no valid data for a change of the
-     * baud rate, and as commands do no harm to a robot that is not under control.
+     * A robot that has received only a part of a command waits for the rest forever (specification, "Roomba Open
+     * Interface Commands"). Repeated Start commands complete any command: as data they are invalid for a change of the
+     * baud rate, and as commands they do no harm to a robot that is not under control.
      */
     void completeWhateverIsPending() {
         byte[] starts = new byte[LONGEST_COMMAND];
@@ -122,12 +121,12 @@ final class Plug {
         trySend(starts);
     }
 
-    /** How long the bytes that {@link #completeWhateverIsPending()} sends are on the line. */
+    /** The time on the line of the bytes sent by {@link #completeWhateverIsPending()}. */
     static Duration completionTime(int baud) {
         return Duration.ofNanos(LONGEST_COMMAND * BITS_PER_BYTE * 1_000_000_000L / baud);
     }
 
-    /** Pulls the wake line low or lets it go high again; returns whether the link has one. */
+    /** Sets the wake line low or high; returns whether the link has one. */
     boolean setWakeLine(boolean low) {
         Link current = link;
         return current != null && current.wakeLine().setLow(low);

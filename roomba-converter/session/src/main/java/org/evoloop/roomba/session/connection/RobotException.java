@@ -7,7 +7,7 @@ package org.evoloop.roomba.session.connection;
  * @since 0.1
  */
 public final class RobotException extends RuntimeException {
-    /** The message is for the owner, see above. */
+    /** @param message the problem, for the robot's owner */
     public RobotException(String message) {
         super(message);
     }

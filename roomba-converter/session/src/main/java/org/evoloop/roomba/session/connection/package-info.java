@@ -1,8 +1,8 @@
 /**
- * Gets a robot on the line and keeps it there: opens links, wakes the robot, asks for its stream, and begins anew when
- * it was lost.
+ * Connects to a robot and stays connected: opens links, wakes the robot, requests its stream, and starts again after a
+ * loss.
  *
- * <p>This room may use {@code org.evoloop.roomba.oi}, {@code org.evoloop.link} and {@code org.evoloop.time}.
+ * <p>This package may use {@code org.evoloop.roomba.oi}, {@code org.evoloop.link} and {@code org.evoloop.time}.
  */
 @NullMarked
 package org.evoloop.roomba.session.connection;

@@ -5,9 +5,10 @@ import org.evoloop.roomba.oi.Command;
 import org.evoloop.roomba.oi.SensorValues;
 
 /**
- * Estimates what the robot does by itself, by the rules of its firmware: at work, each of its buttons pauses it; on and
- * idle, they start the work that they are named after; in standby CLEAN only switches it on. While nothing controls its
- * wheels, its motors correct the estimate, whatever the reason: its schedule, an empty battery, being lifted.
+ * Estimates the robot's own activity by the rules of its firmware: while it works, each of its buttons pauses it; while
+ * it is on and idle, a button starts the work it is named after; in standby, CLEAN only switches it on. While the robot
+ * is not under control, its motors correct the estimate after other causes: its schedule, an empty battery, being
+ * lifted.
  *
  * <p>Time is counted in frames, as in {@link SpotWatch}.
  *
@@ -16,20 +17,20 @@ import org.evoloop.roomba.oi.SensorValues;
  * @since 0.1
  */
 public final class ActivityEstimate {
-    /** Motors that run for so long mean that the robot is at work: 0.5 s. */
+    /** If motors run for this long, the robot is at work: 0.5 s. */
     static final int WORK_FRAMES = 33;
 
     /** A robot that was commanded to work must show it within 3 s. */
     public static final int START_FRAMES = 200;
 
-    /** A robot that cleans and then drives with its brushes at rest for so long is on its way home: 3 s. */
+    /** If a cleaning robot drives with its brushes at rest for this long, it is returning to its dock: 3 s. */
     static final int HOMEWARD_FRAMES = 200;
 
     /** The estimated activity. */
     public enum EstimatedActivity {
-        /** Nothing; its light is off. */
+        /** Idle; its light is off. */
         STANDBY,
-        /** Nothing; it is awake. */
+        /** Idle and on. */
         ON,
         /** Cleans. */
         CLEAN,
@@ -60,7 +61,7 @@ public final class ActivityEstimate {
         return activity;
     }
 
-    /** Sets what it did when another process last saw it; its motors show within 3 s whether it still does. */
+    /** Sets the activity last reported to another process; the motors show within 3 s whether it continues. */
     public void assume(EstimatedActivity last) {
         forget();
         activity = last;
@@ -83,7 +84,7 @@ public final class ActivityEstimate {
                 default -> activity;
             };
         }
-        // What the motors did before says nothing about what comes of the press.
+        // Earlier motor activity says nothing about the effect of the press.
         forget();
         if (activity.isWork()) {
             startFramesLeft = START_FRAMES;
@@ -98,7 +99,7 @@ public final class ActivityEstimate {
             activity = EstimatedActivity.STANDBY;
             startFramesLeft = 0;
         } else if (command.opcode().startsWork()) {
-            // Until a pause shows, the motors tell of what was before it.
+            // Until the pause takes effect, the motors show the earlier activity.
             deafFramesLeft = activity.isWork() ? CommandEffect.SHOW_FRAMES : 0;
             activity = activity.isWork() ? EstimatedActivity.ON : begunBy(command);
             startFramesLeft = START_FRAMES;
@@ -119,14 +120,14 @@ public final class ActivityEstimate {
         activity = EstimatedActivity.ON;
     }
 
-    /** It has come to rest, or never began. */
+    /** It has come to rest, or never started. */
     public void seenAtRest() {
         if (activity.isWork()) {
             activity = EstimatedActivity.ON;
         }
     }
 
-    /** The robot was out of sight. */
+    /** Forgets earlier frames, since the robot was unreachable. */
     public void forget() {
         motion.forget();
         atWork = false;
@@ -134,10 +135,10 @@ public final class ActivityEstimate {
     }
 
     /**
-     * Takes the next frame.
+     * Handles the next frame.
      *
      * @param workIsNews whether work should be reported; not if it is about to be ended
-     * @return whether it has just been seen what the robot does, which may be known already
+     * @return whether the robot's activity was observed just now; it may be known already
      */
     public boolean update(SensorValues values, boolean underControl, boolean workIsNews) {
         motion.update(values);
@@ -146,7 +147,7 @@ public final class ActivityEstimate {
             motion.forget();
         }
         if (underControl) {
-            // A command that ends control takes some frames to show: what is expected of it is not forgotten.
+            // A command that ends control takes some frames to show; keep its expected effect.
             atWork = false;
             return false;
         }
@@ -167,7 +168,7 @@ public final class ActivityEstimate {
         }
         boolean begun = motion.poweredFrames() == WORK_FRAMES && workIsNews;
         if (begun && !activity.isWork()) {
-            // It was not known to be at work, so it cleans, as by its schedule.
+            // Without a known cause the robot is cleaning, for example by its schedule.
             activity = EstimatedActivity.CLEAN;
         }
         return begun;

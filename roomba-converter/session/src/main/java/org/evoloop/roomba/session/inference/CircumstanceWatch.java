@@ -6,9 +6,9 @@ import org.evoloop.roomba.oi.OiMode;
 import org.evoloop.roomba.oi.SensorValues;
 
 /**
- * Follows the robot's circumstances: wheel drops and overcurrents (packets 7 and 14) are trouble, the home base among
- * the charging sources (34) is the dock, and the charging state (21) tells whether that fills the battery. That it
- * sleeps is inferred: it has rested in Passive mode for as long as the specification gives it, and has fallen silent.
+ * Tracks the robot's circumstances: wheel drops and overcurrents (packets 7 and 14) are trouble, the home base among
+ * the charging sources (34) is the dock, and the charging state (21) shows whether the dock fills the battery. Sleep is
+ * inferred: the robot has been idle in Passive mode for the time that the specification states, and is silent.
  *
  * <p>Time is counted in frames of the stream, one every 15 ms.
  *
@@ -18,8 +18,8 @@ import org.evoloop.roomba.oi.SensorValues;
  */
 public final class CircumstanceWatch {
     /**
-     * A robot that was idle in Passive mode for five minutes sleeps (specification, "Passive Mode"). So many frames
-     * must have been seen of them: on a noisy line one in four is lost.
+     * A robot that was idle in Passive mode for five minutes sleeps (specification, "Passive Mode"). This part of them
+     * must have been received in frames: on a noisy line one in four is lost.
      */
     static final Duration DROWSY = Duration.ofSeconds(200);
 
@@ -40,9 +40,9 @@ public final class CircumstanceWatch {
     }
 
     /**
-     * Takes the next frame.
+     * Handles the next frame.
      *
-     * @param atWork whether the robot is taken to work by itself
+     * @param atWork whether the robot is estimated to be working by itself
      * @return whether they have changed
      */
     public boolean update(SensorValues values, boolean atWork) {
@@ -52,7 +52,7 @@ public final class CircumstanceWatch {
         Circumstances shown = shown(values);
         seenFrames = shown.equals(seen) ? seenFrames + 1 : 1;
         seen = shown;
-        // One frame alone may be spoilt.
+        // A single frame may be corrupt.
         return isSure() && become(shown);
     }
 
@@ -67,17 +67,17 @@ public final class CircumstanceWatch {
                 values.onHomeBase() && filling);
     }
 
-    /** Whether enough frames have been seen since the robot was out of sight. */
+    /** Whether enough frames were received since the robot was unreachable. */
     public boolean isSure() {
         return seenFrames >= SpotWatch.SURE_FRAMES;
     }
 
-    /** The robot was out of sight. */
+    /** Forgets earlier frames, since the robot was unreachable. */
     public void forget() {
         seenFrames = 0;
     }
 
-    /** Somebody has used the robot's wake line, which begins its idle time anew. */
+    /** The wake line was pulsed, which restarts the robot's idle time. */
     public void keptAwake() {
         idleFrames = 0;
     }
@@ -87,7 +87,7 @@ public final class CircumstanceWatch {
         return idleFrames >= DROWSY_FRAMES;
     }
 
-    /** It has fallen asleep; returns whether that is news. */
+    /** It has fallen asleep; returns whether that is a change. */
     public boolean fellAsleep() {
         idleFrames = 0;
         seenFrames = 0;

@@ -1,18 +1,18 @@
 package org.evoloop.roomba.session.inference;
 
 /**
- * Where the robot is and how it fares, whatever it is taken to do.
+ * The robot's circumstances, independent of its activity.
  *
  * <p>Threading: immutable.
  *
- * @param asleep it hears and says nothing until it is woken
+ * @param asleep it neither receives nor sends anything until it is woken
  * @param inTrouble a wheel hangs in the air, or a motor draws too much current: it cannot work
- * @param docked it stands on its dock
- * @param filling the dock fills its battery; not while that is full and only kept so
+ * @param docked it is on its dock
+ * @param filling the dock charges its battery; false while the battery is full and only kept full
  * @since 0.1
  */
 public record Circumstances(boolean asleep, boolean inTrouble, boolean docked, boolean filling) {
-    /** Awake on the floor, and all is well. */
+    /** Awake, on the floor and without trouble. */
     public static final Circumstances USUAL = new Circumstances(false, false, false, false);
 
     static final Circumstances ASLEEP = new Circumstances(true, false, false, false);

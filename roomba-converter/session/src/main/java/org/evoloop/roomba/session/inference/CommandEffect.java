@@ -6,9 +6,9 @@ import org.evoloop.roomba.oi.SensorValues;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Sees in the OI mode that a command has had its effect, where the mode shows it: Safe and Full put a robot under
- * control, and what starts work or switches off ends that. What a command does to a robot that works by itself shows in
- * its motors, much later.
+ * Detects the effect of a command from the OI mode, where the mode shows it: Safe and Full put a robot under control,
+ * and commands that start work or switch it off end control. The effect on a robot that works by itself shows in its
+ * motors, much later.
  *
  * <p>Time is counted in frames of the stream, one every 15 ms.
  *
@@ -17,7 +17,7 @@ import org.jspecify.annotations.Nullable;
  * @since 0.1
  */
 public final class CommandEffect {
-    /** A command that has arrived shows within so many frames: 0.24 s. */
+    /** The effect of a received command shows within this many frames: 0.24 s. */
     public static final int SHOW_FRAMES = 16;
 
     private @Nullable Command awaited;
@@ -25,7 +25,7 @@ public final class CommandEffect {
     private boolean missing;
     private boolean underControl;
 
-    /** No command is awaited. */
+    /** No effect is awaited. */
     public CommandEffect() {}
 
     /** A command is about to be sent. */
@@ -41,7 +41,7 @@ public final class CommandEffect {
         return command instanceof Command.Safe || command instanceof Command.Full;
     }
 
-    /** Takes the next frame; returns the command whose effect it shows, else null. */
+    /** Handles the next frame; returns the command whose effect it shows, else null. */
     public @Nullable Command update(SensorValues values, boolean nowUnderControl) {
         underControl = nowUnderControl;
         missing &= !underControl;
@@ -62,17 +62,17 @@ public final class CommandEffect {
         return null;
     }
 
-    /** What ends Safe mode without any command (specification, "Safe Mode"). */
+    /** Whether the robot leaves Safe mode without a command (specification, "Safe Mode"). */
     private static boolean leavesControlByItself(SensorValues values) {
         return values.anyWheelDrop() || values.anyCliff() || values.value(Packet.CHARGING_SOURCES) != 0;
     }
 
-    /** Whether the effect of the last command is still to be seen. */
+    /** Whether the effect of the last command has not been seen yet. */
     public boolean isAwaited() {
         return awaited != null;
     }
 
-    /** Whether frames tell of the time after the last command. */
+    /** Whether frames already show the time after the last command. */
     public boolean isOver() {
         return frames >= SHOW_FRAMES;
     }

@@ -4,8 +4,9 @@ import org.evoloop.roomba.oi.Packet;
 import org.evoloop.roomba.oi.SensorValues;
 
 /**
- * Lets buttons and mode change only when two frames in a row agree. The checksum of a frame has eight bits, so that on
- * a noisy line a spoilt frame now and then passes; a press lasts several frames, so one frame later is soon enough.
+ * Accepts a change of buttons or mode only when two successive frames agree. The checksum of a frame has eight bits, so
+ * on a noisy line a corrupt frame occasionally passes; a press lasts several frames, so a delay of one frame is
+ * acceptable.
  *
  * <p>Threading: not thread-safe.
  *
@@ -19,12 +20,12 @@ public final class FrameFilter {
     private int mode;
     private boolean begun;
 
-    /** @param modeOffset what the robot adds to its mode */
+    /** @param modeOffset the offset of the robot's reported mode */
     public FrameFilter(ModeOffset modeOffset) {
         this.modeOffset = modeOffset;
     }
 
-    /** The frame with the buttons and the mode that are to be believed. */
+    /** The frame with the confirmed buttons and mode. */
     public SensorValues filter(SensorValues values) {
         int nowButtons = values.value(Packet.BUTTONS);
         int nowMode = Math.max(0, values.value(Packet.OI_MODE) - modeOffset.value());

@@ -4,9 +4,9 @@ import java.util.OptionalInt;
 import org.evoloop.roomba.oi.OiMode;
 
 /**
- * Finds out what a robot adds to the OI mode that it reports: 1 on some 600 models with Wi-Fi, else 0. The command
- * Start leads to Passive mode from everywhere (specification, "Start"), so a robot that goes on showing the mode above
- * it, however often Start is sent, reports its mode one too high.
+ * Detects the offset of the OI mode that a robot reports: 1 on some 600 models with Wi-Fi, else 0. The command Start
+ * leads to Passive mode from every mode (specification, "Start"), so a robot that keeps showing the next higher mode
+ * although Start is sent repeatedly reports its mode one too high.
  *
  * <p>Time is counted in frames of the stream, one every 15 ms.
  *
@@ -16,21 +16,21 @@ import org.evoloop.roomba.oi.OiMode;
  */
 public final class ModeOffset {
     /**
-     * So long Start must have been sent in vain: 0.5 s. A robot that is in Safe mode obeys sooner, if it hears at all.
+     * How long Start must have had no effect: 0.5 s. A robot in Safe mode that receives it obeys sooner.
      */
     static final int SURE_FRAMES = 33;
 
-    /** So often Start is sent meanwhile: every 0.12 s. */
+    /** The interval at which Start is sent in the meantime: 0.12 s. */
     static final int ASK_FRAMES = 8;
 
-    /** What a robot in Full mode shows if it adds 1. */
+    /** The mode reported by a robot in Full mode with offset 1. */
     private static final int HIGHEST = OiMode.FULL.code() + 1;
 
     private OptionalInt offset;
     private int frames;
     private int impossible;
 
-    /** @param given what is known of the robot, empty if it is to be found out */
+    /** @param given the robot's offset; empty if it is to be detected */
     public ModeOffset(OptionalInt given) {
         this.offset = given;
     }
@@ -40,15 +40,15 @@ public final class ModeOffset {
         return offset.isPresent();
     }
 
-    /** What the robot adds; 0 as long as that is not known. */
+    /** The offset; 0 while it is unknown. */
     public int value() {
         return offset.orElse(0);
     }
 
     /**
-     * Takes the mode of the next frame, as the robot reports it after it was sent a Start.
+     * Handles the mode of the next frame, as the robot reports it after a Start.
      *
-     * @return whether Start must be sent again to find out more
+     * @return whether Start must be sent again
      */
     public boolean update(int reported) {
         if (isKnown()) {
@@ -63,7 +63,7 @@ public final class ModeOffset {
         return !isKnown() && frames % ASK_FRAMES == 1;
     }
 
-    /** A mode that the offset rules out, twice in a row, proves it wrong. */
+    /** A mode that is impossible with the offset, twice in a row, proves the offset wrong. */
     private void correct(int reported) {
         boolean ruledOut = reported == (value() == 0 ? HIGHEST : OiMode.OFF.code());
         impossible = ruledOut ? impossible + 1 : 0;

@@ -4,16 +4,16 @@ import org.evoloop.roomba.oi.SensorValues;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Whether the robot is at work, from its wheels and currents: no packet tells it. The thresholds are those that other
- * programs for Roombas use.
+ * Whether the robot is at work, inferred from its wheels and currents, since no packet shows it. The thresholds are
+ * those of other programs for Roombas.
  *
  * <p>Threading: not thread-safe.
  */
 final class Motion {
-    /** Less flows into the battery, in mA, while motors run; at rest it is about -200. */
+    /** Below this battery current, in mA, motors run; at rest it is about -200. */
     static final int MOVING_CURRENT_MILLI_AMPS = -300;
 
-    /** More flows through a brush motor, in mA, while it turns. */
+    /** Above this current of a brush motor, in mA, it turns. */
     static final int BRUSH_CURRENT_MILLI_AMPS = 20;
 
     private int restFrames = Integer.MAX_VALUE / 2;
@@ -23,7 +23,7 @@ final class Motion {
     private boolean brushed;
     private @Nullable SensorValues last;
 
-    /** Takes the next frame. */
+    /** Handles the next frame. */
     void update(SensorValues values) {
         boolean brushing = Math.abs(values.mainBrushMilliAmps()) > BRUSH_CURRENT_MILLI_AMPS
                 || Math.abs(values.sideBrushMilliAmps()) > BRUSH_CURRENT_MILLI_AMPS;
@@ -44,27 +44,27 @@ final class Motion {
                         || earlier.rightEncoderCounts() != values.rightEncoderCounts());
     }
 
-    /** How many frames nothing has moved or drawn current. */
+    /** The number of frames in a row in which nothing moved or drew current. */
     int restFrames() {
         return restFrames;
     }
 
-    /** How many frames in a row something has. */
+    /** The number of frames in a row in which something moved or drew current. */
     int activeFrames() {
         return activeFrames;
     }
 
-    /** How many frames in a row a motor has drawn current; a robot that is pushed only turns its wheels. */
+    /** The number of frames in a row in which a motor drew current; if the robot is pushed, only its wheels turn. */
     int poweredFrames() {
         return poweredFrames;
     }
 
-    /** How many frames in a row it has driven with brushes at rest that turned before; 0 if it may have none. */
+    /** The number of frames in a row of driving with brushes at rest that turned before; 0 if it may have none. */
     int brushlessFrames() {
         return brushed ? brushlessFrames : 0;
     }
 
-    /** The robot was out of sight; what was seen before says nothing about now. */
+    /** Forgets earlier frames, since the robot was unreachable. */
     void forget() {
         last = null;
         activeFrames = 0;

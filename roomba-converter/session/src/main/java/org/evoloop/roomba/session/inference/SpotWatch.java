@@ -5,11 +5,11 @@ import org.evoloop.roomba.oi.SensorValues;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Infers when a spot cleaning has ended, which no packet of the Open Interface tells: the robot starts to move or its
- * brushes to draw current, and later all of it has been quiet for a while.
+ * Infers the end of a spot cleaning, which no packet of the Open Interface shows: the robot starts to move or its
+ * brushes to draw current, and later everything has been at rest for a while.
  *
- * <p>Time is counted in frames of the stream, one every 15 ms: the robot's own clock, which no delay on the way can
- * distort. Lost frames make it late, never early.
+ * <p>Time is counted in frames of the stream, one every 15 ms: the robot's own clock, which transmission delays do not
+ * distort. Lost frames delay the result, but never make it early.
  *
  * <p>Threading: not thread-safe.
  *
@@ -20,25 +20,26 @@ public final class SpotWatch {
     static final int START_FRAMES = 200;
 
     /**
-     * How long all must be quiet: 1 s. A spiral never stops the wheels that long, a turn after a bump may take less.
+     * How long everything must be at rest: 1 s. A spiral never stops the wheels that long, a turn after a bump is
+     * shorter.
      */
     public static final int QUIET_FRAMES = 67;
 
-    /** No spot cleaning lasts longer: 180 s. */
+    /** The longest spot cleaning: 180 s. */
     static final int LONGEST_FRAMES = 12_000;
 
-    /** So many frames in a row are believed; one alone may be spoilt. */
+    /** The number of frames in a row that must agree; a single one may be corrupt. */
     static final int SURE_FRAMES = 3;
 
-    /** How a spot cleaning came to its end. */
+    /** How a spot cleaning ended. */
     public enum Ending {
         /** The robot finished, or was paused by its user. */
         QUIET,
-        /** The robot never began. */
+        /** The robot never started. */
         NOT_STARTED,
-        /** The mode has changed, which ends whatever the robot did by itself. */
+        /** The mode has changed, which ends the robot's own activity. */
         OVERRIDDEN,
-        /** It cannot have lasted as long as this. */
+        /** It exceeded the longest possible duration. */
         TOO_LONG
     }
 
@@ -55,18 +56,18 @@ public final class SpotWatch {
     /** Before any command and any frame. */
     public SpotWatch() {}
 
-    /** A spot cleaning was asked for, by a command or by the robot's own button. */
+    /** A spot cleaning was started, by a command or by the robot's own button. */
     public void started() {
         phase = Phase.STARTING;
         frames = 0;
     }
 
-    /** Forgets the spot cleaning: the robot was out of sight, or does something else. */
+    /** Forgets the spot cleaning: the robot was unreachable, or does something else. */
     public void forget() {
         phase = Phase.NONE;
     }
 
-    /** Takes the next frame; returns how the spot cleaning ended if it has ended now, else null. */
+    /** Handles the next frame; returns how the spot cleaning ended if it has ended now, else null. */
     public @Nullable Ending update(SensorValues values) {
         motion.update(values);
         if (phase == Phase.NONE) {

@@ -1,8 +1,8 @@
 /**
- * What a robot does, made out from what its frames show: pressed buttons, motors at work and at rest, the end of a spot
- * cleaning. Pure: frames in, findings out, and time is counted in frames.
+ * Infers the robot's activity from its frames: pressed buttons, running and resting motors, the end of a spot cleaning.
+ * Pure: frames in, results out, and time is counted in frames.
  *
- * <p>This room may use {@code org.evoloop.roomba.oi}.
+ * <p>This package may use {@code org.evoloop.roomba.oi}.
  */
 @NullMarked
 package org.evoloop.roomba.session.inference;

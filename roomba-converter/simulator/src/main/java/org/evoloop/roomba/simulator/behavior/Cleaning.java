@@ -4,7 +4,7 @@ import org.evoloop.roomba.simulator.body.Body;
 import org.evoloop.roomba.simulator.body.CleaningMotors;
 import org.evoloop.roomba.simulator.room.Pose;
 
-/** A spiral outwards until something is in the way, then straight runs to and fro until somebody pauses it. */
+/** An outward spiral up to the first obstacle, then straight runs back and forth until it is paused. */
 public final class Cleaning implements Behavior {
     private static final double SPIRAL_SECONDS = 20;
 
@@ -13,7 +13,7 @@ public final class Cleaning implements Behavior {
     private boolean spiraling = true;
     private long ticks;
 
-    /** From this pose on. */
+    /** Starts at this pose. */
     public Cleaning(Pose start) {
         this.spiral = new Spiral(start, SPIRAL_SECONDS);
     }

@@ -4,23 +4,23 @@ import org.evoloop.roomba.simulator.body.Body;
 import org.evoloop.roomba.simulator.room.Point;
 import org.evoloop.roomba.simulator.room.Pose;
 
-/** Wanders until the robot meets the dock's beams, gets in line with the dock and drives onto it. */
+/** Wanders until the robot receives the dock's beams, aligns with the dock and drives onto it. */
 public final class DockSeeking implements Behavior {
-    /** How far ahead on the dock's line the robot looks; the dock is meant to be met straight. */
+    /** The look-ahead distance on the dock's centre line, so that the robot approaches the dock straight. */
     private static final double LOOK_AHEAD_MM = 250;
 
     private static final double APPROACH_MM_PER_S = 170;
 
-    /** Where the robot gets in line if it comes from aside. */
+    /** The distance from the dock at which a robot that comes from the side aligns with it. */
     private static final double LINE_UP_MM = 700;
 
-    /** From here on a robot that is in line already need not go back. */
+    /** Beyond this distance, a robot that is already aligned need not back up. */
     private static final double FAR_MM = 400;
 
     private static final double IN_LINE_MM = 60;
     private static final double NEAR_MM = 100;
 
-    /** To the last contact, in line with the dock. */
+    /** The speed of the last centimetres, aligned with the dock. */
     private static final double CREEP_MM_PER_S = 57;
 
     private final Wandering wandering = new Wandering();
@@ -54,7 +54,7 @@ public final class DockSeeking implements Behavior {
         if (!lined) {
             Pursuit.steer(body, lineUp, pose.distanceMmTo(lineUp) / APPROACH_MM_PER_S);
         } else if (aheadMm > -NEAR_MM / 2) {
-            // So near, only straight on: an arc would not end in line.
+            // This close, drive straight: an arc would not end aligned.
             body.drive(CREEP_MM_PER_S, CREEP_MM_PER_S);
         } else {
             Pursuit.steer(

@@ -5,7 +5,7 @@ import org.evoloop.roomba.simulator.body.Wheel;
 import org.evoloop.roomba.simulator.room.Point;
 import org.evoloop.roomba.simulator.room.Pose;
 
-/** Driving towards a point: on an arc that ends there, or after a turn on the spot when it lies behind. */
+/** Drives towards a point: along an arc that ends there, or after a turn on the spot if it is behind the robot. */
 final class Pursuit {
     private static final double ARRIVED_MM = 10;
     private static final double SPIN_MM_PER_S = 200;

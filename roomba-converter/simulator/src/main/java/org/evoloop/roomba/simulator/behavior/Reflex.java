@@ -7,7 +7,7 @@ import org.evoloop.roomba.simulator.body.CliffSensor;
 import org.evoloop.roomba.simulator.body.Side;
 import org.evoloop.roomba.simulator.body.Surroundings;
 
-/** What comes before every plan: back off from what is bumped into and from cliffs, and turn away. */
+/** Takes precedence over every plan: backs off from obstacles and cliffs, and turns away. */
 final class Reflex {
     private static final int BACK_TICKS = 30;
     private static final double BACK_MM_PER_S = 150;
@@ -17,10 +17,10 @@ final class Reflex {
     /** Turns that are this part of their range longer than the last never repeat, nor come close to it soon. */
     private static final double GOLDEN_SHARE = 0.618;
 
-    /** Between one reflex and the next; less means that it did not help. */
+    /** A shorter time between two reflexes means that the first did not help. */
     private static final int HELPED_TICKS = 30;
 
-    /** So many that did not help mean that there is no way out. */
+    /** After this many reflexes in a row that did not help, the robot is stuck. */
     private static final int HOPELESS = 12;
 
     private int backTicks;
@@ -30,7 +30,7 @@ final class Reflex {
     private int inVain;
     private int count;
 
-    /** Sets the wheels if there is something to get away from; returns whether there was. */
+    /** Sets the wheels if there is an obstacle or a cliff; returns whether there was. */
     boolean steer(Body body) {
         Set<Side> hit = hit(body.surroundings());
         if (backTicks == 0 && !hit.isEmpty()) {
@@ -69,12 +69,12 @@ final class Reflex {
         }
     }
 
-    /** Whether there is something to get away from at this moment. */
+    /** Whether there is an obstacle or a cliff now. */
     static boolean isNeeded(Body body) {
         return !hit(body.surroundings()).isEmpty();
     }
 
-    /** Whether it tries again and again and does not get away. */
+    /** Whether repeated reflexes did not help. */
     boolean isStuck() {
         return inVain >= HOPELESS;
     }

@@ -3,8 +3,8 @@ package org.evoloop.roomba.simulator.behavior;
 import org.evoloop.roomba.simulator.body.Body;
 
 /**
- * Straight runs with turns between, until the robot is stuck. In a room a run ends where something is in the way; on an
- * open plain all turns are the same, and the runs form a star that stays in one place.
+ * Straight runs with turns in between, until the robot is stuck. In a room a run ends at an obstacle; on an open plain
+ * all turns are equal, and the runs form a star that stays in one place.
  */
 public final class Wandering implements Behavior {
     private static final double OPEN_RUN_SECONDS = 4;

@@ -1,8 +1,8 @@
 /**
- * What the simulated robot does by itself: spot cleaning, cleaning, seeking the dock. The patterns are those that
- * people describe; iRobot's own programs are not public.
+ * The simulated robot's own activities: spot cleaning, cleaning, seeking the dock. The patterns follow descriptions by
+ * users; iRobot's programs are not public.
  *
- * <p>This room may use {@code simulator.body} and {@code simulator.room}.
+ * <p>This package may use {@code simulator.body} and {@code simulator.room}.
  */
 @NullMarked
 package org.evoloop.roomba.simulator.behavior;

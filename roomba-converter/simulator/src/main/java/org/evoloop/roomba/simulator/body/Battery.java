@@ -6,14 +6,14 @@ package org.evoloop.roomba.simulator.body;
  * @since 0.1
  */
 public final class Battery {
-    /** What a full battery holds. */
+    /** The charge of a full battery. */
     public static final int CAPACITY_MILLI_AMP_HOURS = 2696;
 
     private static final double EMPTY_MILLI_VOLTS = 13_200;
     private static final double FULL_MILLI_VOLTS = 16_400;
     private static final double SECONDS_PER_HOUR = 3600;
 
-    /** With less the robot stops cleaning. */
+    /** Below this share the robot stops cleaning. */
     private static final double LOW_SHARE = 0.1;
 
     private double chargeMilliAmpHours;
@@ -23,16 +23,16 @@ public final class Battery {
     }
 
     /**
-     * Lets a tick pass.
+     * Advances by one tick.
      *
-     * @param milliAmps negative flows out
+     * @param milliAmps the current into the battery; negative while it discharges
      */
     void tick(int milliAmps) {
         double change = milliAmps * Body.TICK_SECONDS / SECONDS_PER_HOUR;
         chargeMilliAmpHours = Math.max(0, Math.min(CAPACITY_MILLI_AMP_HOURS, chargeMilliAmpHours + change));
     }
 
-    /** What the battery holds. */
+    /** The battery's charge. */
     public int chargeMilliAmpHours() {
         return (int) Math.round(chargeMilliAmpHours);
     }
@@ -46,7 +46,7 @@ public final class Battery {
         return chargeMilliAmpHours / CAPACITY_MILLI_AMP_HOURS;
     }
 
-    /** Whether nothing more goes in. */
+    /** Whether it is full. */
     public boolean isFull() {
         return share() == 1;
     }
@@ -56,7 +56,7 @@ public final class Battery {
         return share() < LOW_SHARE;
     }
 
-    /** Whether nothing is left. */
+    /** Whether it is empty. */
     public boolean isEmpty() {
         return chargeMilliAmpHours == 0;
     }

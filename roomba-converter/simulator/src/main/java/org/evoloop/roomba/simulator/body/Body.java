@@ -5,7 +5,7 @@ import org.evoloop.roomba.simulator.room.Pose;
 import org.evoloop.roomba.simulator.room.Room;
 
 /**
- * The robot's mechanics. What the firmware sets here takes effect from the next {@link #tick()} on.
+ * The robot's mechanics. Settings by the firmware take effect at the next {@link #tick()}.
  *
  * <p>Figures: measurements of Roomba 500 and 600 robots; currents are plausible means, since only their order of
  * magnitude is documented.
@@ -21,7 +21,7 @@ public final class Body {
 
     private static final int ELECTRONICS_MILLI_AMPS = 200;
 
-    /** What is left of that when the robot sleeps. */
+    /** The current of the electronics while the robot sleeps. */
     private static final int SLEEPING_MILLI_AMPS = 5;
 
     private static final int CHARGING_MILLI_AMPS = 1_000;
@@ -52,7 +52,7 @@ public final class Body {
         this.battery = new Battery(batteryPercent);
     }
 
-    /** Sets the velocities that the wheels shall reach; beyond {@link Wheel#FASTEST_MM_PER_S} counts as that. */
+    /** Sets the wheels' target velocities, limited to {@link Wheel#FASTEST_MM_PER_S}. */
     public void drive(double rightMmPerS, double leftMmPerS) {
         right.setTarget(rightMmPerS);
         left.setTarget(leftMmPerS);
@@ -69,11 +69,11 @@ public final class Body {
         setCleaningMotors(CleaningMotors.OFF);
     }
 
-    /** Lets {@value #TICK_MILLIS} ms pass. */
+    /** Advances by {@value #TICK_MILLIS} ms. */
     public void tick() {
         double leftMm = left.tick();
         double rightMm = right.tick();
-        // With a wheel in the air the robot lies on its belly, or somebody holds it.
+        // With a wheel in the air the robot rests on its underside, or is being held.
         if (surroundings().wheelDrops().isEmpty()) {
             Pose before = pose;
             pose = room.moved(before, before.rolled(leftMm, rightMm));
@@ -83,47 +83,47 @@ public final class Body {
         battery.tick(batteryMilliAmps());
     }
 
-    /** Somebody carries the robot elsewhere. */
+    /** Moves the robot to another pose. */
     public void place(Pose where) {
         pose = where;
     }
 
-    /** Somebody holds the robot up in the air, or sets it down where it was. */
+    /** Lifts the robot, or sets it down where it was. */
     public void setLifted(boolean inTheAir) {
         lifted = inTheAir;
     }
 
-    /** Somebody puts the dock elsewhere. */
+    /** Moves the dock to another pose. */
     public void moveDock(Pose where) {
         room = room.withDock(where);
     }
 
-    /** Somebody hangs the marker elsewhere, covers it or shows it again. */
+    /** Moves, covers or uncovers the marker. */
     public void setMarker(Marker marker) {
         room = room.withMarker(marker);
     }
 
-    /** Whether the electronics are at work or sleep. */
+    /** Sets whether the electronics are awake. */
     public void setAwake(boolean atWork) {
         awake = atWork;
     }
 
-    /** Whether the battery may be charged when there is current to be had. */
+    /** Sets whether the battery may be charged on the dock. */
     public void allowCharger(boolean allowed) {
         chargerAllowed = allowed;
     }
 
-    /** Whether current flows into the battery; the dock always has some. */
+    /** Whether the battery is being charged; the dock always has power. */
     public boolean isCharging() {
         return chargerAllowed && surroundings().docked();
     }
 
-    /** Where the robot is. */
+    /** The room in which the robot is. */
     public Room room() {
         return room;
     }
 
-    /** What the robot feels and sees at this moment. */
+    /** The robot's current surroundings. */
     public Surroundings surroundings() {
         return new Surroundings(room, pose, lifted);
     }
@@ -148,17 +148,17 @@ public final class Body {
         return cleaningMotors;
     }
 
-    /** Where the robot stands, and where it heads. */
+    /** The robot's position and heading. */
     public Pose pose() {
         return pose;
     }
 
-    /** How far the robot's centre came by its wheels since it was made; rolling back makes it less. */
+    /** The distance driven since the robot was created; driving backwards reduces it. */
     public double travelledMm() {
         return (left.travelledMm() + right.travelledMm()) / 2;
     }
 
-    /** How far the robot turned by its wheels since it was made, counterclockwise. */
+    /** The angle turned by its wheels since the robot was created, counterclockwise. */
     public double turnedDeg() {
         return Math.toDegrees((right.travelledMm() - left.travelledMm()) / Pose.WHEEL_BASE_MM);
     }
@@ -171,7 +171,7 @@ public final class Body {
         return sum > 0 || radiusMm < Room.ROBOT_RADIUS_MM;
     }
 
-    /** What flows into the battery; negative flows out. */
+    /** The current into the battery; negative while it discharges. */
     public int batteryMilliAmps() {
         if (isCharging()) {
             return battery.isFull() ? TRICKLE_MILLI_AMPS : CHARGING_MILLI_AMPS;

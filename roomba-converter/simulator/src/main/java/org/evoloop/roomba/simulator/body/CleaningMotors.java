@@ -1,7 +1,7 @@
 package org.evoloop.roomba.simulator.body;
 
 /**
- * How the cleaning motors are powered, each as a part of full power.
+ * The power of the cleaning motors, each as a fraction of full power.
  *
  * @param mainBrush -1 to 1
  * @param sideBrush -1 to 1
@@ -9,7 +9,7 @@ package org.evoloop.roomba.simulator.body;
  * @since 0.1
  */
 public record CleaningMotors(double mainBrush, double sideBrush, double vacuum) {
-    /** All motors stand still. */
+    /** All motors are off. */
     public static final CleaningMotors OFF = new CleaningMotors(0, 0, 0);
     /** All motors at full power. */
     public static final CleaningMotors ON = new CleaningMotors(1, 1, 1);
@@ -28,7 +28,7 @@ public record CleaningMotors(double mainBrush, double sideBrush, double vacuum) 
         return (int) (SIDE_BRUSH_FULL_MILLI_AMPS * Math.abs(sideBrush));
     }
 
-    /** The only one that no sensor packet tells. */
+    /** What the vacuum draws; no sensor packet reports it. */
     public int vacuumMilliAmps() {
         return (int) (VACUUM_FULL_MILLI_AMPS * vacuum);
     }

@@ -19,7 +19,7 @@ public enum LightSensor {
     /** 65 degrees to the right. */
     RIGHT(5, -65);
 
-    /** What packet 45 takes for something near. */
+    /** The threshold of packet 45. */
     private static final int NEAR_SIGNAL = 100;
 
     /** With these two a wall is near from about 220 mm on; the robot's own figures are not public. */
@@ -44,7 +44,7 @@ public enum LightSensor {
         return bearingRad;
     }
 
-    /** What the sensor tells when something is this far from the bumper. */
+    /** The sensor's signal for an obstacle at this distance from the bumper. */
     static int signal(double distanceMm) {
         return (int) (STRONGEST_SIGNAL * Math.exp(-Math.max(0, distanceMm) / FADING_MM));
     }

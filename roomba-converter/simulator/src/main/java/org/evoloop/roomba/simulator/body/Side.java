@@ -1,7 +1,7 @@
 package org.evoloop.roomba.simulator.body;
 
 /**
- * Of the robot, as seen by somebody who sits on it.
+ * A side of the robot, as seen in the direction of travel.
  *
  * @since 0.1
  */

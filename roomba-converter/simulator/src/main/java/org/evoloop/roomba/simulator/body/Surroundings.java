@@ -7,20 +7,20 @@ import org.evoloop.roomba.simulator.room.Pose;
 import org.evoloop.roomba.simulator.room.Room;
 
 /**
- * What the robot feels and sees of the room where it stands, or hangs when somebody has lifted it.
+ * What the robot's sensors detect in the room, also when it is lifted.
  *
- * <p>Threading: immutable; all is found out when it is asked.
+ * <p>Threading: immutable; everything is computed when it is requested.
  *
  * @since 0.1
  */
 public record Surroundings(Room room, Pose pose, boolean lifted) {
-    /** What touches the bumper no farther from its middle than this presses both of its sides. */
+    /** A contact within this angle of the bumper's middle presses both of its sides. */
     private static final double BUMPER_MIDDLE_RAD = Math.toRadians(20);
 
     private static final double BUMPER_END_RAD = Math.toRadians(80);
     private static final double TOUCH_MM = 1;
 
-    /** How exactly the robot must stand on the dock for the contacts to meet: along, across, and in direction. */
+    /** The tolerance of the robot's pose on the dock for the contacts to touch: along, across, and in direction. */
     private static final double DOCKED_MM = 15;
 
     private static final double DOCKED_ASIDE_MM = 35;
@@ -66,12 +66,12 @@ public record Surroundings(Room room, Pose pose, boolean lifted) {
         return missing;
     }
 
-    /** What one of the light sensors tells, 0 to 4095. */
+    /** The signal of a light sensor, 0 to 4095. */
     public int lightSignal(LightSensor sensor) {
         return lifted ? 0 : LightSensor.signal(room.freeMm(pose, sensor.bearingRad()) - Room.ROBOT_RADIUS_MM);
     }
 
-    /** Whether the robot stands on the dock's contacts. */
+    /** Whether the robot is on the dock's contacts. */
     public boolean docked() {
         return !lifted && room.dock().filter(this::isOn).isPresent();
     }

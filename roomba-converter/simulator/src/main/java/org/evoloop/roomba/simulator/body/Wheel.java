@@ -6,7 +6,7 @@ package org.evoloop.roomba.simulator.body;
  * @since 0.1
  */
 public final class Wheel {
-    /** What the specification names the fastest. */
+    /** The highest speed in the specification. */
     public static final double FASTEST_MM_PER_S = 500;
 
     private static final double DIAMETER_MM = 72.0;
@@ -15,10 +15,10 @@ public final class Wheel {
     /** How far the wheel rolls from one count of its encoder to the next, 0.4446 mm. */
     public static final double MM_PER_COUNT = Math.PI * DIAMETER_MM / COUNTS_PER_REVOLUTION;
 
-    /** The speed controller knows no speeds between (specification, "Drive"). */
+    /** The resolution of the speed controller (specification, "Drive"). */
     private static final double SPEED_STEP_MM_PER_S = 28.5;
 
-    /** So that a robot at rest that is told 200 mm/s gets 187 mm far in the first second, as measured by iRobot. */
+    /** Chosen so that a robot accelerating from rest to 200 mm/s covers 187 mm in the first second, as iRobot measured. */
     private static final double SPEED_CHANGE_PER_TICK_MM_PER_S = 1600 * Body.TICK_SECONDS;
 
     private static final double TURNING_MILLI_AMPS = 60;
@@ -31,13 +31,13 @@ public final class Wheel {
     /** At rest. */
     public Wheel() {}
 
-    /** Rounds to what the speed controller can do; whatever is not zero moves the wheel. */
+    /** Sets the target, rounded to the controller's resolution, but never to zero unless it is zero. */
     void setTarget(double mmPerS) {
         double steps = Math.max(1, Math.rint(Math.abs(mmPerS) / SPEED_STEP_MM_PER_S));
         targetMmPerS = Math.signum(mmPerS) * Math.min(steps * SPEED_STEP_MM_PER_S, FASTEST_MM_PER_S);
     }
 
-    /** Lets a tick pass and returns how far the wheel rolled in it. */
+    /** Advances by one tick; returns how far the wheel rolled in it. */
     double tick() {
         double before = velocityMmPerS;
         double wanted = targetMmPerS - before;
@@ -52,12 +52,12 @@ public final class Wheel {
         return velocityMmPerS;
     }
 
-    /** Since the wheel was made; rolling back makes it less. */
+    /** The distance rolled since the wheel was created; rolling backwards reduces it. */
     public double travelledMm() {
         return travelledMm;
     }
 
-    /** Of the encoder since the wheel was made; rolling back makes it less. */
+    /** The encoder's counts since the wheel was created; rolling backwards reduces them. */
     public long counts() {
         return (long) Math.floor(travelledMm / MM_PER_COUNT);
     }

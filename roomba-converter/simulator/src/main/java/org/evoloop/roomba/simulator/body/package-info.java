@@ -1,8 +1,8 @@
 /**
- * The simulated robot as a thing: wheels on a floor, motors that draw current, a battery, a bumper and eyes. It knows
- * nothing of the Open Interface and does what it is told, 15 ms at a time.
+ * The simulated robot's hardware: wheels on a floor, motors that draw current, a battery, a bumper and sensors. It does
+ * not depend on the Open Interface, and advances in steps of 15 ms.
  *
- * <p>This room may use {@code simulator.room}.
+ * <p>This package may use {@code simulator.room}.
  */
 @NullMarked
 package org.evoloop.roomba.simulator.body;

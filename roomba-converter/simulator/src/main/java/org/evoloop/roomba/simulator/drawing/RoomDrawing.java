@@ -29,7 +29,7 @@ public final class RoomDrawing {
 
     private static final double MARKER_DEPTH_MM = 60;
 
-    /** A camera in an open place sees farther, but nobody wants to see that. */
+    /** The longest line of sight drawn; in an open place a camera sees farther. */
     private static final double SIGHT_MM = 4_000;
 
     private static final int SIGHT_RAYS = 120;
@@ -50,8 +50,8 @@ public final class RoomDrawing {
     /**
      * The drawing as an SVG document.
      *
-     * @param state where the robot is now
-     * @param trail how it came there
+     * @param state the robot's current state
+     * @param trail the robot's path so far
      */
     public static String svg(RobotState state, Trail trail) {
         return svg(state, trail, 0);

@@ -11,8 +11,8 @@ import org.evoloop.roomba.simulator.room.Pose;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Remembers where a robot went, and why it moved. Must hear every tick's state. Of a long way the oldest part is
- * forgotten.
+ * Records a robot's path, and why it moved. It must receive the state of every tick. The oldest part of a long path is
+ * dropped.
  *
  * <p>Threading: thread-safe.
  *
@@ -21,13 +21,13 @@ import org.jspecify.annotations.Nullable;
 public final class Trail implements Consumer<RobotState> {
     private static final double STEP_MM = 15;
 
-    /** Nobody drives so far in a tick: somebody has carried the robot. */
+    /** A longer distance in one tick means that the robot was carried. */
     private static final double CARRIED_MM = 12;
 
     /** Three kilometres, or some hours of cleaning. */
     private static final int MOST_STEPS = 200_000;
 
-    /** A piece of the way that has one cause. */
+    /** A part of the path with one cause. */
     record Piece(Cause cause, List<Point> points) {}
 
     private record Step(Point point, Cause cause, boolean joined) {}
@@ -37,7 +37,7 @@ public final class Trail implements Consumer<RobotState> {
     private @Nullable Pose last;
     private boolean carried;
 
-    /** Of a robot that has not been heard of. */
+    /** An empty trail. */
     public Trail() {}
 
     @Override
@@ -72,7 +72,7 @@ public final class Trail implements Consumer<RobotState> {
         return start;
     }
 
-    /** The way in pieces, the oldest first. */
+    /** The pieces of the path, oldest first. */
     synchronized List<Piece> pieces() {
         List<Piece> pieces = new ArrayList<>();
         Point before = null;

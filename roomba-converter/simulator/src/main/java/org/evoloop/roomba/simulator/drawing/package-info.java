@@ -1,7 +1,7 @@
 /**
- * Pictures of what the simulated robot did: where it went in its room and why, as one SVG file for people to look at.
+ * Drawings of the simulated robot's path in its room, with the causes of its movements, as one SVG file for people.
  *
- * <p>This room may use {@code oi}, {@code simulator.robot} and {@code simulator.room}. It writes no files itself.
+ * <p>This package may use {@code oi}, {@code simulator.robot} and {@code simulator.room}. It writes no files itself.
  */
 @NullMarked
 package org.evoloop.roomba.simulator.drawing;

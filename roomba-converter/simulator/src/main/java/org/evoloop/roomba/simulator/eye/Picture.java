@@ -1,7 +1,7 @@
 package org.evoloop.roomba.simulator.eye;
 
 /**
- * What the camera saw.
+ * A picture taken by the camera.
  *
  * @param bgr a byte each for blue, green and red, row by row from the top left; whoever has the picture may change it
  * @since 0.1

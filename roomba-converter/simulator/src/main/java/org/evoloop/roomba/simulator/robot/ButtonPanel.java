@@ -9,9 +9,9 @@ import java.util.Set;
 import org.evoloop.roomba.oi.Button;
 import org.evoloop.roomba.simulator.body.Body;
 
-/** Which buttons are held down, for how long yet, and which presses wait until their button is up again. */
+/** The buttons held down, the remaining time of each, and the presses that wait until their button is released. */
 final class ButtonPanel {
-    /** A finger is off a button for at least so long between two presses: 90 ms. */
+    /** The shortest time between two presses of a button: 90 ms. */
     static final int RELEASED_TICKS = 6;
 
     private record Phase(boolean down, int ticks) {}
@@ -19,9 +19,9 @@ final class ButtonPanel {
     private final Map<Button, Deque<Phase>> plans = new EnumMap<>(Button.class);
 
     /**
-     * Somebody presses a button. If it is still down, or has just been released, this press comes after that one.
+     * A person presses a button. If it is still down, or was just released, this press is queued.
      *
-     * @return whether it went down now; if not, {@link #tick()} tells when it does
+     * @return whether it went down now; if not, {@link #tick()} reports it later
      */
     boolean press(Button button, int durationMillis) {
         Deque<Phase> plan = plan(button);
@@ -58,7 +58,7 @@ final class ButtonPanel {
         return !plan.isEmpty() && plan.getFirst().down();
     }
 
-    /** Lets a tick pass; returns the buttons that have gone down with it. */
+    /** Advances by one tick; returns the buttons that went down in it. */
     Set<Button> tick() {
         Set<Button> before = pressed();
         plans.values().forEach(ButtonPanel::tick);

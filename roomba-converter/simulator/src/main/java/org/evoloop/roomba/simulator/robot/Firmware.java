@@ -24,7 +24,7 @@ final class Firmware {
     /** How long the robot holds down what command Buttons presses: 1/6 s. */
     private static final int COMMANDED_PRESS_MILLIS = 167;
 
-    /** So long in Passive mode without anything to do, and the robot sleeps. */
+    /** After this idle time in Passive mode the robot falls asleep. */
     private static final int TIRED_TICKS = 5 * 60_000 / Body.TICK_MILLIS;
 
     private static final int TICKS_PER_SECOND = 1000 / Body.TICK_MILLIS;
@@ -89,7 +89,7 @@ final class Firmware {
             }
             case SPOT -> startOrPause(RobotActivity.SPOT);
             case SEEK_DOCK -> startOrPause(RobotActivity.DOCK);
-            // The line's rate is no affair of this program, and nobody waits for the schedule's day.
+            // The rate is handled elsewhere, and schedules are not simulated.
             default -> {}
         }
     }
@@ -119,7 +119,7 @@ final class Firmware {
         }
     }
 
-    /** Somebody presses a button, now or when it is up again. */
+    /** A person presses a button, now or when it is released. */
     void press(Button button, int durationMillis) {
         idleTicks = 0;
         if (buttons.press(button, durationMillis)) {
@@ -245,7 +245,7 @@ final class Firmware {
         }
     }
 
-    /** The second half of a tick, after the body has moved: what the robot tells. */
+    /** The second half of a tick, after the body has moved: the robot's output. */
     void report() {
         protect();
         digestsModeChange = false;
@@ -258,7 +258,7 @@ final class Firmware {
         buttons.tick().forEach(this::wentDown);
     }
 
-    /** Somebody used the wake line. */
+    /** The wake line was used. */
     void stayAwake() {
         idleTicks = 0;
     }

@@ -1,7 +1,7 @@
 package org.evoloop.roomba.simulator.robot;
 
 /**
- * What the robot truly does. The Open Interface has no packet that tells it; {@code RobotState} does.
+ * The robot's true activity. No packet of the Open Interface shows it; {@code RobotState} does.
  *
  * <pre>
  *            CLEAN                 CLEAN, SPOT or DOCK
@@ -16,14 +16,14 @@ package org.evoloop.roomba.simulator.robot;
  * and from an activity to ON.
  *
  * <p>By itself, every activity leads to ON when the robot loses its floor, is stuck or gets onto its dock, and CLEAN
- * leads to DOCK, or without a dock to ON, when the battery is low. Whoever sleeps is OFF.
+ * leads to DOCK, or without a dock to ON, when the battery is low. A sleeping robot is OFF.
  *
  * @since 0.1
  */
 public enum RobotActivity {
     /** Standby: it has power and listens, its light is off. */
     OFF,
-    /** Awake, and does nothing of its own. */
+    /** On and idle. */
     ON,
     /** Cleans the room. */
     CLEAN,

@@ -11,7 +11,7 @@ import org.evoloop.roomba.simulator.body.Surroundings;
 import org.evoloop.roomba.simulator.room.Pose;
 
 /**
- * The truth about a simulated robot at one moment, whatever its sensors tell.
+ * The true state of a simulated robot at one moment, independent of its sensors.
  *
  * @param timeMillis since the robot was made
  * @param pose where the robot's centre is in its room, and where it looks
@@ -20,7 +20,7 @@ import org.evoloop.roomba.simulator.room.Pose;
  * @param pressed the buttons held down
  * @param streaming whether frames are being sent
  * @param surroundings what bumps, cliffs, wheel drops and the dock are to the robot
- * @param asleep whether it hears and says nothing until it is woken
+ * @param asleep whether it neither receives nor sends anything until it is woken
  * @param batteryPercent how full the battery is
  * @param charging whether the dock fills it
  * @param baud the rate of the robot's port

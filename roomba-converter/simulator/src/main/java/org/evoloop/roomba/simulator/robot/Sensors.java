@@ -12,7 +12,7 @@ import org.evoloop.roomba.simulator.body.LightSensor;
 import org.evoloop.roomba.simulator.body.Side;
 import org.evoloop.roomba.simulator.room.Pose;
 
-/** What the sensors tell. Reading distance and angle starts their count anew, as on the robot. */
+/** The values of the sensors. Reading distance or angle resets it, as on the robot. */
 final class Sensors {
     static final int TEMPERATURE_CELSIUS = 25;
 
@@ -35,7 +35,7 @@ final class Sensors {
     private static final FirmwareVersion FIRST_RIGHT_DISTANCE = new FirmwareVersion(3, 3, 0);
     private static final FirmwareVersion LAST_WRONG_ANGLE = new FirmwareVersion(3, 4, 0);
 
-    /** As measured on a robot: it tells less than it drove, with the sign turned. */
+    /** As measured on a robot: it reports less than it drove, with the opposite sign. */
     private static final double WRONG_DISTANCE = -1 / 8.0;
 
     /** From the specification's appendix on firmware versions. */
@@ -153,7 +153,7 @@ final class Sensors {
         return bits;
     }
 
-    /** All three receivers tell the same: which of the dock's beams goes to which side is not documented. */
+    /** All three receivers report the same value: which of the dock's beams goes to which side is not documented. */
     private int infrared() {
         Pose dock = body.room().dock().orElse(null);
         if (dock == null || !body.surroundings().seesDock()) {

@@ -4,9 +4,8 @@ import java.util.Arrays;
 import java.util.Random;
 
 /**
- * What becomes of bytes between the robot's and the client's programs: with unequal rates they turn into garbage, and a
- * bad cable loses and changes some. Each direction has its own chance, so that what goes one way does not change what
- * becomes of the other.
+ * The line between robot and client: unequal rates turn bytes into garbage, and a bad cable loses and changes some.
+ * Each direction has its own random numbers, so that traffic in one does not affect the other.
  */
 final class SerialLine {
     private static final double NOISE_PER_TICK = 0.1;
@@ -39,7 +38,7 @@ final class SerialLine {
         baud = bitsPerSecond;
     }
 
-    /** Of the client's port; 0 is always the right one. */
+    /** Sets the rate of the client's port; 0 always matches. */
     void setClientBaud(int bitsPerSecond) {
         clientBaud = bitsPerSecond;
     }

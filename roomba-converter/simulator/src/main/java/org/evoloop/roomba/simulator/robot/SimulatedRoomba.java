@@ -21,8 +21,8 @@ import org.slf4j.LoggerFactory;
  *         &lt;--- CLEAN button, wake line, or dock ---------------
  * </pre>
  *
- * <p>Asleep it hears and says nothing; when it wakes its interface is off. So it is for the {@value #BOOT_MILLIS} ms in
- * which it boots after command Reset; its boot text follows.
+ * <p>Asleep it neither receives nor sends anything; when it wakes, its interface is off. The same holds for the
+ * {@value #BOOT_MILLIS} ms in which it boots after command Reset; its boot text follows.
  *
  * <p>Threading: thread-safe, each call is atomic; it has no threads of its own. The sink is called within calls and
  * must not call back.
@@ -33,7 +33,7 @@ public final class SimulatedRoomba {
     /** The robot time of one {@link #tick()}. */
     public static final int TICK_MILLIS = Body.TICK_MILLIS;
 
-    /** How long a person holds a button down if nothing else is said. */
+    /** How long a person holds a button down by default. */
     public static final int USUAL_PRESS_MILLIS = 150;
 
     private static final Logger LOG = LoggerFactory.getLogger(SimulatedRoomba.class);
@@ -44,7 +44,7 @@ public final class SimulatedRoomba {
     private static final int SLOW_BAUD = 19_200;
     private static final int TICKS_PER_SECOND = 1000 / TICK_MILLIS;
 
-    /** How far back somebody carries a robot that is taken off its dock. */
+    /** How far a robot is moved back when it is taken off its dock. */
     private static final double UNDOCK_MM = 500;
 
     private final RobotOptions options;

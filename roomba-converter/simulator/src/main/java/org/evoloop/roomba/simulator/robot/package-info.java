@@ -3,7 +3,7 @@
  * replies and streams. {@link org.evoloop.roomba.simulator.robot.SimulatedRoomba} is the whole of it; bytes go in and
  * come out, and time passes when it is told to.
  *
- * <p>This room may use {@code oi}, {@code simulator.behavior} and {@code simulator.body}. It knows no ports, threads or
+ * <p>This package may use {@code oi}, {@code simulator.behavior} and {@code simulator.body}. It knows no ports, threads or
  * clocks.
  */
 @NullMarked
