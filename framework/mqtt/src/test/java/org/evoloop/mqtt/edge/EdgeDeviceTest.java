@@ -202,7 +202,7 @@ class EdgeDeviceTest {
         assertThat(done).containsExactly("off --switch--> on by=me");
         assertThat(told.stream().distinct())
                 .extracting(each -> each.get("sequence") + " " + each.get("outcome") + " " + each.get("reason"))
-                .containsExactly("1.0 sent null", "2.0 failed the command came too late", "3.0 sent null");
+                .containsExactly("1.0 sent null", "2.0 failed the command arrived after its deadline", "3.0 sent null");
     }
 
     @Test
@@ -240,8 +240,13 @@ class EdgeDeviceTest {
                 "{\"a\":\"\\u00",
                 "{\"a\":[1 2]}",
                 "{\"a\":\"\\uzzzz\"}")) {
-            assertThatThrownBy(() -> Json.object(wrong)).as(wrong).isInstanceOf(IllegalArgumentException.class);
+            assertThatThrownBy(() -> Json.object(wrong))
+                    .as(wrong)
+                    .isInstanceOf(IllegalArgumentException.class)
+                    .hasMessageStartingWith("this is not valid JSON: ");
         }
+        assertThatThrownBy(() -> Json.object("{\"a\":\"b"))
+                .hasMessage("this is not valid JSON: a string has no closing quotation mark at character 7");
         assertThatThrownBy(() -> new Received("{\"schema\":2}")).hasMessageContaining("update this program");
     }
 }
