@@ -206,13 +206,16 @@ final class ConverterOptions {
      * The options, once they have been checked.
      *
      * @param pace how many times faster than real time the robot runs
-     * @param simulatedCamera the address of the simulated robot's camera, if it has one
+     * @param eyes what Move looks with; empty if it relies on the wheels
      * @param journal the converter's journal; null for none
      */
-    RoombaOptions read(double pace, Optional<URI> simulatedCamera, @Nullable Path journal) {
+    RoombaOptions read(double pace, Optional<Eyes> eyes, @Nullable Path journal) {
         Double spotWait = spotWaitSeconds;
         String quiet = quietHours;
-        return RoombaOptions.of(requireNonNull(read), startPoint(pace, simulatedCamera))
+        return RoombaOptions.of(
+                        requireNonNull(read),
+                        eyes.<Function<Clock, StartPointSensor>>map(each -> each)
+                                .orElseGet(this::byWheels))
                 .withMove(MoveOptions.defaults()
                         .withLimit(seconds(searchLimitSeconds))
                         .atPace(pace))
@@ -242,14 +245,21 @@ final class ConverterOptions {
         return Duration.ofMillis(Math.round(value * 1000));
     }
 
-    private Function<Clock, StartPointSensor> startPoint(double pace, Optional<URI> simulatedCamera) {
-        String wanted = camera;
+    /**
+     * What Move looks with; empty if it relies on the wheels.
+     *
+     * @param pace how many times faster than real time the robot runs
+     * @param simulatedCamera the address of the simulated robot's camera, if it has one
+     */
+    Optional<Eyes> eyes(double pace, Optional<URI> simulatedCamera) {
+        return Optional.ofNullable(camera)
+                .map(wanted ->
+                        CameraSource.parse(simulatedCamera.map(URI::toString).orElse(wanted)))
+                .map(source -> new Eyes(cameraOptions.read(source), pace));
+    }
+
+    private Function<Clock, StartPointSensor> byWheels() {
         double[] point = startPoint;
-        if (wanted != null) {
-            CameraSource source =
-                    CameraSource.parse(simulatedCamera.map(URI::toString).orElse(wanted));
-            return Eyes.through(cameraOptions.read(source), pace);
-        }
         double[] known = point == null ? new double[] {Scenario.START_X_MM, Scenario.START_Y_MM} : point;
         return clock -> StartPointSensor.byWheels(known[0], known[1]);
     }

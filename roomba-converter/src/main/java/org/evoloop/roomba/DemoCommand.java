@@ -6,6 +6,7 @@ import java.net.URI;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.Callable;
+import java.util.function.Function;
 import org.evoloop.evolution.ModelPair;
 import org.evoloop.roomba.camera.CameraException;
 import org.evoloop.roomba.camera.CameraSource;
@@ -135,7 +136,7 @@ final class DemoCommand implements Callable<Integer> {
         return RoombaOptions.of(
                         models,
                         world.camera()
-                                .map(url -> Eyes.through(settings(url), pace))
+                                .<Function<Clock, StartPointSensor>>map(url -> new Eyes(settings(url), pace))
                                 .orElse(clock -> StartPointSensor.byWheels(Scenario.START_X_MM, Scenario.START_Y_MM)))
                 .withMove(MoveOptions.defaults().atPace(pace));
     }

@@ -85,7 +85,7 @@ final class EdgeCommand implements Callable<Integer> {
         Options.of()
                 .checking((settings, mistakes) -> options.check(false, mistakes))
                 .read(List.of(), Map.of());
-        RoombaOptions read = options.read(1, Optional.empty(), null);
+        RoombaOptions read = options.read(1, options.eyes(1, Optional.empty()), null);
         SystemClock clock = new SystemClock();
         PrintWriter out = spec.commandLine().getOut();
         try (EdgeDevice edge = new EdgeDevice(device, broker, directory, clock, Clock.systemUTC(), how -> {

@@ -2,7 +2,6 @@ package org.evoloop.roomba;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.Locale;
@@ -10,6 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.function.IntFunction;
+import java.util.stream.Stream;
 import org.evoloop.config.Mistakes;
 import org.evoloop.config.Options;
 import org.evoloop.config.Settings;
@@ -121,19 +121,19 @@ final class RoombaCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException, InterruptedException {
-        double pace = speed == null ? 1 : speed;
-        ServiceOptions unattended = ServiceOptions.of(settings);
-        Path journal = unattended.journal();
-        try (Service service = Service.open(unattended)) {
+        try (Service service = Service.open(ServiceOptions.of(settings))) {
             String robotPort = port;
             if (robotPort != null) {
-                return converse(service, robotPort, options.read(pace, Optional.empty(), journal), pace, null);
+                return converse(service, robotPort, null);
             }
-            try (SimulatedWorld world = SimulatedWorld.inThisProcess(pace, options.wantsSimulatedCamera())) {
-                return converse(
-                        service, world.port().toString(), options.read(pace, world.camera(), journal), pace, world);
+            try (SimulatedWorld world = SimulatedWorld.inThisProcess(pace(), options.wantsSimulatedCamera())) {
+                return converse(service, world.port().toString(), world);
             }
         }
+    }
+
+    private double pace() {
+        return speed == null ? 1 : speed;
     }
 
     /** Refuses a speed that clocks and simulator do not have. */
@@ -145,9 +145,12 @@ final class RoombaCommand implements Callable<Integer> {
         return speed;
     }
 
-    private int converse(
-            Service service, String robotPort, RoombaOptions read, double pace, @Nullable SimulatedWorld world)
+    private int converse(Service service, String robotPort, @Nullable SimulatedWorld world)
             throws IOException, InterruptedException {
+        double pace = pace();
+        Optional<Eyes> eyes = options.eyes(pace, world == null ? Optional.empty() : world.camera());
+        RoombaOptions read =
+                options.read(pace, eyes, ServiceOptions.of(settings).journal());
         try (Clock clock = new SystemClock(pace);
                 RobotGuard guard = world == null && !noGuard ? new RobotGuard(robotPort) : null;
                 RoombaConverter roomba = connect(
@@ -170,7 +173,7 @@ final class RoombaCommand implements Callable<Integer> {
                                 (arguments, out) -> out.println(world.execute(String.join(" ", arguments))))
                         .completing(before -> before.isEmpty() ? WorldCommands.NAMES : WorldCommands.BUTTON_NAMES));
             }
-            Page.open(PageOptions.of(settings), console, System.err, pictures(roomba, world));
+            Page.open(PageOptions.of(settings), console, System.err, pictures(roomba, world, eyes));
             showAtHome(roomba, console);
             return service.run(console);
         }
@@ -185,28 +188,22 @@ final class RoombaCommand implements Callable<Integer> {
     /** At a terminal a missing robot is an error at once; a service waits for it. */
     private RoombaConverter connect(IntFunction<Link> robot, LoopConfig config, RoombaOptions read)
             throws InterruptedException {
-        SessionOptions how = robotOptions(speed == null ? 1 : speed);
+        SessionOptions how = robotOptions(pace());
         return ServiceOptions.of(settings).start()
                 ? RoombaConverter.connectPatiently(robot, config, how, read)
                 : RoombaConverter.connect(robot, config, how, read);
     }
 
-    /** The pictures of a robot from above, and of a simulated one's camera. */
-    private static List<Picture> pictures(RoombaConverter roomba, @Nullable SimulatedWorld world) {
-        if (world == null) {
-            return List.of(DrivenPath.of(roomba.session()));
-        }
-        Picture room = new Picture(
-                "Room",
-                "The room from above: walls, dock and marker, the way that the robot has driven, and where it is",
-                "image/svg+xml",
-                () -> Picture.View.of(world.drawn().getBytes(StandardCharsets.UTF_8)));
-        Picture sight = new Picture(
-                "Camera",
-                "What the robot's camera saw last, while Move looked",
-                "image/jpeg",
-                () -> Picture.View.of(world.seen()));
-        return world.camera().isPresent() ? List.of(room, sight) : List.of(room);
+    /** The robot from above, and what its camera sees. */
+    private static List<Picture> pictures(RoombaConverter roomba, @Nullable SimulatedWorld world, Optional<Eyes> eyes) {
+        Picture above = world == null
+                ? DrivenPath.of(roomba.session())
+                : new Picture(
+                        "Room",
+                        "The room from above: walls, dock and marker, the way that the robot has driven, and where it is",
+                        "image/svg+xml",
+                        () -> Picture.View.of(world.drawn().getBytes(StandardCharsets.UTF_8)));
+        return Stream.concat(Stream.of(above), eyes.map(Eyes::picture).stream()).toList();
     }
 
     private void showAtHome(RoombaConverter roomba, Console console) {

@@ -59,11 +59,6 @@ interface SimulatedWorld extends AutoCloseable {
         return "";
     }
 
-    /** The last picture of its camera, as JPEG, while it runs in this process; empty if there is none. */
-    default byte[] seen() {
-        return new byte[0];
-    }
-
     /**
      * A room for a robot with a camera, with a marker; the scenarios' starting point is 0.4 m in front of it.
      *
@@ -118,11 +113,6 @@ interface SimulatedWorld extends AutoCloseable {
                         .map(webcam -> webcam.options().eye().fieldOfViewDeg())
                         .orElse(0.0);
                 return RoomDrawing.svg(server.robot().state(), trail, view);
-            }
-
-            @Override
-            public byte[] seen() {
-                return server.camera().map(Webcam::newest).orElse(new byte[0]);
             }
 
             @Override

@@ -5,12 +5,14 @@ import com.sun.net.httpserver.HttpServer;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
+import java.net.ProtocolException;
 import java.net.UnknownHostException;
 import java.nio.charset.StandardCharsets;
 import java.util.Map;
 import java.util.concurrent.SynchronousQueue;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Consumer;
 import org.evoloop.evolution.Values;
 import org.slf4j.Logger;
@@ -26,6 +28,7 @@ final class RequestServer implements AutoCloseable {
 
     private static final Logger LOG = LoggerFactory.getLogger(HttpMonitor.class);
     private static final int IDLE_SECONDS = 5;
+    private static final int LONGEST_PATH = 100;
     private static final int NO_CONTENT = 204;
     private static final int BAD_REQUEST = 400;
     private static final int NO_TOKEN = 401;
@@ -36,6 +39,7 @@ final class RequestServer implements AutoCloseable {
     private final Door door;
     private final Map<String, Consumer<Values>> requests;
     private final HttpServer server;
+    private final AtomicBoolean malformedTold = new AtomicBoolean();
     private final ThreadPoolExecutor threads =
             new ThreadPoolExecutor(0, MOST_REQUESTS, IDLE_SECONDS, TimeUnit.SECONDS, new SynchronousQueue<>(), task -> {
                 Thread thread = new Thread(task, "evoloop-http");
@@ -92,11 +96,28 @@ final class RequestServer implements AutoCloseable {
             } catch (IllegalStateException stopped) {
                 answer(exchange, REFUSED, String.valueOf(stopped.getMessage()));
             }
+        } catch (ProtocolException malformed) {
+            String path = exchange.getRequestURI().getPath();
+            tellOnce(
+                    exchange.getRequestMethod() + " " + path.substring(0, Math.min(path.length(), LONGEST_PATH)),
+                    malformed);
         } catch (RuntimeException failure) {
             LOG.warn(
                     "the request {} could not be handled",
                     exchange.getRequestURI().getPath(),
                     failure);
+        }
+    }
+
+    /** A client that keeps sending such requests must not fill the log. */
+    private void tellOnce(String request, ProtocolException malformed) {
+        if (malformedTold.compareAndSet(false, true)) {
+            LOG.warn(
+                    "a client's request {} is malformed: {}; further ones are not reported",
+                    request,
+                    malformed.getMessage());
+        } else {
+            LOG.debug("request {} is malformed", request, malformed);
         }
     }
 

@@ -2,6 +2,7 @@ package org.evoloop.http;
 
 import com.sun.net.httpserver.HttpExchange;
 import java.io.IOException;
+import java.net.ProtocolException;
 import java.net.URLDecoder;
 import java.nio.ByteBuffer;
 import java.nio.charset.CharacterCodingException;
@@ -26,11 +27,20 @@ final class RequestValues {
                         decoded(parameter.substring(0, sign)), value(decoded(parameter.substring(sign + 1))));
             }
         }
-        byte[] body = exchange.getRequestBody().readNBytes(LONGEST_BODY + 1);
+        byte[] body = body(exchange);
         if (body.length > LONGEST_BODY) {
             throw new IllegalArgumentException("the body has more than " + LONGEST_BODY + " bytes");
         }
         return body.length == 0 ? values : values.with("body", text(body));
+    }
+
+    private static byte[] body(HttpExchange exchange) throws IOException {
+        try {
+            return exchange.getRequestBody().readNBytes(LONGEST_BODY + 1);
+        } catch (RuntimeException impossible) {
+            // The JDK's server does not check the lengths of chunks before it uses them.
+            throw (IOException) new ProtocolException("the length of a chunk is impossible").initCause(impossible);
+        }
     }
 
     private static String decoded(String text) {

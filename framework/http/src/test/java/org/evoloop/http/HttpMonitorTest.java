@@ -4,6 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import ch.qos.logback.classic.Level;
+import ch.qos.logback.classic.Logger;
+import ch.qos.logback.classic.spi.ILoggingEvent;
+import ch.qos.logback.core.read.ListAppender;
 import java.io.IOException;
 import java.io.InputStream;
 import java.net.InetAddress;
@@ -27,6 +31,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.slf4j.LoggerFactory;
 
 /** Requests of a real client, and of some that behave badly. */
 @Timeout(120)
@@ -80,6 +85,47 @@ class HttpMonitorTest {
     private String answer(HttpRequest.Builder request) throws Exception {
         HttpResponse<String> answer = client.send(request.build(), HttpResponse.BodyHandlers.ofString());
         return answer.statusCode() + " " + answer.body().strip();
+    }
+
+    private void sendChunk(String chunk) throws IOException {
+        try (Socket socket = new Socket(InetAddress.getLoopbackAddress(), monitor.port())) {
+            socket.setSoTimeout(20_000);
+            socket.getOutputStream()
+                    .write(("POST /switch HTTP/1.1\r\nHost: x\r\nTransfer-Encoding: chunked\r\n\r\n" + chunk)
+                            .getBytes(StandardCharsets.US_ASCII));
+            socket.shutdownOutput();
+            socket.getInputStream().readAllBytes();
+        } catch (SocketException hungUp) {
+            // That is its right.
+        }
+    }
+
+    @Test
+    void aMalformedRequestIsToldOnceWithoutATrace() throws Exception {
+        Logger log = (Logger) LoggerFactory.getLogger(HttpMonitor.class);
+        ListAppender<ILoggingEvent> told = new ListAppender<>();
+        told.start();
+        log.setLevel(Level.DEBUG);
+        log.addAppender(told);
+        try {
+            for (String chunk : List.of("FFFFFFFF\r\n", "zz\r\n\r\n", "2\r\nokay\r\n", "-5\r\n")) {
+                sendChunk(chunk);
+            }
+            assertThat(status(to("/switch").POST(body("")))).isEqualTo(204);
+        } finally {
+            log.detachAppender(told);
+            log.setLevel(null);
+        }
+        assertThat(told.list)
+                .filteredOn(event -> event.getLevel() != Level.DEBUG && event.getThrowableProxy() != null)
+                .isEmpty();
+        assertThat(told.list)
+                .filteredOn(event -> event.getLevel() == Level.WARN)
+                .extracting(ILoggingEvent::getFormattedMessage)
+                .singleElement()
+                .asString()
+                .startsWith("a client's request POST /switch is malformed: ")
+                .hasSizeLessThan(300);
     }
 
     @Test

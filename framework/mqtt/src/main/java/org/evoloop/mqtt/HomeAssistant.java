@@ -8,6 +8,7 @@ import java.util.Locale;
 import java.util.Set;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
 import org.evoloop.console.Console;
 import org.evoloop.console.JsonObject;
 import org.evoloop.console.OfferedModels;
@@ -60,6 +61,7 @@ public final class HomeAssistant implements AutoCloseable {
     /** All readings so far: an entity remains while its device cannot be reached. */
     private final Set<HomeReading> readings = new LinkedHashSet<>();
 
+    private final AtomicBoolean promoting = new AtomicBoolean();
     private boolean described;
     /** Whether there has been a shadow: its entities remain after it. */
     private boolean shadowed;
@@ -145,10 +147,7 @@ public final class HomeAssistant implements AutoCloseable {
         });
         obey(topics.press(), controller::press);
         obey(topics.converting(), this::convert);
-        // It waits until it is possible, and other commands do not wait for it.
-        obey(
-                topics.promote(),
-                payload -> Threads.start("mqtt-promote-" + topics.id(), () -> obey(any -> promote(), payload)));
+        obey(topics.promote(), this::beginPromotion);
         Vacuum shown = vacuum;
         if (shown != null) {
             obey(topics.vacuumCommand(), command -> shown.perform(command(command)));
@@ -183,6 +182,20 @@ public final class HomeAssistant implements AutoCloseable {
             case "OFF" -> converter.stop();
             default -> throw new IllegalArgumentException("converting is ON or OFF, not " + payload);
         }
+    }
+
+    /** It waits until it is possible, and other commands do not wait for it. */
+    private void beginPromotion(String payload) {
+        if (!promoting.compareAndSet(false, true)) {
+            throw new IllegalStateException("the shadow is already being promoted");
+        }
+        Threads.start("mqtt-promote-" + topics.id(), () -> {
+            try {
+                obey(any -> promote(), payload);
+            } finally {
+                promoting.set(false);
+            }
+        });
     }
 
     private void promote() {

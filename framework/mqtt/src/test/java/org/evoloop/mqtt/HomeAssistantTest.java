@@ -157,6 +157,8 @@ class HomeAssistantTest {
         lamp.wallSwitch.press("switch");
         watcher.awaitNewest(STATE, "\"state\":\"incandescentOn\"");
         watcher.publish("evoloop/lamp/shadow/promote", "PROMOTE", false);
+        watcher.publish("evoloop/lamp/shadow/promote", "AGAIN", false);
+        watcher.awaitHeard(DECISION, "the shadow is already being promoted");
         await().atMost(LIMIT).until(() -> {
             lamp.clock.advance(Duration.ofSeconds(10));
             return watcher.heard().stream().anyMatch(line -> line.contains("has no state incandescentOn"));

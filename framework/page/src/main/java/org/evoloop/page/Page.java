@@ -28,8 +28,8 @@ import org.jspecify.annotations.Nullable;
  * return service.run(console);
  * }</pre>
  *
- * <p>Anyone who can reach the address may look. To start, stop, exchange or press something, the token is needed, which
- * is printed once. With {@link PageOptions#none} nothing listens, and the page costs nothing.
+ * <p>Anyone who can reach the address may look. To start, stop, exchange or press something, and to see private
+ * pictures, the token is needed, which is printed once. With {@link PageOptions#none} nothing listens, and the page costs nothing.
  *
  * <p>Threading: opened by the thread that sets up the console; closed on any, once or more. The converter never waits
  * for a viewer.
@@ -100,7 +100,7 @@ public final class Page implements AutoCloseable {
         to.on("GET", "/about", exchange -> Answer.json(exchange, about()));
         to.on("GET", "/history", this::history);
         to.on("GET", "/shadow", this::shadow);
-        to.on("GET", "/picture", this::picture);
+        to.on("GET", "/picture", exchange -> picture(to, exchange));
         to.on("GET", "/controls", exchange -> controls(to, exchange));
         to.on("POST", "/session", exchange -> session(to, exchange));
         to.on("POST", "/command", exchange -> command(to, exchange));
@@ -137,7 +137,8 @@ public final class Page implements AutoCloseable {
                         pictures.stream()
                                 .map(picture -> new JsonObject()
                                         .put("name", picture.name())
-                                        .put("description", picture.description()))
+                                        .put("description", picture.description())
+                                        .put("private", picture.isPrivate()))
                                 .toList());
     }
 
@@ -182,10 +183,12 @@ public final class Page implements AutoCloseable {
         }
     }
 
-    private void picture(HttpExchange exchange) throws IOException {
+    private void picture(PageServer from, HttpExchange exchange) throws IOException {
         long number = number(exchange, "number", 0);
         if (number >= pictures.size()) {
             Answer.text(exchange, Answer.NOT_FOUND, "there are " + pictures.size() + " pictures");
+        } else if (pictures.get((int) number).isPrivate() && !from.gate().isAdmitted(exchange)) {
+            notAdmitted(exchange);
         } else {
             Picture picture = pictures.get((int) number);
             Picture.View view = picture.view().get();

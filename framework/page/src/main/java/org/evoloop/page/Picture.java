@@ -11,10 +11,16 @@ import java.util.function.Supplier;
  * @param name its title
  * @param description a text alternative
  * @param mediaType {@code image/svg+xml}, {@code image/jpeg} or {@code image/png}
+ * @param isPrivate whether only those see it who have the page's token, as with what a camera sees in a home
  * @param view supplies the present picture
  * @since 0.1
  */
-public record Picture(String name, String description, String mediaType, Supplier<View> view) {
+public record Picture(String name, String description, String mediaType, boolean isPrivate, Supplier<View> view) {
+
+    /** A picture that everybody sees who sees the page. */
+    public Picture(String name, String description, String mediaType, Supplier<View> view) {
+        this(name, description, mediaType, false, view);
+    }
 
     /**
      * What there is to see at one moment.

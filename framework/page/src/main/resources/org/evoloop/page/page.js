@@ -10,6 +10,7 @@ let readings = { device: [], function: [] };
 let shown = -1; // the event that is looked at; -1 for the newest
 let allLoaded = false;
 let loading = null;
+let admitted = false; // whether the server has taken the token
 
 function element(name, text, className) {
   const made = document.createElement(name);
@@ -317,6 +318,7 @@ async function perform(line, place = 'answer') {
 }
 
 function offer(controls) {
+  admitted = Boolean(controls);
   $('login').hidden = Boolean(controls);
   $('buttons').hidden = !controls;
   $('exchange').hidden = !controls?.spares.length;
@@ -351,30 +353,38 @@ $('exchange').addEventListener('submit', submitted => {
 
 // Pictures
 
-async function update(image, note, number) {
+function put(image, note, text, content) {
+  note.textContent = text;
+  URL.revokeObjectURL(image.src);
+  image.hidden = !content?.size;
+  if (image.hidden) image.removeAttribute('src');
+  else image.src = URL.createObjectURL(content);
+}
+
+async function update(image, note, number, isPrivate) {
+  if (isPrivate && !admitted) {
+    put(image, note, 'Shown only to those who have entered the token under Controls.', null);
+    return;
+  }
   try {
     const answer = await fetch(`/picture?number=${number}`);
+    if (answer.status === 401) offer(null);
     if (!answer.ok) return;
-    note.textContent = decodeURIComponent(answer.headers.get('Picture-Note') ?? '');
-    const content = await answer.blob();
-    image.hidden = content.size === 0;
-    URL.revokeObjectURL(image.src);
-    if (image.hidden) return;
-    image.src = URL.createObjectURL(content);
-    await image.decode();
+    put(image, note, decodeURIComponent(answer.headers.get('Picture-Note') ?? ''), await answer.blob());
+    if (!image.hidden) await image.decode();
   } catch {
     // The stream says that the connection is gone; a damaged picture is followed by another.
   }
 }
 
-async function keepShowing(image, note, number) {
-  if (!document.hidden) await update(image, note, number);
-  setTimeout(keepShowing, 1000, image, note, number);
+async function keepShowing(...picture) {
+  if (!document.hidden) await update(...picture);
+  setTimeout(keepShowing, 1000, ...picture);
 }
 
 function showPictures(pictures) {
   $('pictures').hidden = pictures.length === 0;
-  pictures.forEach(({ name, description }, number) => {
+  pictures.forEach(({ name, description, private: isPrivate }, number) => {
     const figure = document.createElement('figure');
     const image = new Image();
     image.alt = description;
@@ -382,7 +392,7 @@ function showPictures(pictures) {
     const note = element('figcaption', '');
     figure.append(image, note);
     $('pictures').append(element('h2', name), figure);
-    keepShowing(image, note, number);
+    keepShowing(image, note, number, isPrivate);
   });
 }
 

@@ -8,6 +8,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.AfterAll;
@@ -35,6 +36,7 @@ class BrowserTest {
     private static Browser browser;
     private final AtomicReference<Picture.View> seen =
             new AtomicReference<>(new Picture.View(new byte[0], "No picture yet: its lens is covered – naïvely."));
+    private final AtomicInteger asked = new AtomicInteger();
     private Shown shown;
 
     @BeforeAll
@@ -49,7 +51,10 @@ class BrowserTest {
 
     @BeforeEach
     void open() throws Exception {
-        shown = new Shown(List.of(ROOM, new Picture("Camera", "What the camera saw", "image/jpeg", seen::get)));
+        shown = new Shown(List.of(ROOM, new Picture("Camera", "What the camera saw", "image/jpeg", true, () -> {
+            asked.incrementAndGet();
+            return seen.get();
+        })));
         browser.requests.clear();
         browser.complaints.clear();
         browser.looks(1280, 900, false);
@@ -119,7 +124,7 @@ class BrowserTest {
     @Test
     void aPictureComesWithItsNoteAndASentenceStandsForOneThatIsNotThere() throws Exception {
         String camera = "document.querySelectorAll('#pictures figure')[1]";
-        browser.open(shown.address() + "/");
+        browser.open(shown.address() + "/#token=" + shown.token);
         browser.await(camera + ".innerText === \"" + seen.get().note() + "\"");
         assertThat(browser.evaluate("getComputedStyle(" + camera + ".querySelector('img')).display"))
                 .isEqualTo("none");
@@ -142,6 +147,25 @@ class BrowserTest {
         seen.set(new Picture.View(jpeg(96), ""));
         browser.await(camera + ".querySelector('img').naturalWidth === 96 && " + camera + ".innerText === ''");
         assertThat(browser.complaints).noneMatch(complaint -> !complaint.contains("/controls"));
+    }
+
+    @Test
+    void aPrivatePictureIsShownOnlyToWhoeverHasTheToken() throws Exception {
+        String camera = "document.querySelectorAll('#pictures figure')[1]";
+        seen.set(new Picture.View(jpeg(80), "Taken 0.3 s ago."));
+        browser.open(shown.address() + "/");
+        browser.await("document.querySelector('#pictures img').naturalWidth === 120");
+        browser.await(camera + ".innerText.includes('token')");
+        assertThat(browser.evaluate("getComputedStyle(" + camera + ".querySelector('img')).display"))
+                .isEqualTo("none");
+        assertThat(browser.evaluate("fetch('/picture?number=1').then(answer => answer.status)"))
+                .isEqualTo("401");
+        assertThat(asked).as("made for nobody").hasValue(0);
+
+        browser.evaluate("document.getElementById('token').value = '" + shown.token + "'");
+        click("Allow me to control");
+        browser.await(camera + ".querySelector('img').naturalWidth === 80");
+        assertThat(browser.evaluate(camera + ".innerText")).isEqualTo("Taken 0.3 s ago.");
     }
 
     @Test
@@ -264,6 +288,23 @@ class BrowserTest {
         browser.await("document.getElementById('differences').children.length === 2");
         assertThat(browser.evaluate("document.documentElement.scrollWidth")).isEqualTo(Integer.toString(width));
         browser.picture(Path.of("target/page-" + width + "-" + colours + ".png"));
+    }
+
+    @Test
+    void aBrowserLeavesNoProcessAndNoFolder() throws Exception {
+        Browser another = new Browser();
+        Path profile = another.profile();
+        assertThat(processesOf(profile)).isNotEmpty();
+        another.close();
+        assertThat(processesOf(profile)).isEmpty();
+        assertThat(profile).doesNotExist();
+    }
+
+    private static List<String> processesOf(Path profile) {
+        return ProcessHandle.allProcesses()
+                .flatMap(process -> process.info().commandLine().stream())
+                .filter(command -> command.contains(profile.toString()))
+                .toList();
     }
 
     @Test

@@ -55,7 +55,7 @@ public final class EdgeDevice implements EdgeShell.Decider, AutoCloseable {
     private final BrokerConnection gateway;
     private final Outbox outbox;
     private final Carried carried;
-    private final BlockingQueue<Told> told = new LinkedBlockingQueue<>();
+    private final BlockingQueue<OutgoingRecord> told = new LinkedBlockingQueue<>();
     private final BlockingQueue<Message> received = new LinkedBlockingQueue<>();
     private final AtomicLong kept = new AtomicLong();
     private String link = "";
@@ -63,7 +63,7 @@ public final class EdgeDevice implements EdgeShell.Decider, AutoCloseable {
     private @Nullable Thread telling;
     private @Nullable Thread carrying;
 
-    private record Told(String topic, String record) {}
+    private record OutgoingRecord(String topic, String record) {}
 
     /**
      * One that is not opened yet.
@@ -144,7 +144,7 @@ public final class EdgeDevice implements EdgeShell.Decider, AutoCloseable {
         if (!values.isEmpty()) {
             record.put("values", JsonObject.of(values));
         }
-        told.add(new Told(OCCURRENCE, record.toString()));
+        told.add(new OutgoingRecord(OCCURRENCE, record.toString()));
     }
 
     @Override
@@ -158,7 +158,7 @@ public final class EdgeDevice implements EdgeShell.Decider, AutoCloseable {
             record.put("reason", reason);
         }
         state.ifPresent(found -> record.put("state", found.name()));
-        told.add(new Told(EFFECT, record.toString()));
+        told.add(new OutgoingRecord(EFFECT, record.toString()));
     }
 
     private void tellAll() {
@@ -188,8 +188,8 @@ public final class EdgeDevice implements EdgeShell.Decider, AutoCloseable {
         }
     }
 
-    private void keep(@Nullable Told first) {
-        for (Told next = first; next != null; next = told.poll()) {
+    private void keep(@Nullable OutgoingRecord first) {
+        for (OutgoingRecord next = first; next != null; next = told.poll()) {
             outbox.add(next.topic(), id, next.record());
         }
     }
@@ -207,8 +207,16 @@ public final class EdgeDevice implements EdgeShell.Decider, AutoCloseable {
         String now = gateway.isUp() ? "the gateway's broker can be reached" : gateway.describe();
         if (!now.equals(link)) {
             link = now;
-            teller.accept(now + "; " + outbox.size() + " records are waiting");
+            teller.accept(now + "; " + waiting(outbox.size()));
         }
+    }
+
+    private static String waiting(int records) {
+        return switch (records) {
+            case 0 -> "nothing waits to be sent";
+            case 1 -> "1 record waits to be sent";
+            default -> records + " records wait to be sent";
+        };
     }
 
     // To the device
@@ -257,7 +265,9 @@ public final class EdgeDevice implements EdgeShell.Decider, AutoCloseable {
             case "send" -> shell.send(sequence, record.step(), record.values());
             case "run" -> shell.run(sequence, record.text("effect"), record.values());
             case "locate" -> shell.locate(sequence);
-            default -> throw new IllegalArgumentException("unknown kind of command '" + record.text("kind") + "'");
+            default ->
+                throw new IllegalArgumentException(
+                        "the kind of the command is '" + record.text("kind") + "'; known are send, run and locate");
         }
     }
 

@@ -89,7 +89,7 @@ final class Json {
             }
             words.append(next == '\\' ? escaped() : next);
         }
-        throw wrong("a string is not closed");
+        throw wrong("a string has no closing quotation mark");
     }
 
     private char escaped() {
@@ -99,9 +99,17 @@ final class Json {
             return "\n\r\t\b\f\"\\/".charAt(plain);
         } else if (which == 'u' && at + 4 <= text.length()) {
             at += 4;
-            return (char) Integer.parseInt(text.substring(at - 4, at), 16);
+            return hexadecimal(text.substring(at - 4, at));
         }
-        throw wrong("unknown escape sequence \\" + which);
+        throw wrong("\\" + which + " is no escape sequence");
+    }
+
+    private char hexadecimal(String digits) {
+        try {
+            return (char) Integer.parseInt(digits, 16);
+        } catch (NumberFormatException noNumber) {
+            throw wrong("\\u" + digits + " is no escape sequence");
+        }
     }
 
     private @Nullable Object word() {
@@ -114,8 +122,16 @@ final class Json {
             case "true" -> true;
             case "false" -> false;
             case "null" -> null;
-            default -> Double.valueOf(word);
+            default -> number(word);
         };
+    }
+
+    private Double number(String word) {
+        try {
+            return Double.valueOf(word);
+        } catch (NumberFormatException noNumber) {
+            throw wrong("'" + word + "' is no value");
+        }
     }
 
     private boolean takes(char wanted) {
@@ -127,7 +143,7 @@ final class Json {
 
     private void expect(char wanted) {
         if (!takes(wanted)) {
-            throw wrong("'" + wanted + "' was expected");
+            throw wrong("'" + wanted + "' is missing");
         }
     }
 
@@ -138,6 +154,6 @@ final class Json {
     }
 
     private IllegalArgumentException wrong(String what) {
-        return new IllegalArgumentException("not JSON, at character " + at + ": " + what);
+        return new IllegalArgumentException("this is not valid JSON: " + what + " at character " + at);
     }
 }

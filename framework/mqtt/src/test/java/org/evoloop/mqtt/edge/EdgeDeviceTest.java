@@ -240,8 +240,13 @@ class EdgeDeviceTest {
                 "{\"a\":\"\\u00",
                 "{\"a\":[1 2]}",
                 "{\"a\":\"\\uzzzz\"}")) {
-            assertThatThrownBy(() -> Json.object(wrong)).as(wrong).isInstanceOf(IllegalArgumentException.class);
+            assertThatThrownBy(() -> Json.object(wrong))
+                    .as(wrong)
+                    .isInstanceOf(IllegalArgumentException.class)
+                    .hasMessageStartingWith("this is not valid JSON: ");
         }
+        assertThatThrownBy(() -> Json.object("{\"a\":\"b"))
+                .hasMessage("this is not valid JSON: a string has no closing quotation mark at character 7");
         assertThatThrownBy(() -> new Received("{\"schema\":2}")).hasMessageContaining("update this program");
     }
 }

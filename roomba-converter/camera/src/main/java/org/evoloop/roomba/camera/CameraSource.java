@@ -53,7 +53,7 @@ public record CameraSource(Kind kind, String text) {
             String scheme = text.substring(0, text.indexOf(':')).toLowerCase(Locale.ROOT);
             if (!scheme.equals("http") && !scheme.equals("https")) {
                 throw new CameraException(
-                        "camera " + text + ": " + scheme + " is not supported; give a URL that begins "
+                        "camera " + masked(text) + ": " + scheme + " is not supported; give a URL that begins "
                                 + "with http:// or https:// and answers with Motion JPEG");
             }
             return new CameraSource(Kind.URL, text);
@@ -88,8 +88,15 @@ public record CameraSource(Kind kind, String text) {
         return Files.isDirectory(path) ? Optional.of("is a folder; name a file in it") : Optional.empty();
     }
 
+    /** The source for messages, without the password that a URL may hold. */
     @Override
     public String toString() {
-        return text;
+        return masked(text);
+    }
+
+    private static String masked(String text) {
+        return SCHEME.matcher(text).matches()
+                ? text.replaceFirst("://.*@", "://***@").replaceFirst("\\?.*", "?***")
+                : text;
     }
 }

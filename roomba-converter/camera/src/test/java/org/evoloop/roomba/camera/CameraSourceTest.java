@@ -38,6 +38,25 @@ class CameraSourceTest {
                 .hasMessageStartingWith("the camera has no name; ");
     }
 
+    @ParameterizedTest
+    @CsvSource({
+        "http://me:secret@camera/stream, http://***@camera/stream",
+        "http://me:sec/ret@camera, http://***@camera",
+        "http://camera:81/video?user=me&pwd=secret, http://camera:81/video?***",
+        "http://camera/stream, http://camera/stream",
+        "film@home.avi, film@home.avi",
+    })
+    void aPasswordIsInNoMessage(String text, String shown) {
+        assertThat(CameraSource.parse(text)).hasToString(shown);
+    }
+
+    @Test
+    void aRefusedAddressShowsNoPasswordEither() {
+        assertThatThrownBy(() -> CameraSource.parse("rtsp://me:secret@camera"))
+                .hasMessageStartingWith("camera rtsp://***@camera: rtsp is not supported; ")
+                .hasMessageNotContaining("secret");
+    }
+
     @Test
     void tellsWhatIsInTheWay() {
         assertThat(CameraSource.parse("/nowhere.avi").obstacle()).hasValue("does not exist; correct the path");

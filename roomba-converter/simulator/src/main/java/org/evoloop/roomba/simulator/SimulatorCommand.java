@@ -185,9 +185,10 @@ public final class SimulatorCommand implements Callable<Integer> {
         try {
             BufferedReader lines = new BufferedReader(new InputStreamReader(input, StandardCharsets.UTF_8));
             for (String line = lines.readLine(); line != null; line = lines.readLine()) {
-                output.println(commands.execute(line));
+                boolean isLast = line.trim().equals("exit");
+                output.println(isLast ? "ok" : commands.execute(line));
                 output.flush();
-                if (commands.hasEnded()) {
+                if (isLast) {
                     exit.countDown();
                     return;
                 }

@@ -27,7 +27,6 @@ import org.jspecify.annotations.Nullable;
  *   <li>{@code camera damage P}: {@code ok}, this part of its pictures is sent damaged, 0 to 1
  *   <li>{@code state}: the robot's true state in JSON, see {@code RobotState}
  *   <li>{@code help}: these commands
- *   <li>{@code exit}: {@code ok}, and from now on {@link #hasEnded()}
  * </ul>
  *
  * <p>Everything else is answered by {@code error: } and what is wrong, and changes nothing.
@@ -56,8 +55,7 @@ public final class WorldCommands {
             "uncover-marker",
             CAMERA,
             "state",
-            "help",
-            "exit");
+            "help");
     private static final String HELP = String.join("; ", USAGES);
 
     /** The first word of each command. */
@@ -74,7 +72,6 @@ public final class WorldCommands {
     private final SimulatedRoomba robot;
     private final @Nullable Cable cable;
     private final @Nullable Webcam camera;
-    private volatile boolean ended;
 
     /** Commands for this robot, without a cable or a camera. */
     public WorldCommands(SimulatedRoomba robot) {
@@ -102,11 +99,6 @@ public final class WorldCommands {
         }
     }
 
-    /** Whether the simulator was asked to end. */
-    public boolean hasEnded() {
-        return ended;
-    }
-
     private String execute(String command, List<String> arguments) throws IOException {
         switch (command) {
             case "press" -> press(arguments);
@@ -122,8 +114,7 @@ public final class WorldCommands {
                     "cover-marker",
                     "uncover-marker",
                     "state",
-                    "help",
-                    "exit" -> {
+                    "help" -> {
                 requireCount(command, arguments, 0, 0);
                 return act(command);
             }
@@ -142,7 +133,6 @@ public final class WorldCommands {
             case "replug" -> cable().replug();
             case "cover-marker" -> robot.coverMarker(true);
             case "uncover-marker" -> robot.coverMarker(false);
-            case "exit" -> ended = true;
             case "help" -> {
                 return HELP;
             }

@@ -66,7 +66,7 @@ class WorldCommandsTest {
         assertThat(world.execute("help"))
                 .isEqualTo("press clean|spot|dock [MILLIS]; lift; set-down; place X Y HEADING; dock; undock; unplug;"
                         + " replug; move-marker X Y HEADING; cover-marker; uncover-marker;"
-                        + " camera stall|resume|unplug|replug|damage P; state; help; exit");
+                        + " camera stall|resume|unplug|replug|damage P; state; help");
     }
 
     @Test
@@ -84,20 +84,13 @@ class WorldCommandsTest {
         return robot.state().surroundings().room().marker().orElseThrow();
     }
 
-    @Test
-    void exitIsRemembered() {
-        assertThat(world.hasEnded()).isFalse();
-        assertThat(world.execute("exit")).isEqualTo("ok");
-        assertThat(world.hasEnded()).isTrue();
-    }
-
     @ParameterizedTest
     @CsvSource(
             delimiter = '#',
             value = {
                 "''              # error: '' is not a command; there are press clean|spot|dock [MILLIS]; lift; set-down;"
                         + " place X Y HEADING; dock; undock; unplug; replug; move-marker X Y HEADING; cover-marker;"
-                        + " uncover-marker; camera stall|resume|unplug|replug|damage P; state; help; exit",
+                        + " uncover-marker; camera stall|resume|unplug|replug|damage P; state; help",
                 "lift it         # error: the command is 'lift'",
                 "place 1 2       # error: the command is 'place X Y HEADING'",
                 "place 1 two 3   # error: Y is 'two'; allowed is -100000 to 100000",
@@ -113,12 +106,10 @@ class WorldCommandsTest {
                 "cover-marker    # error: there is no marker in the room; hang one up with 'move-marker X Y HEADING'",
                 "move-marker 1 2 # error: the command is 'move-marker X Y HEADING'",
                 "state now       # error: the command is 'state'",
-                "exit now        # error: the command is 'exit'",
             })
     void mistakesAreAnsweredAndChangeNothing(String line, String answer) {
         String before = world.execute("state");
         assertThat(world.execute(line)).isEqualTo(answer);
         assertThat(world.execute("state")).isEqualTo(before);
-        assertThat(world.hasEnded()).isFalse();
     }
 }

@@ -14,6 +14,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 import javax.imageio.ImageIO;
 import org.evoloop.roomba.camera.CameraModel;
 import org.evoloop.roomba.camera.CameraSource;
+import org.evoloop.roomba.camera.HttpCamera;
 import org.evoloop.roomba.camera.MarkerSpec;
 import org.evoloop.roomba.camera.Scene;
 import org.evoloop.roomba.camera.Sighting;

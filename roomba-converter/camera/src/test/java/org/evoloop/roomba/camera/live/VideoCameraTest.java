@@ -13,6 +13,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import org.evoloop.roomba.camera.CameraHealth.Condition;
 import org.evoloop.roomba.camera.CameraSource;
+import org.evoloop.roomba.camera.HttpCamera;
 import org.evoloop.roomba.camera.Look;
 import org.evoloop.roomba.camera.Scene;
 import org.evoloop.roomba.camera.Sighting;

@@ -27,11 +27,6 @@ final class Newest<T> {
         return number;
     }
 
-    /** The newest thing; null before the first. */
-    synchronized @Nullable T peek() {
-        return thing;
-    }
-
     /** Waits for a thing that is newer than the one of a number; null if there will be none. */
     synchronized @Nullable Numbered<T> after(long known) throws InterruptedException {
         while (number <= known && !closed) {

@@ -90,12 +90,6 @@ public final class Webcam implements Consumer<RobotState>, AutoCloseable {
         return drawn.get();
     }
 
-    /** The JPEG that was sent last; empty if none was. Pictures are drawn only while a client watches. */
-    public byte[] newest() {
-        byte[] picture = pictures.peek();
-        return picture == null ? new byte[0] : picture.clone();
-    }
-
     /** Takes the robot's state; returns at once. */
     @Override
     public void accept(RobotState state) {
