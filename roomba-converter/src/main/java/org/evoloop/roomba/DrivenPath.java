@@ -46,7 +46,7 @@ final class DrivenPath implements SessionListener {
         DrivenPath way = new DrivenPath();
         session.addListener(way);
         return new Picture(
-                "Way",
+                "Path",
                 "The robot's path and position from above, by its wheels' odometry; errors add up with the distance",
                 "image/svg+xml",
                 () -> Picture.View.of(way.svg(session.isUp()).getBytes(StandardCharsets.UTF_8)));

@@ -29,7 +29,8 @@ import org.jspecify.annotations.Nullable;
  * }</pre>
  *
  * <p>Anyone who can reach the address may look. To start, stop, exchange or press something, and to see private
- * pictures, the token is needed, which is printed once. With {@link PageOptions#none} nothing listens, and the page costs nothing.
+ * pictures, the token is needed, which is printed once. With {@link PageOptions#none} nothing listens, and the page
+ * costs nothing.
  *
  * <p>Threading: opened by the thread that sets up the console; closed on any, once or more. The converter never waits
  * for a viewer.
