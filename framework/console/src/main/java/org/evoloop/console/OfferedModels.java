@@ -84,7 +84,7 @@ public final class OfferedModels {
     }
 
     /**
-     * The machine to offer; null if it is not an evolution, or is the device's own model, which nobody would choose.
+     * The machine to offer; null if it is not an evolution, or is the device's own model, which is useless as a choice.
      */
     private @Nullable StateMachine evolution(String reference) {
         try {

@@ -11,7 +11,7 @@ import org.jspecify.annotations.Nullable;
 /**
  * The records of a converter's activity, and its listeners.
  *
- * <p>Threading: as it stands with each of them.
+ * <p>Threading: as for each of them.
  */
 record Books(
         Transcript transcript,

@@ -46,7 +46,7 @@ final class ChangeLock {
         runAndRelease(change);
     }
 
-    /** Waits for a change in progress, whoever calls, and refuses the changes that wait for their turn. */
+    /** Waits for a change in progress, on any thread, and refuses the changes that wait for their turn. */
     void close(Runnable closing) {
         this.closing = true;
         lock.lock();

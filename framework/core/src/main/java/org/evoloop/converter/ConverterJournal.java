@@ -56,7 +56,7 @@ public interface ConverterJournal {
     /**
      * Starts recording the inputs of {@code core}.
      *
-     * @param failed is told the cause when recording has stopped
+     * @param failed receives the cause when recording has stopped
      * @return receives the inputs from now on, and passes them to {@code core} once they are recorded. While recording
      *     is impossible, it refuses the events of controllers, and throws instead of announcing a step or an effect
      * @throws RuntimeException if it cannot be written; the message says why and what to do

@@ -261,7 +261,7 @@ final class CoreDriver implements Intake<Occurrence>, EffectListener {
         inputs.effectRun(number, failure, clock.nanoTime());
     }
 
-    /** The device was asked; {@code state} is null if it could not tell. */
+    /** The device was asked; {@code state} is null if it does not know. */
     synchronized void located(long number, @Nullable State state) {
         inputs.located(number, state, clock.nanoTime());
     }
@@ -400,7 +400,7 @@ final class CoreDriver implements Intake<Occurrence>, EffectListener {
         return tally.handled() + tally.ignored() + tally.stale() + tally.failed() + tally.dropped();
     }
 
-    /** The last {@code count} entries; those that are not in memory are read from the journal, while events go on. */
+    /** The last {@code count} entries; those that are not in memory are read from the journal, while events are still handled. */
     List<HistoryEntry> history(int count) {
         ConverterJournal kept = journal;
         synchronized (this) {

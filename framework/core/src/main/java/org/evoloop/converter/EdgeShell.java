@@ -63,7 +63,7 @@ public final class EdgeShell implements AutoCloseable {
          * Something that was asked for came to its end.
          *
          * @param reason why it was not done, for people; else empty
-         * @param state where the device is, if it was asked and can tell
+         * @param state where the device is, if it was asked and knows
          */
         void answered(long sequence, Result result, String reason, Optional<State> state);
     }
@@ -74,12 +74,12 @@ public final class EdgeShell implements AutoCloseable {
         SENT,
         /** It was not done, and will not be. */
         FAILED,
-        /** Nobody knows. */
+        /** It is unknown whether it took effect. */
         IN_DOUBT
     }
 
     /**
-     * Where device and evolved system stand, by what was decided.
+     * The states of device and evolved system, by what was decided.
      *
      * @param visit the number of the evolved system's stay in its state
      * @param settled whether nothing is in progress
@@ -219,7 +219,7 @@ public final class EdgeShell implements AutoCloseable {
         }
     }
 
-    /** Takes over where device and evolved system stand now; replaces all that was given before. */
+    /** Takes over the present states of device and evolved system; replaces all that was given before. */
     public void stand(Standing now) {
         at = now.at();
         State state = now.at().evolved();

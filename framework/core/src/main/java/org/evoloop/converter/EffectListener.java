@@ -5,7 +5,7 @@ interface EffectListener {
     /**
      * The step that {@code execute} was sending has had its effect; only the first call for a step counts.
      *
-     * @param inOrder whether it is told in the order in which everything happened at the device
+     * @param inOrder whether it is reported in the order in which everything happened at the device
      */
     void tookEffect(EventExecute execute, boolean inOrder);
 }

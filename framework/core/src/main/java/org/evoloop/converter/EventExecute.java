@@ -98,7 +98,7 @@ public abstract class EventExecute extends Execute<ChangePlan> {
      * have had its effect by then, or never to have it. If its component reports the effect later, it counts as having
      * come after the answer if its order is known; else the record is in doubt again.
      *
-     * @return the name of a state of the original model; empty, the default, if the device cannot tell: then the
+     * @return the name of a state of the original model; empty, the default, if the device does not know it: then the
      *     converter continues with the most likely state, and reports the doubt. It assumes that a step that was given
      *     up had no effect, and that the device's own actions happened in the order in which they were reported
      * @throws Exception any failure: it is reported, and the record stays in doubt

@@ -72,7 +72,7 @@ final class Listeners {
                 losing = false;
             }
         } catch (InterruptedException stop) {
-            // The converter was closed, or nobody listens any more.
+            // The converter was closed, or there are no listeners any more.
         }
         // What happened before is still reported.
         for (Consumer<ConverterListener> last = closed ? waiting.poll() : null; last != null; last = waiting.poll()) {

@@ -55,7 +55,7 @@ public sealed interface Output {
     record Enter(long visit, State state, @Nullable Transition by, Map<Event, Long> deadlines) implements Directive {}
 
     /**
-     * The visit goes on in a state of other models.
+     * The visit continues in a state of other models.
      *
      * @param deadlines when its timers are due from now on
      */

@@ -3,7 +3,7 @@ package org.evoloop.loop;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A component failed. The loop goes on.
+ * A component failed. The loop continues.
  *
  * <p>Threading: immutable.
  *

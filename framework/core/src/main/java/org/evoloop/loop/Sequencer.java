@@ -73,7 +73,7 @@ final class Sequencer<O> {
     boolean put(O offered) throws InterruptedException {
         lock.acquireInterruptibly();
         try {
-            // Without threads nobody would make room.
+            // Without threads, nothing would make room.
             while (config.threads() && state == LoopState.RUNNING && !intake.hasRoom()) {
                 room.await();
             }
@@ -112,7 +112,7 @@ final class Sequencer<O> {
     }
 
     /**
-     * Hands the result of a stage on; a null result or nobody to take it ends the cycle.
+     * Hands the result of a stage on; the cycle ends if the result is null or there is no next stage.
      *
      * @return the stage that continues on the caller's thread; null if none does
      */

@@ -18,7 +18,7 @@ import org.evoloop.statemachine.Event;
 
 /**
  * The plan of a swap: the fate of every pair of states that the running models can reach. The next models' decision
- * table tells which pairs are reachable there, and what has to be sent to get to them.
+ * table says which pairs are reachable there, and what has to be sent to get to them.
  *
  * <p>Threading: immutable.
  *

@@ -52,7 +52,7 @@ final class Rehearsal extends Chronicle {
     /**
      * Begins.
      *
-     * @param then tells how an event ended in the converter; null if it did not come there, or has not ended
+     * @param then says how an event ended in the converter; null if it did not come there, or has not ended
      * @param endings receives how each event ends here
      */
     Rehearsal(Rules rules, Snapshot from, Function<Occurrence, @Nullable Ending> then, Consumer<Ending> endings) {
@@ -145,7 +145,7 @@ final class Rehearsal extends Chronicle {
         settle(atNanos);
     }
 
-    /** How many equal events have not ended here; there may be two while a test's clock stands still. */
+    /** How many equal events have not ended here; there may be two while a test's clock does not advance. */
     private long like(Occurrence occurrence) {
         return outstanding.stream().filter(each -> isSame(each, occurrence)).count();
     }

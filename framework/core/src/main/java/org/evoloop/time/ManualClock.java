@@ -8,7 +8,7 @@ import java.util.PriorityQueue;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A clock that stands still until it is told to advance. {@link #advance} returns after all work that became due has
+ * A clock that advances only when {@link #advance} is called. It returns after all work that became due has
  * run, in the order of its times, on the caller's thread.
  *
  * <p>Threading: thread-safe; one thread at a time should advance it.
@@ -27,7 +27,7 @@ public final class ManualClock implements Clock {
     /** @param order the order of scheduling, in which tasks due at the same time run */
     private record Task(long dueNanos, long order, Runnable action) {}
 
-    /** A clock that stands at zero. */
+    /** A clock that begins at zero. */
     public ManualClock() {}
 
     @Override

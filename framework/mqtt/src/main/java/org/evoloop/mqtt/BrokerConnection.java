@@ -206,7 +206,7 @@ public final class BrokerConnection implements DeviceLink, AutoCloseable {
         try {
             consumer.accept(message);
         } catch (RuntimeException wrong) {
-            // The client would call nobody any more.
+            // Otherwise the client would stop calling consumers.
             if (failedTopics.add(message.topic())) {
                 LOG.warn("a message on {} could not be handled", message.topic(), wrong);
             }

@@ -3,7 +3,7 @@ package org.evoloop.mqtt;
 import java.util.List;
 
 /**
- * The topics by which a converter and its bypass tell each other their status.
+ * The topics on which a converter and its bypass publish their status for each other.
  *
  * @param base the common prefix, such as {@code evoloop/lamp/bypass}
  */

@@ -33,7 +33,7 @@ import org.evoloop.time.ManualClock;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A converter in a test: it has no threads, and its time stands still until the test advances it.
+ * A converter in a test: it has no threads, and its time passes only when the test advances it.
  *
  * <pre>{@code
  * ConverterHarness lamp = ConverterHarness.of(new LampKnowledge(models)).with(new LampExecute(device)).start();

@@ -3,7 +3,7 @@ package org.evoloop.testkit;
 import org.evoloop.converter.PushMonitor;
 import org.evoloop.evolution.Values;
 
-/** Reports what a test tells it. */
+/** Reports the events that a test gives it. */
 final class TestMonitor extends PushMonitor {
     TestMonitor() {
         super("Test");

@@ -9,7 +9,7 @@ import org.evoloop.check.timing.Situation.Sight;
 import org.evoloop.evolution.ModelPair;
 import org.jspecify.annotations.Nullable;
 
-/** Something that happens and one of its ways to go on, with what formulas see of it. */
+/** Something that happens and one of its possible continuations, with what formulas see of it. */
 final class Edge {
     final int number;
 

@@ -41,7 +41,7 @@ final class Exploration {
         default void looks(int number, int[] row, boolean blocked) {}
 
         /**
-         * Something has happened, or time has passed; the rows tell what the monitors say of it.
+         * Something has happened, or time has passed; the rows contain what the monitors say about it.
          *
          * @param from the moment before; -1 at the beginning
          * @return whether to stop

@@ -20,7 +20,7 @@ final class Likeness {
     /** The deadline of the first timer that runs; the others follow. */
     static final long RUNNING = 1L << 61;
 
-    /** The deadline of a timer that was heard, and waits. */
+    /** The deadline of a timer that has raised its event, which waits. */
     static final long HEARD = -1;
 
     static final long VISIT = 1000;
@@ -35,7 +35,7 @@ final class Likeness {
         this.visit = of.visit().number();
     }
 
-    /** @param visitBefore the number of the visit in which timers that are due were heard */
+    /** @param visitBefore the number of the visit in which timers that are due have raised their events */
     static Snapshot of(Snapshot snapshot, long visitBefore) {
         return new Likeness(snapshot).snapshot(visitBefore == snapshot.visit().number());
     }

@@ -105,7 +105,7 @@ final class Moves {
         all.forEach(edge -> moves.add(new Move(edge, coming, owed)));
     }
 
-    /** What has to happen before time can pass, or may happen though nobody asks for it. */
+    /** What has to happen before time can pass, or may happen at any time. */
     List<Move> unasked(int[] row) {
         Situation situation = situations.number(row[Clocks.SITUATION]);
         List<Move> moves = new ArrayList<>();
@@ -196,7 +196,7 @@ final class Moves {
         return overdue;
     }
 
-    /** How many timers are due and were not heard. */
+    /** How many timers are due and have not raised their events yet. */
     int due(int[] row) {
         Situation situation = situations.number(row[Clocks.SITUATION]);
         int due = 0;

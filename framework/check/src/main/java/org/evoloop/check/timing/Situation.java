@@ -15,7 +15,7 @@ final class Situation {
     final int number;
     final Snapshot snapshot;
 
-    /** The timers of the visit; which of them were heard already and wait in the queue. */
+    /** The timers of the visit; which of them have already raised their events, which wait in the queue. */
     final List<Event> timers;
 
     final boolean[] heard;
@@ -30,7 +30,7 @@ final class Situation {
      */
     record Branch(Situation target, List<Sight> sights, List<Long> timers, boolean sends, boolean enters) {}
 
-    /** Where both models stand, and the event that comes then; null if none does. */
+    /** The states of both models, and the event that comes then; null if there is none. */
     record Sight(Configuration at, @Nullable Event event) {}
 
     Situation(int number, Snapshot snapshot, List<Event> timers, boolean[] heard) {
@@ -54,12 +54,12 @@ final class Situation {
                 : decision.steps().get(work.taken());
     }
 
-    /** Whether the visit is being left: its timers are not heard. */
+    /** Whether the visit is being left: the events of its timers are ignored. */
     boolean isLeaving() {
         return snapshot.visit().over();
     }
 
-    /** Whether this timer goes on whatever the step on its way leads to. */
+    /** Whether this timer keeps running, wherever the step in progress leads. */
     boolean outlasts(int timer) {
         Work work = snapshot.work();
         Decision decision = work == null ? null : work.decision();

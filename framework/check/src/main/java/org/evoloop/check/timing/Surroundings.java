@@ -86,7 +86,7 @@ final class Surroundings {
         return List.of(Stimulus.of(raised ? Stimulus.Kind.RAISE : Stimulus.Kind.PRESS, event));
     }
 
-    /** Whether the converter's own timer stands in for what the device would report. */
+    /** Whether the converter's own timer replaces what the device would report. */
     static boolean isTimed(Assumption.Comes comes, Situation situation) {
         return situation.timers.contains(new Event(comes.event()));
     }

@@ -88,7 +88,7 @@ public final class TimeWatch implements Sentry {
         }
     }
 
-    /** What each property sees where it stands: bit 0 the subject, bit 1 the other. */
+    /** What each property sees in the present state: bit 0 the subject, bit 1 the other. */
     private int[] codes(@Nullable Event event) {
         Map<Configuration, int[]> found = lasting;
         if (event != null) {

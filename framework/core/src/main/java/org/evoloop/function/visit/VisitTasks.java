@@ -78,7 +78,7 @@ final class VisitTasks {
             try {
                 due.take().run();
             } catch (InterruptedException told) {
-                // The visit is over, or a task interrupted itself; the condition above tells which.
+                // The visit is over, or a task interrupted itself; the condition above distinguishes the two.
             }
         }
     }

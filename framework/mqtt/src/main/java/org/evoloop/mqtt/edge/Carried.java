@@ -13,8 +13,8 @@ import java.util.HashMap;
 import java.util.Map;
 
 /**
- * Which command each device was given last, in a file, which says so before the device gets it: after a crash nobody
- * gets a command again.
+ * The number of the last command of each device, in a file that is written before the device gets the command: after a
+ * crash, no command is repeated.
  *
  * <p>Errors: where the file cannot be used, {@link UncheckedIOException}.
  *
@@ -30,14 +30,14 @@ public final class Carried implements AutoCloseable {
     private FileChannel lines;
     private int written;
 
-    /** What is kept in {@code directory}, which there must be. */
+    /** @param directory contains the file; must exist */
     public Carried(Path directory) {
         file = directory.resolve("carried");
         try {
             if (Files.exists(file)) {
                 for (String line : Files.readAllLines(file)) {
                     int between = line.indexOf(' ');
-                    // The last line may lack its end; that command had not reached its device.
+                    // The last line may lack its end; its command did not reach the device.
                     if (between > 0 && line.endsWith(";")) {
                         last.put(
                                 line.substring(between + 1, line.length() - 1),
@@ -64,7 +64,7 @@ public final class Carried implements AutoCloseable {
         return sequence + " " + device + ";\n";
     }
 
-    /** Whether this command is to be carried out; from now on it counts as carried out. */
+    /** Returns whether this command is to be carried out, and counts it as carried out from now on. */
     public boolean take(String device, long sequence) {
         if (last.getOrDefault(device, 0L) >= sequence) {
             return false;

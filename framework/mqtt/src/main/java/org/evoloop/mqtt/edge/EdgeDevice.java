@@ -26,12 +26,12 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * A device of a fleet, whose gateway is reached over an MQTT broker: passes on what an {@link EdgeShell} observes, and has it carry
- * out what the fleet decides.
+ * A device of a fleet whose gateway is reached over an MQTT broker: passes on what an {@link EdgeShell} observes, and
+ * makes it carry out what the fleet decides.
  *
- * <p>What is told is numbered and kept in a file until the gateway says that it has it, and told again until then; the fleet
- * leaves out what it has heard. Which command is carried out is written down before; none is carried out twice, or after its
- * deadline.
+ * <p>Records are numbered, stored in a file, and published repeatedly until the gateway confirms them; the fleet ignores
+ * those that it already has. A command's number is stored before the command is carried out; none is carried out twice, or
+ * after its deadline.
  *
  * <p>Lifecycle: {@link #open}, {@link #close}.
  *
@@ -51,43 +51,50 @@ public final class EdgeDevice implements EdgeShell.Decider, AutoCloseable {
     private final String id;
     private final Clock clock;
     private final InstantSource wall;
-    private final Consumer<String> teller;
+    private final Consumer<String> linkListener;
     private final BrokerConnection gateway;
     private final Outbox outbox;
     private final Carried carried;
-    private final BlockingQueue<OutgoingRecord> told = new LinkedBlockingQueue<>();
+    private final BlockingQueue<OutgoingRecord> outgoing = new LinkedBlockingQueue<>();
     private final BlockingQueue<Message> received = new LinkedBlockingQueue<>();
-    private final AtomicLong kept = new AtomicLong();
+    /** The highest number that the gateway has confirmed. */
+    private final AtomicLong confirmed = new AtomicLong();
+
     private String link = "";
     private volatile boolean closing;
-    private @Nullable Thread telling;
-    private @Nullable Thread carrying;
+    private @Nullable Thread sender;
+    private @Nullable Thread carrier;
 
     private record OutgoingRecord(String topic, String record) {}
 
     /**
-     * One that is not opened yet.
+     * Prepares the device; {@link #open} connects it.
      *
-     * @param id of the device in the fleet
-     * @param directory for what the gateway does not have yet; of this device alone
-     * @param clock that by which is waited
-     * @param wall tells when things happen
-     * @param teller hears how the link is, when that changes
+     * @param id the device's id in the fleet
+     * @param directory for records that the gateway does not have yet; used by this device alone
+     * @param clock measures waiting times
+     * @param wall the time of day of occurrences
+     * @param linkListener receives the state of the link, in words, when it changes
      * @throws java.io.UncheckedIOException if the directory cannot be used
      */
     public EdgeDevice(
-            String id, BrokerAddress broker, Path directory, Clock clock, InstantSource wall, Consumer<String> teller) {
+            String id,
+            BrokerAddress broker,
+            Path directory,
+            Clock clock,
+            InstantSource wall,
+            Consumer<String> linkListener) {
         this.id = id;
         this.clock = clock;
         this.wall = wall;
-        this.teller = teller;
-        // Who has lost the directory goes on with numbers that the fleet has not heard.
+        this.linkListener = linkListener;
+        // If the directory was lost, the numbers must be higher than those that the fleet has seen.
         this.outbox = new Outbox(directory, wall.millis());
         this.carried = new Carried(directory);
         this.gateway = new BrokerConnection(broker, "edge-" + id);
         gateway.subscribe(topic("command"), received::add);
         gateway.subscribe(topic("state"), received::add);
-        gateway.subscribe(topic("kept"), this::kept);
+        gateway.subscribe(topic("kept"), this::confirmed);
     }
 
     /**
@@ -107,11 +114,11 @@ public final class EdgeDevice implements EdgeShell.Decider, AutoCloseable {
         return "evoloop/" + id + '/' + what;
     }
 
-    /** Begins to pass on; waits neither for the broker nor for the gateway. */
+    /** Connects; waits neither for the broker nor for the gateway. */
     public synchronized void open(EdgeShell shell) {
         gateway.open();
-        telling = begin("edge-" + id + "-teller", this::tellAll);
-        carrying = begin("edge-" + id + "-carrier", () -> carryAll(shell));
+        sender = begin("edge-" + id + "-sender", this::sendAll);
+        carrier = begin("edge-" + id + "-carrier", () -> carryAll(shell));
     }
 
     private static Thread begin(String name, Runnable work) {
@@ -144,7 +151,7 @@ public final class EdgeDevice implements EdgeShell.Decider, AutoCloseable {
         if (!values.isEmpty()) {
             record.put("values", JsonObject.of(values));
         }
-        told.add(new OutgoingRecord(OCCURRENCE, record.toString()));
+        outgoing.add(new OutgoingRecord(OCCURRENCE, record.toString()));
     }
 
     @Override
@@ -158,18 +165,18 @@ public final class EdgeDevice implements EdgeShell.Decider, AutoCloseable {
             record.put("reason", reason);
         }
         state.ifPresent(found -> record.put("state", found.name()));
-        told.add(new OutgoingRecord(EFFECT, record.toString()));
+        outgoing.add(new OutgoingRecord(EFFECT, record.toString()));
     }
 
-    private void tellAll() {
+    private void sendAll() {
         long publishedTo = 0;
         long publishedNanos = clock.nanoTime();
         long connects = -1;
         try {
-            while (!closing || !told.isEmpty()) {
-                keep(told.poll(POLL_MILLIS, TimeUnit.MILLISECONDS));
-                outbox.sent(kept.get());
-                tellOfLink();
+            while (!closing || !outgoing.isEmpty()) {
+                store(outgoing.poll(POLL_MILLIS, TimeUnit.MILLISECONDS));
+                outbox.sent(confirmed.get());
+                reportLink();
                 boolean again = connects != gateway.connects() || clock.nanoTime() - publishedNanos > AGAIN_NANOS;
                 for (Outbox.Entry entry : gateway.isUp() ? outbox.first(WINDOW, 0) : List.<Outbox.Entry>of()) {
                     if (again || entry.number() > publishedTo) {
@@ -183,31 +190,31 @@ public final class EdgeDevice implements EdgeShell.Decider, AutoCloseable {
                     }
                 }
             }
-        } catch (InterruptedException hurry) {
-            // What waits is kept.
+        } catch (InterruptedException closed) {
+            // Waiting records are in the file.
         }
     }
 
-    private void keep(@Nullable OutgoingRecord first) {
-        for (OutgoingRecord next = first; next != null; next = told.poll()) {
+    private void store(@Nullable OutgoingRecord first) {
+        for (OutgoingRecord next = first; next != null; next = outgoing.poll()) {
             outbox.add(next.topic(), id, next.record());
         }
     }
 
-    private void kept(Message message) {
+    private void confirmed(Message message) {
         try {
             long number = new Received(message.payload()).number("number", 0);
-            kept.accumulateAndGet(number, Math::max);
+            confirmed.accumulateAndGet(number, Math::max);
         } catch (IllegalArgumentException unreadable) {
-            leftOut(message, unreadable);
+            ignore(message, unreadable);
         }
     }
 
-    private void tellOfLink() {
+    private void reportLink() {
         String now = gateway.isUp() ? "the gateway's broker can be reached" : gateway.describe();
         if (!now.equals(link)) {
             link = now;
-            teller.accept(now + "; " + waiting(outbox.size()));
+            linkListener.accept(now + "; " + waiting(outbox.size()));
         }
     }
 
@@ -228,7 +235,7 @@ public final class EdgeDevice implements EdgeShell.Decider, AutoCloseable {
                 try {
                     take(next, shell);
                 } catch (IllegalArgumentException unreadable) {
-                    leftOut(next, unreadable);
+                    ignore(next, unreadable);
                 }
             }
         } catch (InterruptedException closed) {
@@ -244,7 +251,7 @@ public final class EdgeDevice implements EdgeShell.Decider, AutoCloseable {
         Received record = new Received(message.payload());
         long sequence = record.number("sequence", 0);
         if (message.topic().equals(topic("state"))) {
-            // One from before the last command is out of date.
+            // A state from before the last command is out of date.
             if (sequence >= carried.last(id)) {
                 shell.stand(record.standing());
             }
@@ -271,22 +278,22 @@ public final class EdgeDevice implements EdgeShell.Decider, AutoCloseable {
         }
     }
 
-    private static void leftOut(Message message, IllegalArgumentException why) {
+    private static void ignore(Message message, IllegalArgumentException why) {
         LOG.warn("a message on {} is ignored: {}", message.topic(), why.getMessage());
     }
 
-    /** Keeps what was told, and ends; the shell is to be closed after. Idempotent. */
+    /** Stores the outgoing records, and ends; close the shell afterwards. Idempotent. */
     @Override
     public synchronized void close() {
         closing = true;
-        Thread carrier = carrying;
-        Thread passing = telling;
-        if (carrier != null) {
-            carrier.interrupt();
-            Threads.join(carrier, END_LIMIT);
+        Thread receiving = carrier;
+        Thread sending = sender;
+        if (receiving != null) {
+            receiving.interrupt();
+            Threads.join(receiving, END_LIMIT);
         }
-        if (passing != null) {
-            Threads.join(passing, END_LIMIT);
+        if (sending != null) {
+            Threads.join(sending, END_LIMIT);
         }
         gateway.close();
         outbox.close();

@@ -18,7 +18,7 @@ final class Json {
         this.text = text;
     }
 
-    /** The object that {@code text} is. @throws IllegalArgumentException if it is none */
+    /** Parses {@code text} as an object. @throws IllegalArgumentException if it is not one */
     static Map<String, @Nullable Object> object(String text) {
         Json json = new Json(text);
         json.expect('{');

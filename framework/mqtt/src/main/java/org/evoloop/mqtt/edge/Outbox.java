@@ -14,8 +14,8 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 
 /**
- * What devices have told and the receiver may not have yet, in a file: a line each, on the disk before it counts. The
- * number of a line is never given twice, so that the receiver knows what comes again.
+ * Records of devices that the receiver may not have yet, in a file with one line each, which is on the disk before the
+ * record counts. A line's number is never used again, so the receiver can recognise repetitions.
  *
  * <p>Errors: if the directory cannot be used, {@link UncheckedIOException}.
  *
@@ -33,17 +33,17 @@ public final class Outbox implements AutoCloseable {
     private long sent;
 
     /**
-     * One line.
+     * A record.
      *
-     * @param number of this outbox
-     * @param topic where it is to go
+     * @param number its number in this outbox
+     * @param topic its destination
      */
     public record Entry(long number, String topic, String device, String record) {}
 
     /**
-     * What is kept in {@code directory}, which is made if it is not there.
+     * Opens the outbox in {@code directory}, which is created if necessary.
      *
-     * @param before the numbers begin after this one if nothing was kept there yet
+     * @param before the number before the first one, in a new outbox
      */
     public Outbox(Path directory, long before) {
         Path file = directory.resolve("outbox");
@@ -62,7 +62,7 @@ public final class Outbox implements AutoCloseable {
         }
     }
 
-    /** A line that was not written to its end was never told of; it is cut off. */
+    /** An incomplete last line does not count; it is cut off. */
     private void read(Path file) throws IOException {
         if (!Files.exists(file)) {
             return;
@@ -71,20 +71,20 @@ public final class Outbox implements AutoCloseable {
         int whole = text.lastIndexOf('\n') + 1;
         for (String line : text.substring(0, whole).lines().toList()) {
             String[] parts = line.split(String.valueOf(BETWEEN), 4);
-            long its = Long.parseLong(parts[0]);
-            number = Math.max(number, its);
-            if (its > sent) {
-                waiting.add(new Entry(its, parts[1], parts[2], parts[3]));
+            long own = Long.parseLong(parts[0]);
+            number = Math.max(number, own);
+            if (own > sent) {
+                waiting.add(new Entry(own, parts[1], parts[2], parts[3]));
             }
         }
         if (whole < text.length()) {
-            try (RandomAccessFile whatIs = new RandomAccessFile(file.toFile(), "rw")) {
-                whatIs.setLength(text.substring(0, whole).getBytes(StandardCharsets.UTF_8).length);
+            try (RandomAccessFile present = new RandomAccessFile(file.toFile(), "rw")) {
+                present.setLength(text.substring(0, whole).getBytes(StandardCharsets.UTF_8).length);
             }
         }
     }
 
-    /** One more; when this returns, it is on the disk. */
+    /** Adds a record, which is on the disk when this returns. */
     public synchronized void add(String topic, String device, String record) {
         Entry entry = new Entry(number + 1, topic, device, record.replace('\n', ' '));
         String line = entry.number + String.valueOf(BETWEEN) + topic + BETWEEN + device + BETWEEN + entry.record + '\n';
@@ -102,7 +102,7 @@ public final class Outbox implements AutoCloseable {
         notifyAll();
     }
 
-    /** The first that wait, {@code most} at most; waits for one for {@code limitMillis}. */
+    /** The first waiting records, at most {@code most}; if there are none, waits up to {@code limitMillis} for one. */
     public synchronized List<Entry> first(int most, long limitMillis) throws InterruptedException {
         long end = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(limitMillis);
         for (long left = limitMillis; waiting.isEmpty() && left > 0; ) {
@@ -112,7 +112,7 @@ public final class Outbox implements AutoCloseable {
         return List.copyOf(waiting.subList(0, Math.min(most, waiting.size())));
     }
 
-    /** All up to this number is where it is for. */
+    /** The receiver has all records up to this number. */
     public synchronized void sent(long last) {
         if (last <= sent || last > number) {
             return;
@@ -129,7 +129,7 @@ public final class Outbox implements AutoCloseable {
         }
     }
 
-    /** How many wait. */
+    /** How many records wait. */
     public synchronized int size() {
         return waiting.size();
     }

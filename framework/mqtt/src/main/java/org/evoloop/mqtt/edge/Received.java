@@ -11,9 +11,9 @@ import org.evoloop.statemachine.Transition;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A record of schema 1 that came from the gateway. Members that this program does not know count for nothing.
+ * A record of schema 1 from the gateway. Unknown members are ignored.
  *
- * <p>Errors: what is asked for and is not there is an {@link IllegalArgumentException}.
+ * <p>Errors: a missing member that is needed is an {@link IllegalArgumentException}.
  *
  * <p>Threading: immutable.
  */
@@ -46,7 +46,7 @@ final class Received {
         return members.containsKey(name) ? text(name) : otherwise;
     }
 
-    /** What the device is to take. */
+    /** The step that the device is to take. */
     Step step() {
         Event event = new Event(text("event"));
         return new Step(new Transition(new State(text("from")), event, new State(text("to"))), event, false, false);

@@ -1,6 +1,6 @@
 /**
- * A device at the edge of a fleet: {@link org.evoloop.mqtt.edge.EdgeDevice} has the parts of a converter speak with the fleet's
- * gateway, over an MQTT broker and whatever is killed or unplugged in between.
+ * A device at the edge of a fleet: {@link org.evoloop.mqtt.edge.EdgeDevice} connects the parts of a converter with the
+ * fleet's gateway over an MQTT broker, reliably, even if programs are killed or cables unplugged.
  */
 @NullMarked
 package org.evoloop.mqtt.edge;
