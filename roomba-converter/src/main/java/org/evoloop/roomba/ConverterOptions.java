@@ -133,6 +133,7 @@ final class ConverterOptions {
                 .placed("original", CommandOptions::resolved)
                 .placed("new", CommandOptions::resolved)
                 .placed("camera", (folder, text) -> isFile(text) ? CommandOptions.resolved(folder, text) : text)
+                .shown("camera", CameraSource::masked)
                 .alternatives("camera", "start-point")
                 .alternatives("calibration", "field-of-view")
                 .alternatives("models", "original")

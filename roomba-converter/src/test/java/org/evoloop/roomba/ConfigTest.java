@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.EnabledOnOs;
@@ -91,6 +93,20 @@ class ConfigTest {
         Program.Result second = Program.run(folder, "--print-config", "--config", again.toString());
         assertThat(withoutOrigins(second.out())).isEqualTo(withoutOrigins(first.out()));
         assertThat(second.status()).isZero();
+    }
+
+    @Test
+    void thePasswordInACamerasAddressIsNotPrinted() throws Exception {
+        Path file = file("camera: http://me:s3cret@camera/stream?pwd=s3cret\n");
+        for (List<String> given :
+                List.of(List.of("--config", file.toString()), List.of("--camera", "http://me:s3cret@camera/?s3cret"))) {
+            List<String> arguments = new ArrayList<>(given);
+            arguments.add("--print-config");
+            Program.Result result = Program.run(folder, arguments.toArray(String[]::new));
+            assertThat(result.out()).contains("camera: 'http://***@camera/").doesNotContain("s3cret");
+            assertThat(result.err()).isEmpty();
+            assertThat(result.status()).isZero();
+        }
     }
 
     private static String withoutOrigins(String printed) {

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.function.BinaryOperator;
 import java.util.function.Function;
+import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -25,6 +26,7 @@ public final class Option<T> {
     private final boolean repeats;
     private final @Nullable String usual;
     private final BinaryOperator<String> placed;
+    private final UnaryOperator<String> shown;
     private final Set<String> insteadOf;
 
     private Option(
@@ -36,6 +38,7 @@ public final class Option<T> {
             boolean repeats,
             @Nullable String usual,
             BinaryOperator<String> placed,
+            UnaryOperator<String> shown,
             Set<String> insteadOf) {
         this.name = name;
         this.otherNames = otherNames;
@@ -45,6 +48,7 @@ public final class Option<T> {
         this.repeats = repeats;
         this.usual = usual;
         this.placed = placed;
+        this.shown = shown;
         this.insteadOf = insteadOf;
     }
 
@@ -58,7 +62,17 @@ public final class Option<T> {
      *     is allowed
      */
     public static <T> Option<T> value(String name, String label, String description, Function<String, T> reader) {
-        return new Option<>(name, List.of(), label, description, reader, false, null, Option::asWritten, Set.of());
+        return new Option<>(
+                name,
+                List.of(),
+                label,
+                description,
+                reader,
+                false,
+                null,
+                Option::asWritten,
+                UnaryOperator.identity(),
+                Set.of());
     }
 
     /** An option whose value is a path; in a file, a relative one is relative to the file's directory. */
@@ -94,7 +108,16 @@ public final class Option<T> {
     /** An option that is on or off, and off unless it is given. */
     public static Option<Boolean> flag(String name, String description) {
         return new Option<>(
-                name, List.of(), "", description, Option::onOrOff, false, "false", Option::asWritten, Set.of());
+                name,
+                List.of(),
+                "",
+                description,
+                Option::onOrOff,
+                false,
+                "false",
+                Option::asWritten,
+                UnaryOperator.identity(),
+                Set.of());
     }
 
     private static Boolean onOrOff(String text) {
@@ -108,17 +131,18 @@ public final class Option<T> {
 
     /** A copy with additional names. */
     public Option<T> alsoCalled(List<String> names) {
-        return new Option<>(name, List.copyOf(names), label, description, reader, repeats, usual, placed, insteadOf);
+        return new Option<>(
+                name, List.copyOf(names), label, description, reader, repeats, usual, placed, shown, insteadOf);
     }
 
     /** A copy that takes any number of values: repeated on a command line, as a list in a file. */
     public Option<T> repeated() {
-        return new Option<>(name, otherNames, label, description, reader, true, usual, placed, insteadOf);
+        return new Option<>(name, otherNames, label, description, reader, true, usual, placed, shown, insteadOf);
     }
 
     /** A copy with a default value. */
     public Option<T> withDefault(String value) {
-        return new Option<>(name, otherNames, label, description, reader, repeats, value, placed, insteadOf);
+        return new Option<>(name, otherNames, label, description, reader, repeats, value, placed, shown, insteadOf);
     }
 
     /**
@@ -128,12 +152,22 @@ public final class Option<T> {
      *     directory
      */
     public Option<T> placedBy(BinaryOperator<String> resolve) {
-        return new Option<>(name, otherNames, label, description, reader, repeats, usual, resolve, insteadOf);
+        return new Option<>(name, otherNames, label, description, reader, repeats, usual, resolve, shown, insteadOf);
+    }
+
+    /**
+     * A copy with values that may contain a secret, which {@code --print-config} does not print.
+     *
+     * @param shown takes a value, and returns it without the secret
+     */
+    public Option<T> shownBy(UnaryOperator<String> shown) {
+        return new Option<>(name, otherNames, label, description, reader, repeats, usual, placed, shown, insteadOf);
     }
 
     /** A copy that, when given on the command line, overrides these other options of the file. */
     public Option<T> insteadOf(Set<String> others) {
-        return new Option<>(name, otherNames, label, description, reader, repeats, usual, placed, Set.copyOf(others));
+        return new Option<>(
+                name, otherNames, label, description, reader, repeats, usual, placed, shown, Set.copyOf(others));
     }
 
     /** Its name, without dashes. */
@@ -174,6 +208,11 @@ public final class Option<T> {
     /** The value relative to the working directory, from {@code text} relative to {@code folder}. */
     String placed(Path folder, String text) {
         return placed.apply(folder.toString(), text);
+    }
+
+    /** The value as others may see it. */
+    String shown(String text) {
+        return shown.apply(text);
     }
 
     /** @throws IllegalArgumentException if the option does not take this value */

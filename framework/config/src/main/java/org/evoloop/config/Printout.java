@@ -66,7 +66,8 @@ final class Printout {
         }
         Path here = Path.of("").toAbsolutePath();
         List<String> texts = setting.texts().stream()
-                .map(text -> scalar(setting.origin().isFile() ? text : option.placed(here, text)))
+                .map(text -> setting.origin().isFile() ? text : option.placed(here, text))
+                .map(text -> scalar(option.shown(text)))
                 .toList();
         return texts.size() == 1 ? texts.get(0) : texts.stream().collect(Collectors.joining(", ", "[", "]"));
     }

@@ -10,6 +10,7 @@ import java.util.Set;
 import java.util.function.BinaryOperator;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
+import java.util.function.UnaryOperator;
 import org.evoloop.config.Option;
 import org.evoloop.config.Options;
 import picocli.CommandLine;
@@ -29,6 +30,7 @@ public final class CommandOptions {
     private final Predicate<RuntimeException> mendable;
     private final Map<String, Consumer<String>> checks = new HashMap<>();
     private final Map<String, BinaryOperator<String>> placed = new HashMap<>();
+    private final Map<String, UnaryOperator<String>> shown = new HashMap<>();
     private final Map<String, Set<String>> insteadOf = new HashMap<>();
 
     /**
@@ -50,6 +52,12 @@ public final class CommandOptions {
     /** Declares that the option's values are paths. This is not needed for options of type {@link Path}. */
     public CommandOptions placed(String option, BinaryOperator<String> resolve) {
         placed.put(option, resolve);
+        return this;
+    }
+
+    /** Declares that the option's values may contain a secret: see {@link Option#shownBy}. */
+    public CommandOptions shown(String option, UnaryOperator<String> withoutSecret) {
+        shown.put(option, withoutSecret);
         return this;
     }
 
@@ -94,7 +102,8 @@ public final class CommandOptions {
         }
         Option<String> option = Option.value(name, spec.paramLabel(), description, text -> read(name, text))
                 .alsoCalled(names.subList(1, names.size()))
-                .insteadOf(others);
+                .insteadOf(others)
+                .shownBy(shown.getOrDefault(name, UnaryOperator.identity()));
         BinaryOperator<String> resolve = placed.get(name);
         if (resolve != null) {
             option = option.placedBy(resolve);

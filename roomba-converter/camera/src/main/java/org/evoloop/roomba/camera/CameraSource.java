@@ -94,7 +94,8 @@ public record CameraSource(Kind kind, String text) {
         return masked(text);
     }
 
-    private static String masked(String text) {
+    /** A source's text without the password that a URL may hold. */
+    public static String masked(String text) {
         return SCHEME.matcher(text).matches()
                 ? text.replaceFirst("://.*@", "://***@").replaceFirst("\\?.*", "?***")
                 : text;
