@@ -9,22 +9,20 @@ import org.evoloop.roomba.session.OdometryPose;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Makes one place of what single looks show. A sighting is believed when {@value Sight#BELIEVED_LOOKS} looks in a row
- * show the same place; a place that is believed follows each look that agrees with it. Places are in the coordinates of
- * the robot's wheels, so that the robot can drive on between two looks.
+ * Estimates the goal's place from single looks. A sighting is believed when {@value Sight#BELIEVED_LOOKS} looks in a
+ * row show the same place; after that, the place follows each look that agrees with it. Places are in odometry
+ * coordinates, so the robot can drive between two looks.
  *
  * <p>Threading: not thread-safe.
  */
 final class GoalWatch {
-    /**
-     * Two sightings no farther apart are of the same thing: 2.8 % of 3.5 m is what one is wrong by at most, usually.
-     */
+    /** Sightings within this distance are of the same object: one is usually wrong by at most 2.8 % of 3.5 m. */
     static final double SAME_MM = 250;
 
-    /** A place that was not seen for so many times as long as a frame may take is no help to believe a single look. */
+    /** After this many frame limits without a sighting, the old place can no longer confirm a single look. */
     private static final int FORGOTTEN_FRAMES = 3;
 
-    /** For so many times as long the robot's way is known; looks are younger. */
+    /** How long poses are kept, in frame limits; looks are younger than this. */
     private static final int TRAIL_FRAMES = 6;
 
     private record Footprint(long nanos, OdometryPose pose) {}
@@ -41,7 +39,7 @@ final class GoalWatch {
         this.frameLimitNanos = frameLimitNanos;
     }
 
-    /** Takes what was monitored next. */
+    /** Processes the next percept. */
     Sight update(Percept percept) {
         trail.addLast(new Footprint(percept.nanos(), percept.telemetry().pose()));
         while (percept.nanos() - trail.getFirst().nanos() > TRAIL_FRAMES * frameLimitNanos) {
@@ -75,7 +73,7 @@ final class GoalWatch {
         return known != null && known.distanceTo(place.xMm(), place.yMm()) <= SAME_MM;
     }
 
-    /** Where the robot was when a frame was taken: the last known pose before that. */
+    /** The robot's pose when a frame was taken: the last known pose before that moment. */
     private OdometryPose poseAt(long nanos) {
         OdometryPose pose = trail.getFirst().pose();
         for (Footprint footprint : trail) {

@@ -5,23 +5,24 @@ import org.evoloop.roomba.move.phase.Ending;
 import org.evoloop.roomba.session.Telemetry;
 
 /**
- * Whether the robot obeys. At a cliff it leaves Safe mode and stops (specification, "Safe Mode"), and the session takes
- * it back within a second or two; then Move goes on. A robot that was lifted is somewhere else now, and Move ends.
+ * Checks that the robot obeys. At a cliff it leaves Safe mode and stops (specification, "Safe Mode"); the session
+ * regains control within a second or two, and Move continues. If the robot was lifted, its position is unknown, and
+ * Move ends.
  *
  * <p>Threading: not thread-safe.
  */
 final class HoldWatch {
-    /** So long the session has to take control back. */
+    /** How long the session may take to regain control. */
     static final long PATIENCE_NANOS = 5_000_000_000L;
 
-    /** So long it may take until the robot obeys at first: it may have to be woken, or leave its dock. */
+    /** How long the robot may take to obey at first: it may have to be woken, or leave its dock. */
     static final long READY_PATIENCE_NANOS = 20_000_000_000L;
 
     private boolean held;
     private boolean slipped;
     private long slippedNanos;
 
-    /** Takes the next frame; returns why the robot must not be driven on, if that is so. */
+    /** Processes the next frame; returns why the robot must no longer be driven, or {@link Ending#NONE}. */
     Ending update(Telemetry telemetry, long nanos) {
         if (telemetry.values().anyWheelDrop()) {
             return Ending.byPerson(

@@ -16,15 +16,14 @@ import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Monitors the robot's stream, whose newest frame is told, and with each frame what the sensor has seen last. The
- * frames set the pace, 15 ms each: a look is no older than that when it is told, and one that nobody needed costs
- * nothing.
+ * Monitors the robot's stream and reports its newest frame together with the sensor's last look. The frames set the
+ * pace, one every 15 ms, so a look is reported at most 15 ms late, and unneeded looks cost nothing.
  */
 final class MonitorSenses extends Monitor<Percept> implements SessionListener {
-    /** A frame, and what was done to the robot until then. */
-    private record Heard(Telemetry telemetry, Ending person) {}
+    /** A frame, and what a person has done to the robot by then. */
+    private record Frame(Telemetry telemetry, Ending person) {}
 
-    private final BlockingQueue<Heard> newest = new LinkedBlockingQueue<>(1);
+    private final BlockingQueue<Frame> newest = new LinkedBlockingQueue<>(1);
     private final MapeLoop<Percept, ?, ?> loop;
     private final StartPointSensor sensor;
     private final BooleanSupplier busy;
@@ -34,9 +33,9 @@ final class MonitorSenses extends Monitor<Percept> implements SessionListener {
     private Optional<EstimatedActivity> work = Optional.empty();
 
     /**
-     * Without threads each frame itself takes the loop's step.
+     * Without threads, each frame triggers a step of the loop.
      *
-     * @param busy whether the robot is being driven by somebody else, so that its frames say nothing to Move
+     * @param busy whether something else is driving the robot, so that Move must ignore its frames
      */
     MonitorSenses(MapeLoop<Percept, ?, ?> loop, StartPointSensor sensor, BooleanSupplier busy, Visit visit) {
         this.loop = loop;
@@ -51,8 +50,8 @@ final class MonitorSenses extends Monitor<Percept> implements SessionListener {
         if (busy.getAsBoolean()) {
             return;
         }
-        Heard heard = new Heard(telemetry, reason.isEmpty() ? Ending.NONE : Ending.byPerson(reason, work));
-        while (!newest.offer(heard)) {
+        Frame frame = new Frame(telemetry, reason.isEmpty() ? Ending.NONE : Ending.byPerson(reason, work));
+        while (!newest.offer(frame)) {
             newest.poll();
         }
         if (!threads) {
@@ -60,7 +59,7 @@ final class MonitorSenses extends Monitor<Percept> implements SessionListener {
         }
     }
 
-    /** Whoever presses a button of a robot that drives wants it to stop, whatever the button. */
+    /** Any button pressed while the robot drives means "stop". */
     @Override
     public void pressed(Button button, boolean robotActs) {
         reason = button + " was pressed on the robot";
@@ -87,11 +86,11 @@ final class MonitorSenses extends Monitor<Percept> implements SessionListener {
 
     @Override
     protected @Nullable Percept getEvent() throws InterruptedException {
-        Heard heard = threads ? newest.take() : newest.poll();
-        if (heard == null) {
+        Frame frame = threads ? newest.take() : newest.poll();
+        if (frame == null) {
             return null;
         }
         long nowNanos = clock.nanoTime();
-        return new Percept(nowNanos, heard.telemetry(), sensor.look(heard.telemetry(), nowNanos), heard.person());
+        return new Percept(nowNanos, frame.telemetry(), sensor.look(frame.telemetry(), nowNanos), frame.person());
     }
 }

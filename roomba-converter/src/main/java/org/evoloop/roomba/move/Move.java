@@ -30,18 +30,19 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Searches the starting point, drives the robot there, and raises {@code arriveSpot}.
+ * Searches for the starting point, drives the robot there, and raises {@code arriveSpot}.
  *
- * <p>The robot must be under control (Safe mode). If it does not obey for long, or has not arrived when the limit is
- * over, the function ends: it says why and raises {@code timeout} if the new model has a transition for it, else the
- * event that leads {@link Back}. A person at the robot wins: if one of its buttons is pressed or it is lifted, the
- * function ends at once, and only the way back is taken. The wheels stop whenever the function ends, however it ends.
+ * <p>The robot must be under control (Safe mode). If it does not obey for long, or has not arrived within the limit,
+ * the function ends: it says why and raises {@code timeout} if the new model has a transition for it, else the event
+ * named by {@link Back}. A person at the robot has priority: if one of its buttons is pressed or it is lifted, the
+ * function ends at once with the event named by {@link Back}. The wheels stop whenever the function ends, for whatever
+ * reason.
  */
 public final class Move extends ControlLoopFunction<Percept, Situation, Maneuver> {
-    /** The event that tells of the arrival. */
+    /** The event raised on arrival. */
     public static final String ARRIVED = "arriveSpot";
 
-    /** The event that tells that there was none. */
+    /** The event raised when the robot has not arrived. */
     public static final String TIMEOUT = "timeout";
 
     private static final Logger LOG = LoggerFactory.getLogger(Move.class);
@@ -49,13 +50,13 @@ public final class Move extends ControlLoopFunction<Percept, Situation, Maneuver
     private static final String DISOBEYING =
             "do not turn as commanded: no command reaches the robot, or it is held, pushed or stuck";
 
-    /** Names the event that leads out of a Move that has not arrived. */
+    /** Names the event that leaves Move when the robot has not arrived. */
     @FunctionalInterface
     public interface Back {
         /**
          * The event.
          *
-         * @param work what the robot does by itself, since somebody has used its own buttons; empty if it stands
+         * @param work what the robot does by itself after somebody has used its buttons; empty if it stands still
          */
         String event(Optional<EstimatedActivity> work);
     }
@@ -66,10 +67,10 @@ public final class Move extends ControlLoopFunction<Percept, Situation, Maneuver
     private final Back back;
 
     /**
-     * A way to the starting point.
+     * A function that drives to the starting point.
      *
-     * @param startPoint opens the sensor anew each time the state is entered, which closes it when it is left
-     * @param back the events that it ends with when it has not arrived
+     * @param startPoint opens a new sensor each time the state is entered; it is closed when the state is left
+     * @param back names the event to raise when the robot has not arrived
      */
     public Move(RoombaSession session, Function<Clock, StartPointSensor> startPoint, MoveOptions options, Back back) {
         this.back = back;
@@ -93,14 +94,14 @@ public final class Move extends ControlLoopFunction<Percept, Situation, Maneuver
         session.addListener(monitor);
     }
 
-    /** What failed once will fail again, and until then the wheels turn as they were told. */
+    /** A failed loop would fail again, and the wheels would keep turning; so this stops them and ends Move. */
     @Override
     protected void failed(Visit visit, Throwable cause) {
         stopWheels();
         end(visit, Ending.because("its program has failed: " + cause));
     }
 
-    /** Ends a visit in which the robot must not drive: it stands, and the way back is taken. */
+    /** Ends a visit in which the robot must not drive; it raises the event named by {@link Back}. */
     public void giveUp(Visit visit, String reason) {
         end(visit, Ending.byPerson(reason, Optional.empty()));
     }
@@ -189,14 +190,12 @@ public final class Move extends ControlLoopFunction<Percept, Situation, Maneuver
                         now.pose(),
                         now.sight().goal());
             }
-            tell(step.phase(), now);
+            report(step.phase(), now);
             return step.maneuver();
         }
 
-        /**
-         * Tells the distance to the starting point in m, whether that is in sight, and the time left to find it in s.
-         */
-        private void tell(Phase about, Situation now) {
+        /** Reports the distance to the starting point in m, whether it is in sight, and the time left in s. */
+        private void report(Phase about, Situation now) {
             List<Reading> readings = new ArrayList<>();
             now.sight().goal().ifPresent(goal -> {
                 double leftMm = now.pose().distanceTo(goal.xMm(), goal.yMm())
@@ -246,12 +245,12 @@ public final class Move extends ControlLoopFunction<Percept, Situation, Maneuver
         private void drive(DriveDirect wheels) {
             if (!wheels.equals(driving)) {
                 driving = null;
-                obeyWatch.told(wheels, visit.clock().nanoTime());
+                obeyWatch.commanded(wheels, visit.clock().nanoTime());
                 try {
                     session.send(wheels);
                     driving = wheels;
                 } catch (LinkException | RobotException gone) {
-                    // Sent again with the next frame, which there is none of before the robot is back.
+                    // Sent again with the next frame; no frames arrive until the robot is back.
                     LOG.debug("the wheel command {} was not sent: {}", wheels, gone.getMessage());
                 }
             }

@@ -3,14 +3,14 @@ package org.evoloop.roomba.move;
 import java.time.Duration;
 
 /**
- * How patient Move is.
+ * Time limits of Move.
  *
  * <p>Threading: immutable.
  *
- * @param limit after so long without an arrival the robot stops for good
+ * @param limit if the robot has not arrived after this time, it stops for good
  * @param frameLimit the wheels stop when the newest look is older than this
- * @param settle so long after the robot was told to stop, what the camera shows was taken at rest: the wheels need 0.1
- *     s, and a frame of a USB camera reaches the program about as late
+ * @param settle this long after a stop command, pictures show the robot at rest: the wheels need 0.1 s to stop, and a
+ *     USB camera's frame arrives about as late
  */
 public record MoveOptions(Duration limit, Duration frameLimit, Duration settle) {
 
@@ -27,7 +27,7 @@ public record MoveOptions(Duration limit, Duration frameLimit, Duration settle) 
         }
     }
 
-    /** Five minutes in all, 300 ms for a frame, 250 ms to come to rest. */
+    /** Limit 5 min, frame limit 300 ms, settling time 250 ms. */
     public static MoveOptions defaults() {
         return new MoveOptions(Duration.ofMinutes(5), Duration.ofMillis(300), Duration.ofMillis(250));
     }
@@ -37,7 +37,10 @@ public record MoveOptions(Duration limit, Duration frameLimit, Duration settle) 
         return new MoveOptions(other, frameLimit, settle);
     }
 
-    /** The same for a simulation that runs so many times as fast: its computer does not. */
+    /**
+     * The options for a simulation that runs {@code pace} times as fast as real time: the computer's own delays stay
+     * the same.
+     */
     public MoveOptions atPace(double pace) {
         double slower = Math.max(1, pace);
         return new MoveOptions(limit, times(frameLimit, slower), times(settle, slower));

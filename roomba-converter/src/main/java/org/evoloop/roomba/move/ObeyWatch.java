@@ -9,9 +9,8 @@ import org.evoloop.roomba.oi.SensorValues;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Whether the wheels turn as they are told, forward, backward or not at all, as their encoders show. A robot to which
- * no command comes through any more goes on with what it was told last, and nobody is told by the line: serial ports
- * take bytes that nobody reads.
+ * Checks by the encoders that the wheels turn as commanded: forward, backward or not at all. A robot that commands no
+ * longer reach keeps executing the last one, and the serial port reports no error: it accepts bytes that nobody reads.
  *
  * <p>Threading: thread-safe.
  */
@@ -21,30 +20,26 @@ final class ObeyWatch {
     private final long reactionNanos;
     private final long patienceNanos;
     private final long sampleNanos;
-    private final Deque<Command> told = new ArrayDeque<>();
+    private final Deque<Command> commands = new ArrayDeque<>();
     private @Nullable SensorValues sample;
     private long sampledNanos;
     private boolean wrong;
     private long wrongNanos;
     private boolean reported;
 
-    /**
-     * @param frameLimitNanos how late what the robot does may show at a computer that is busy, 300 ms for a real robot
-     */
+    /** @param frameLimitNanos how late the robot's reaction may show on a busy computer, 300 ms for a real robot */
     ObeyWatch(long frameLimitNanos) {
         this.reactionNanos = 2 * frameLimitNanos;
         this.patienceNanos = 3 * frameLimitNanos;
         this.sampleNanos = frameLimitNanos / 3;
     }
 
-    /** The wheels were told this. */
-    synchronized void told(DriveDirect wheels, long nanos) {
-        told.addLast(new Command(nanos, wheels));
+    /** Records a wheel command. */
+    synchronized void commanded(DriveDirect wheels, long nanos) {
+        commands.addLast(new Command(nanos, wheels));
     }
 
-    /**
-     * Takes the next frame; true if it has become clear that the wheels turn otherwise than told. Only the first time.
-     */
+    /** Processes the next frame. Returns true once, when it is certain that the wheels do not turn as commanded. */
     synchronized boolean update(SensorValues values, boolean underControl, long nanos) {
         SensorValues earlier = sample;
         if (!underControl || earlier == null) {
@@ -55,7 +50,7 @@ final class ObeyWatch {
         if (nanos - sampledNanos < sampleNanos) {
             return false;
         }
-        forgetWhatIsOver(nanos);
+        dropSuperseded(nanos);
         boolean now = differs(
                         DriveDirect::leftMmPerS,
                         SensorValues.encoderDelta(earlier.leftEncoderCounts(), values.leftEncoderCounts()))
@@ -77,28 +72,28 @@ final class ObeyWatch {
         sampledNanos = nanos;
     }
 
-    /** What was told last before counts as long as nothing else was. */
-    private void forgetWhatIsOver(long nanos) {
-        while (told.size() > 1) {
-            Command first = told.removeFirst();
-            if (nanos - told.getFirst().nanos() < reactionNanos) {
-                told.addFirst(first);
+    /** Removes superseded commands. A command counts until {@code reactionNanos} after the next one. */
+    private void dropSuperseded(long nanos) {
+        while (commands.size() > 1) {
+            Command first = commands.removeFirst();
+            if (nanos - commands.getFirst().nanos() < reactionNanos) {
+                commands.addFirst(first);
                 return;
             }
         }
     }
 
-    /** Whether a wheel turns otherwise than by anything that it was told lately. */
+    /** Whether a wheel's direction matches none of the recent commands. */
     private boolean differs(ToIntFunction<DriveDirect> wheel, int counts) {
-        // An encoder may stand on the edge of a count.
+        // A wheel at rest may flip between two adjacent encoder counts.
         int direction = Math.abs(counts) <= 1 ? 0 : Integer.signum(counts);
-        for (Command each : told) {
+        for (Command each : commands) {
             int speed = wheel.applyAsInt(each.wheels());
             boolean tooSlowToTell = speed != 0 && Math.abs(speed) < Maneuver.SLOWEST_MM_PER_S;
             if (tooSlowToTell || Integer.signum(speed) == direction) {
                 return false;
             }
         }
-        return !told.isEmpty();
+        return !commands.isEmpty();
     }
 }

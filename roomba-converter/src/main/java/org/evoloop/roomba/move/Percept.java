@@ -5,9 +5,9 @@ import org.evoloop.roomba.move.phase.Ending;
 import org.evoloop.roomba.session.Telemetry;
 
 /**
- * What Move monitors: the robot's newest frame, and what was seen last by then.
+ * What Move monitors: the robot's newest frame, and the last look by then.
  *
- * @param nanos when this was put together, on the clock that also dates the look
- * @param person what somebody at the robot has done since Move began, if that ends it
+ * @param nanos when the percept was created, on the clock that also dates the look
+ * @param person why a person at the robot has ended Move, or {@link Ending#NONE}
  */
 record Percept(long nanos, Telemetry telemetry, Look look, Ending person) {}

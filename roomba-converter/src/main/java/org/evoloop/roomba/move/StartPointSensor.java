@@ -11,25 +11,25 @@ import org.evoloop.roomba.session.Telemetry;
 /**
  * Senses where the starting point is.
  *
- * <p>Threading: called from one thread at a time, once a frame of the robot's stream; must not wait.
+ * <p>Threading: called from one thread at a time, once per frame of the robot's stream; must not block.
  */
 public interface StartPointSensor extends AutoCloseable {
 
     /**
-     * What was sensed last.
+     * The last look.
      *
-     * @param nowNanos on the clock that also dates the look
+     * @param nowNanos the time on the clock that also dates the look
      */
     Look look(Telemetry telemetry, long nowNanos);
 
-    /** Ends what it was opened for. Idempotent; waits for 2 s at most. */
+    /** Releases what the sensor uses. Idempotent; waits at most 2 s. */
     @Override
     default void close() {}
 
-    /** How near the robot has to come to what it senses. */
+    /** Which distance from the sensed place counts as arrived. */
     Target target();
 
-    /** Knows the point by dead reckoning: {@code xMm} ahead and {@code yMm} left of where the session began. */
+    /** Locates the point by dead reckoning: {@code xMm} ahead and {@code yMm} left of where the session began. */
     static StartPointSensor byWheels(double xMm, double yMm) {
         return new StartPointSensor() {
             @Override
@@ -47,8 +47,8 @@ public interface StartPointSensor extends AutoCloseable {
     }
 
     /**
-     * Sees the point's marker, with a camera that is closed along with this; the robot arrives 0.40 m before it,
-     * looking at it.
+     * Finds the point's marker with a camera, which is closed with this sensor. The robot arrives 0.40 m in front of
+     * the marker, facing it.
      */
     static StartPointSensor byCamera(MarkerCamera camera) {
         return new StartPointSensor() {

@@ -23,7 +23,7 @@ class ObeyWatchTest {
     }
 
     private void tell(int rightMmPerS, int leftMmPerS) {
-        watch.told(new DriveDirect(rightMmPerS, leftMmPerS), nanos(nowMillis));
+        watch.commanded(new DriveDirect(rightMmPerS, leftMmPerS), nanos(nowMillis));
     }
 
     /** The wheels turn by so many counts a frame; returns after how many ms that was found wrong, -1 if it was not. */

@@ -3,9 +3,9 @@ package org.evoloop.roomba.move.phase;
 import java.util.Optional;
 import org.evoloop.roomba.session.OdometryPose;
 
-/** Drives towards the goal that is in sight. */
+/** Drives towards the goal in sight. */
 record Approach(Memory memory) implements Phase {
-    /** Seen further to the side than this, the robot turns on the spot first. */
+    /** If the goal is further to the side than this, the robot turns on the spot first. */
     private static final double TURN_RAD = Math.toRadians(20);
 
     @Override

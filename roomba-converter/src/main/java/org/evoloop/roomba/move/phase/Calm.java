@@ -1,22 +1,22 @@
 package org.evoloop.roomba.move.phase;
 
 /**
- * Counts the looks that were taken while the robot stands. A still picture is sharp, and shows things where they are.
+ * Counts the looks taken while the robot stands still. Pictures taken at rest are sharp and give correct places.
  *
  * <p>Threading: immutable.
  *
- * @param fromNanos looks from this moment on count
- * @param frame the last one that was counted
- * @param looks how many there were
+ * @param fromNanos only looks taken after this moment count
+ * @param frame the last frame that was counted
+ * @param looks how many were counted
  */
 record Calm(long fromNanos, long frame, int looks) {
-    /** So many looks, and a place is believed if each of them shows it. */
+    /** Enough looks to believe a place if each of them shows it. */
     private static final int FEWEST = Sight.BELIEVED_LOOKS;
 
-    /** So many where some of them show something: enough for three in a row. */
+    /** The most looks to wait for when some show the marker: enough for three in a row. */
     private static final int MOST = 9;
 
-    /** The robot is told to stop now. */
+    /** Starts counting once the robot has settled; the stop command is sent now. */
     static Calm after(Memory memory, Situation now) {
         return new Calm(now.nanos() + memory.settle().toNanos(), now.sight().frame(), 0);
     }
@@ -27,7 +27,7 @@ record Calm(long fromNanos, long frame, int looks) {
         return counts ? new Calm(fromNanos, sight.frame(), looks + 1) : this;
     }
 
-    /** Whether the marker would have been seen here. */
+    /** Whether the robot has looked long enough and the marker is not visible from here. */
     boolean isInVain(Sight sight) {
         return looks >= (sight.promising() ? MOST : FEWEST);
     }

@@ -3,9 +3,9 @@ package org.evoloop.roomba.move.phase;
 import java.util.Optional;
 import org.evoloop.roomba.session.OdometryPose;
 
-/** Stands, looks, and sees whether the robot has arrived; mends what is not as wanted. */
+/** Stands still, looks, and checks whether the robot has arrived; corrects position or heading if not. */
 record Check(Memory memory, Calm calm) implements Phase {
-    /** The robot has arrived when it looks within 3 degrees at the marker; this leaves some for the camera's error. */
+    /** The robot has arrived when it faces the marker within 3 degrees; the rest is margin for the camera's error. */
     private static final double FACING_RAD = Math.toRadians(1.5);
 
     static Check begin(Memory memory, Situation now) {

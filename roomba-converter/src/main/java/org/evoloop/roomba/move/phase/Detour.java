@@ -4,26 +4,26 @@ import java.util.Optional;
 import org.evoloop.roomba.move.phase.Situation.Obstacle;
 import org.evoloop.roomba.session.OdometryPose;
 
-/** Goes round an obstacle: back off, turn away from it, go on a little, and look around from there. */
+/** Drives round an obstacle: back off, turn away from it, drive a short way, and look around from there. */
 final class Detour {
-    /** Then the robot can turn freely, also where its front had got over an edge. */
+    /** After this the robot can turn freely, even if its front was over an edge. */
     private static final double BACK_MM = 100;
 
-    /** From the robot's centre to what it has touched, and a little beyond. */
+    /** From the robot's centre to a touched obstacle, and a little beyond. */
     private static final double AHEAD_MM = 250;
 
     private static final double AWAY_RAD = Math.toRadians(65);
 
-    /** From what is straight ahead, and from what is in the way of a detour. */
+    /** The turn for an obstacle straight ahead, or for one met during a detour. */
     private static final double FAR_AWAY_RAD = Math.toRadians(90);
 
-    /** The robot's radius and more; each detour is longer than the one before, up to twice as long. */
+    /** The robot's radius and more; each further detour is longer, up to twice as long. */
     private static final double SHORTEST_MM = 300;
 
     private static final double LONGER_MM = 75;
     private static final int LONGEST = 4;
 
-    /** So many in vain on one side, and the other side is tried as long. */
+    /** After this many obstacles the other side is preferred, for as many. */
     private static final int PATIENCE = 3;
 
     private Detour() {}

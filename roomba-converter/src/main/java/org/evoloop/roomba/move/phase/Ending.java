@@ -4,19 +4,19 @@ import java.util.Optional;
 import org.evoloop.roomba.session.inference.ActivityEstimate.EstimatedActivity;
 
 /**
- * Why Move must end before it has arrived.
+ * Why Move must end before the robot has arrived.
  *
  * <p>Threading: immutable.
  *
- * @param reason for people; empty while Move may go on
+ * @param reason a text for people; empty while Move may continue
  * @param byPerson whether somebody at the robot has ended it
- * @param work what that person has made the robot do by itself; empty if it stands
+ * @param work what that person has made the robot do by itself; empty if it stands still
  */
 public record Ending(String reason, boolean byPerson, Optional<EstimatedActivity> work) {
-    /** Move may go on. */
+    /** Move may continue. */
     public static final Ending NONE = new Ending("", false, Optional.empty());
 
-    /** Move cannot go on. */
+    /** Move cannot continue. */
     public static Ending because(String reason) {
         return new Ending(reason, false, Optional.empty());
     }

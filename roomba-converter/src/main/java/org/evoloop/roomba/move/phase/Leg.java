@@ -3,10 +3,10 @@ package org.evoloop.roomba.move.phase;
 import org.evoloop.roomba.session.OdometryPose;
 
 /**
- * Drives straight on, so slowly that whatever is in the way may be touched.
+ * Drives straight, slowly enough to touch an obstacle safely.
  *
- * @param lengthMm negative is backwards, where nothing is felt: only as far as the robot came from there
- * @param alert whether it ends when the goal comes into sight; a detour must not, for it would lead back at once
+ * @param lengthMm negative for backwards, where the robot has no bumper: only as far as it came from there
+ * @param alert whether it ends when the goal comes into sight; false in a detour, or the robot would turn back at once
  */
 record Leg(Memory memory, double lengthMm, boolean alert, OdometryPose from, Phase then) implements Phase {
 
@@ -14,7 +14,7 @@ record Leg(Memory memory, double lengthMm, boolean alert, OdometryPose from, Pha
         return new Leg(memory, lengthMm, false, OdometryPose.ORIGIN, then);
     }
 
-    /** The same, but it ends when the goal comes into sight. */
+    /** The same leg, but it ends when the goal comes into sight. */
     Leg alertly() {
         return new Leg(memory, lengthMm, true, from, then);
     }

@@ -1,22 +1,22 @@
 package org.evoloop.roomba.move.phase;
 
 /**
- * Looks around on the spot, from standstill to standstill: where the goal was seen last, or else ahead, then right and
- * left of that, and on until it has come round.
+ * Looks around on the spot, standing still for each look: first towards where the goal was last seen, or ahead, then
+ * right and left of that, until all directions are covered.
  *
- * @param aheadRad where the first look goes, as a heading
- * @param direction how many looks were taken before
+ * @param aheadRad the heading of the first look
+ * @param direction the number of looks already taken
  */
 record Look(Memory memory, double aheadRad, int direction, Calm calm) implements Phase {
-    /** From one direction to the next: a camera that sees 60 degrees sees everything, and most of it twice. */
+    /** From one direction to the next: a camera with a view of 60 degrees covers everything, and most of it twice. */
     static final double STEP_RAD = Math.toRadians(40);
 
     static final int DIRECTIONS = 9;
 
-    /** About so far from the robot's centre is what the light bumper sees. */
+    /** About how far from the robot's centre the light bumper detects something. */
     private static final double NEAR_MM = 400;
 
-    /** Looks around from where the robot stands when this begins. */
+    /** Starts looking around from the robot's pose at that time. */
     record Around(Memory memory) implements Phase {
         @Override
         public Phase begun(Situation now) {
@@ -39,7 +39,7 @@ record Look(Memory memory, double aheadRad, int direction, Calm calm) implements
         }
     }
 
-    /** Begins to look around. */
+    /** Starts looking around. */
     static Phase around(Memory memory, Situation now) {
         double ahead = now.sight()
                 .goal()
@@ -58,7 +58,7 @@ record Look(Memory memory, double aheadRad, int direction, Calm calm) implements
     }
 
     private double heading(int which) {
-        // 0, -1, 1, 2, 3 and so on.
+        // Offsets in steps: 0, -1, 1, 2, 3 and so on.
         return aheadRad + STEP_RAD * (which == 0 ? 0 : which == 1 ? -1 : which - 1);
     }
 

@@ -6,17 +6,17 @@ import java.util.stream.Stream;
 import org.evoloop.roomba.session.OdometryPose;
 
 /**
- * What Move remembers from phase to phase; places are in the coordinates of the robot's wheels.
+ * What Move remembers from phase to phase; places are in odometry coordinates.
  *
  * <p>Threading: immutable.
  *
- * @param target where the robot has arrived
+ * @param target which distance from the goal counts as arrived
  * @param frameLimit the wheels stop when the newest look is older than this
- * @param settle so long after the robot was told to stop, what is seen was taken at rest
- * @param stations where the robot looked around in vain, the first one first
+ * @param settle this long after a stop command, pictures show the robot at rest
+ * @param stations where the robot looked around without success, oldest first
  * @param obstacles where something was in the way
- * @param side to which the last obstacle was gone round: 1 left, -1 right, 0 if there was none
- * @param inARow how many obstacles were in the way since the robot has last seen the goal or looked around for it
+ * @param side on which the robot went round the last obstacle: 1 left, -1 right, 0 if there was none
+ * @param inARow how many obstacles were in the way since the robot last saw the goal or looked around for it
  */
 public record Memory(
         Target target,
@@ -26,10 +26,10 @@ public record Memory(
         List<OdometryPose> obstacles,
         int side,
         int inARow) {
-    /** A goal that was not seen for so many times as long as a frame may take is lost: after 0.6 s, or 50 mm. */
+    /** The goal is lost after this many frame limits without a sighting: after 0.6 s, or 50 mm. */
     private static final int LOST_FRAMES = 2;
 
-    /** At the beginning. */
+    /** The memory at the beginning. */
     public Memory(Target target, Duration frameLimit, Duration settle) {
         this(target, frameLimit, settle, List.of(), List.of(), 0, 0);
     }
@@ -38,17 +38,17 @@ public record Memory(
         return new Memory(target, frameLimit, settle, and(stations, place), obstacles, side, 0);
     }
 
-    /** Something stands there that is not in the way now. */
+    /** Adds an obstacle that is not in the way now. */
     Memory withObstacle(OdometryPose place) {
         return new Memory(target, frameLimit, settle, stations, and(obstacles, place), side, inARow);
     }
 
-    /** Something is in the way there, and the robot goes round it to this side. */
+    /** Adds an obstacle that is in the way; the robot goes round it on this side. */
     Memory withDetour(OdometryPose place, int newSide) {
         return new Memory(target, frameLimit, settle, stations, and(obstacles, place), newSide, inARow + 1);
     }
 
-    /** Since when the goal must have been seen to be in sight now. */
+    /** The goal is in sight if it was seen at this moment or later. */
     long seenSince(Situation now) {
         return now.nanos() - LOST_FRAMES * frameLimit.toNanos();
     }

@@ -1,7 +1,7 @@
 package org.evoloop.roomba.move.phase;
 
 /**
- * What Move is about.
+ * What Move is doing.
  *
  * <pre>
  *   Look --seen--&gt; Approach --near enough--&gt; Check --as wanted--&gt; arrived
@@ -14,25 +14,25 @@ package org.evoloop.roomba.move.phase;
  */
 public sealed interface Phase permits Look, Look.Around, Turn, Leg, Approach, Check {
 
-    /** What to do now, and what to be about at the next moment. */
+    /** What to do now, and the phase for the next moment. */
     record Step(Phase phase, Maneuver maneuver) {}
 
-    /** What it needs to know of the way here, and of what is wanted. */
+    /** What is remembered of the way so far and of the target. */
     Memory memory();
 
-    /** The phase at its first moment, which may be one of another kind. */
+    /** The phase to start with; may be of another kind. */
     Phase begun(Situation now);
 
-    /** The next step, while the robot obeys and nothing is in its way. */
+    /** The next step, provided that the robot obeys and nothing is in its way. */
     Step next(Situation now);
 
-    /** What the robot is about, in a few words. */
+    /** A short description for people. */
     String describe();
 
-    /** Whether an obstacle ahead must end it. */
+    /** Whether an obstacle ahead ends this phase. */
     boolean leadsForward();
 
-    /** Where Move begins: it looks around. */
+    /** Move's first phase: look around. */
     static Phase first(Memory memory) {
         return new Look.Around(memory);
     }
@@ -52,7 +52,7 @@ public sealed interface Phase permits Look, Look.Around, Turn, Leg, Approach, Ch
         return phase.next(now);
     }
 
-    /** Stops; then {@code phase}. */
+    /** Stands still, then continues with {@code phase}. */
     static Step standing(Phase phase) {
         return new Step(phase, Maneuver.STAND);
     }

@@ -6,18 +6,18 @@ import org.evoloop.roomba.session.OdometryPose;
 import org.evoloop.roomba.session.Telemetry;
 
 /**
- * Where the robot is and what stands in its way, as Move understands it.
+ * Where the robot is and what is in its way, as Move understands it.
  *
  * <p>Threading: immutable.
  *
- * @param nanos the moment
- * @param pose where the robot is by its wheels
- * @param obeys whether the robot does; if it does not, it may again within moments
- * @param obstacle what ends a way forward
- * @param edge whether that is a cliff: near one the robot may not even turn
- * @param near whether the light bumper sees something straight ahead
+ * @param nanos the time of the situation
+ * @param pose where the robot is, by odometry
+ * @param obeys whether the robot obeys; if not, it may obey again within moments
+ * @param obstacle what blocks the way forward
+ * @param edge whether that is a cliff: near one the robot must not even turn
+ * @param near whether the light bumper detects something straight ahead
  * @param sight what is known of the starting point
- * @param end why Move must end now, if it must
+ * @param end why Move must end now, or {@link Ending#NONE}
  */
 public record Situation(
         long nanos,
@@ -29,18 +29,18 @@ public record Situation(
         Sight sight,
         Ending end) {
 
-    /** Of the light bumper's sensors those to the left and right of the middle. */
+    /** The light bumper's two sensors left and right of the middle. */
     private static final int AHEAD_BITS = 0b1100;
 
-    /** Where the robot feels an obstacle. */
+    /** On which side the robot detects an obstacle. */
     public enum Obstacle {
         NONE,
         LEFT,
         RIGHT,
-        /** On both sides, or on none in particular. */
+        /** On both sides, or side unknown. */
         AHEAD;
 
-        /** Of bumper, cliff sensors and the sensor for virtual walls (packets 7, 9 to 13). */
+        /** Reads bumper, cliff sensors and the virtual-wall sensor (packets 7, 9 to 13). */
         static Obstacle in(SensorValues values) {
             boolean left = values.bumpLeft()
                     || values.value(Packet.CLIFF_LEFT) != 0
@@ -55,7 +55,7 @@ public record Situation(
         }
     }
 
-    /** What this frame of the robot means at this moment, with what is known of the starting point. */
+    /** The situation that this frame shows, given what is known of the starting point. */
     public static Situation of(long nanos, Telemetry telemetry, Sight sight, Ending end) {
         SensorValues values = telemetry.values();
         return new Situation(
@@ -69,7 +69,7 @@ public record Situation(
                 end);
     }
 
-    /** How far the robot must turn to look at a place, counterclockwise, -pi to pi. */
+    /** How far the robot must turn to face a place, counterclockwise, -pi to pi. */
     double bearingTo(OdometryPose place) {
         return pose.bearingTo(place.xMm(), place.yMm());
     }

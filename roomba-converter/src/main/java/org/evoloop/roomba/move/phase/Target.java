@@ -1,10 +1,10 @@
 package org.evoloop.roomba.move.phase;
 
 /**
- * Where the robot has arrived.
+ * When the robot has arrived.
  *
- * @param distanceMm so far from what is sensed
- * @param toleranceMm give or take so much
- * @param facing whether it must also look at it
+ * @param distanceMm the distance from the sensed place
+ * @param toleranceMm how far the distance may be off
+ * @param facing whether the robot must also face the place
  */
 public record Target(double distanceMm, double toleranceMm, boolean facing) {}

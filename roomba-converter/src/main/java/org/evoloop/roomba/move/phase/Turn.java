@@ -1,11 +1,11 @@
 package org.evoloop.roomba.move.phase;
 
-/** Turns on the spot; a round robot touches nothing new by that. */
+/** Turns on the spot; a round robot cannot hit anything by turning. */
 record Turn(Memory memory, double headingRad, double exactRad, Phase then) implements Phase {
-    /** The wheels turn the robot half as far before they stop. */
+    /** Twice the angle by which the robot turns on after the stop command. */
     private static final double EXACTLY_RAD = Math.toRadians(0.7);
 
-    /** Soon done, and good enough to look or go in a direction. */
+    /** Precise enough to look or drive in a direction, and reached soon. */
     private static final double ROUGHLY_RAD = Math.toRadians(4);
 
     static Turn exactly(Memory memory, double headingRad, Phase then) {

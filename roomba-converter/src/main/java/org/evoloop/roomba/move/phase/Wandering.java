@@ -12,21 +12,21 @@ final class Wandering {
     private static final double STEP_MM = 100;
     private static final double LONGEST_MM = 1_200;
 
-    /** A leg that ends sooner is none, unless all do. */
+    /** Shorter legs are not worth driving, unless all are shorter. */
     private static final double SHORTEST_MM = 300;
 
-    /** Less than any other choice is worth. */
+    /** Penalty that makes a choice the last resort. */
     private static final double LAST_MM = 100_000;
 
-    /** Farther than this from where it looked in vain is far enough. */
+    /** Beyond this distance from the places of failed searches, more distance has no value. */
     private static final double FAR_MM = 1_000;
 
-    /** The robot's radius, and as much as one does not know about where an obstacle is. */
+    /** The robot's radius plus the uncertainty of an obstacle's place. */
     private static final double CLEAR_MM = 230;
 
     /**
-     * A mm farther from the goal costs as much as so many mm nearer to a station. As long as the goal was never seen,
-     * it is taken to be where Move began: the owner lets it begin where there is something to be found.
+     * One mm farther from the goal costs as much as this many mm nearer to a station. Before the goal was first seen,
+     * it is assumed to be where Move began: the owner starts Move near the starting point.
      */
     private static final double ASTRAY = 0.3;
 
@@ -35,9 +35,9 @@ final class Wandering {
     private Wandering() {}
 
     /**
-     * To turn and to drive, as far as nothing is known to be in the way, and to look around there.
+     * Turns, drives as far as no known obstacle is in the way, and looks around there.
      *
-     * @param goal where it was seen last
+     * @param goal where it was last seen
      */
     static Phase on(Memory memory, OdometryPose pose, Optional<OdometryPose> goal) {
         OdometryPose home =

@@ -1,8 +1,9 @@
 /**
- * What Move does next: from a situation, and from what it is about, to a maneuver and to what it is about then. All of
- * it is immutable, and pure functions; nothing here knows a robot, a sensor or a loop.
+ * Decides Move's next action: a pure function from situation and phase to maneuver and next phase. All types are
+ * immutable; nothing here depends on a robot, a sensor or a loop.
  *
- * <p>This package may use {@code org.evoloop.roomba.oi}, and of {@code org.evoloop.roomba.session} what a robot tells.
+ * <p>This package may use {@code org.evoloop.roomba.oi}, and of {@code org.evoloop.roomba.session} what the robot
+ * reports.
  */
 @NullMarked
 package org.evoloop.roomba.move.phase;
