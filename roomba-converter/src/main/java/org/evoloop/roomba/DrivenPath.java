@@ -12,8 +12,8 @@ import org.evoloop.roomba.session.Telemetry;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The path that a real robot has driven, by its wheel encoders (dead reckoning): seen from above, with the robot's
- * heading at the beginning of the session upwards. A long path is kept with fewer points, but with all of its parts.
+ * The path that a real robot has driven, from its wheel encoders (dead reckoning): seen from above, with the robot's
+ * heading at the start of the session pointing up. A long path is stored with fewer points, but in full length.
  *
  * <p>Threading: thread-safe.
  */
@@ -41,7 +41,7 @@ final class DrivenPath implements SessionListener {
     /** The path of a robot that has not reported yet. */
     DrivenPath() {}
 
-    /** The path of this session's robot from now on, as a picture for the page. */
+    /** The path of this session's robot from now on, as a picture for the web page. */
     static Picture of(RoombaSession session) {
         DrivenPath way = new DrivenPath();
         session.addListener(way);
@@ -72,7 +72,7 @@ final class DrivenPath implements SessionListener {
         }
     }
 
-    /** The present picture; empty before the robot has reported. */
+    /** The current picture; empty before the robot has reported. */
     synchronized String svg(boolean reachable) {
         OdometryPose robot = now;
         return robot == null ? "" : new Sheet(robot).draw(reachable);

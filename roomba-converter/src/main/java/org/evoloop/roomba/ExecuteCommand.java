@@ -21,12 +21,12 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Sends events to the robot as commands, and keeps it in the mode that each state needs: in standby or while it cleans
- * it is left alone (Passive), while it is on and idle its buttons must not act on their own (Safe). On its dock it is
- * left alone, too: there Safe mode would end at once, and charging with it. If its model has a state {@code Asleep}, it
- * may fall asleep when it is not used, and is woken for the next event.
+ * Sends events to the robot as commands, and keeps it in the mode that each state needs. In standby and while cleaning
+ * it is left in Passive mode. When it is on and idle it is kept in Safe mode, so that its buttons do not act on their
+ * own. On its dock it is also left in Passive mode: there it would leave Safe mode at once and stop charging. If its
+ * model has a state {@code Asleep}, it may fall asleep when unused, and is woken for the next event.
  *
- * <p>If the mode shows that a command has had its effect, that is reported when it is seen, on the thread that reports
+ * <p>If the mode shows that a command has taken effect, that is reported when it is seen, on the thread that reports
  * the robot's own actions; otherwise the command counts as obeyed when it has been sent.
  */
 final class ExecuteCommand extends EventExecute implements SessionListener {
@@ -36,7 +36,7 @@ final class ExecuteCommand extends EventExecute implements SessionListener {
     /** How long an unused robot is kept under control. */
     static final Duration UNUSED_LIMIT = Duration.ofMinutes(5);
 
-    private static final Set<String> TOLD_BY_CIRCUMSTANCES = Set.of(
+    private static final Set<String> SHOWN_BY_CIRCUMSTANCES = Set.of(
             RobotEvents.STATE_ASLEEP, RobotEvents.STATE_ERROR, RobotEvents.STATE_CHARGING, RobotEvents.STATE_CHARGED);
 
     private static final Logger LOG = LoggerFactory.getLogger(ExecuteCommand.class);
@@ -93,7 +93,7 @@ final class ExecuteCommand extends EventExecute implements SessionListener {
     private void send(Command command) throws InterruptedException {
         sent = command;
         session.send(command);
-        // Not earlier: while control is wanted, no frame shows that the robot is idle.
+        // Only after sending: while control is wanted, no frame shows that the robot is idle.
         session.leaveAlone();
         commanded = true;
         commandedNanos = clock.nanoTime();
@@ -136,7 +136,7 @@ final class ExecuteCommand extends EventExecute implements SessionListener {
     protected void settled(Configuration now) {
         resumption.settled();
         keepMode(now.original().name());
-        if (!TOLD_BY_CIRCUMSTANCES.contains(now.original().name()) && !session.isUndocking()) {
+        if (!SHOWN_BY_CIRCUMSTANCES.contains(now.original().name()) && !session.isUndocking()) {
             // A robot that is lifted or on its dock may not be in the recorded state.
             session.tellAgain();
         }

@@ -12,9 +12,9 @@ import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
 
 /**
- * Assigns functions to new states: by {@code --function STATE=NAME}, else by the state's do activity, and else each
- * function to the one new state that is left by the event with which it finishes. All problems are reported at once, in
- * terms of the command line.
+ * Assigns functions to new states: by {@code --function STATE=NAME}, else by the state's do activity, else each
+ * function to the only new state that is left by the event with which it finishes. All problems are reported at once,
+ * in terms of the command line.
  */
 final class FunctionBinding {
     private final ModelPair pair;
@@ -28,7 +28,7 @@ final class FunctionBinding {
     }
 
     /**
-     * The function of each new state that has one; time triggers leave the others.
+     * The function of each new state that has one; states without one are left by time triggers.
      *
      * @param wanted each {@code STATE=NAME}
      * @throws ModelException if a new state has no function, or one that does not fit
@@ -119,7 +119,7 @@ final class FunctionBinding {
         }
     }
 
-    /** The owner's guards and effects would need code, which this program does not have. */
+    /** Guards and effects that only the new model has would need code, which this program does not have. */
     private void requireNoMore() {
         for (String guard : evolved.guards()) {
             problems.add(

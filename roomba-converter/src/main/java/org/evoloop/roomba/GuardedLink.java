@@ -8,7 +8,7 @@ import org.evoloop.link.LinkException.Fault;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A link that sends nothing after the guard process has stopped the robot: it is then lost, and the session reconnects.
+ * A link that sends nothing after the guard process has stopped the robot; it is then lost, and the session reconnects.
  */
 final class GuardedLink extends ForwardingLink {
     private final BooleanSupplier maySend;
@@ -20,7 +20,7 @@ final class GuardedLink extends ForwardingLink {
         this.maySend = maySend;
     }
 
-    /** The robot has been stopped from outside. */
+    /** Reports the link as lost because the guard process has stopped the robot. */
     void lose(String why) {
         lost = new LinkException(Fault.OVERRULED, description() + ": " + why);
         close();

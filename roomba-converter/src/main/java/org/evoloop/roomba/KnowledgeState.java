@@ -18,7 +18,7 @@ final class KnowledgeState extends StateKnowledge {
     private final NewFunction quietHours;
     private final Readiness readiness;
 
-    /** @param move makes a Move that knows what to raise when it ends without an arrival */
+    /** @param move creates a Move with the events to raise when it ends before arrival */
     KnowledgeState(
             RobotModels models,
             RoombaSession session,
@@ -69,7 +69,7 @@ final class KnowledgeState extends StateKnowledge {
         return configuration().original();
     }
 
-    /** Each transition into it has its way back. */
+    /** Each transition into the state has its own way back. */
     private void registerMove(State state) {
         function(state.name(), moveFrom(state));
         for (Transition entry : models.entries(state)) {

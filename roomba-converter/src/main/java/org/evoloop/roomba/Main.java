@@ -23,7 +23,7 @@ import org.evoloop.statemachine.ModelException;
 import org.evoloop.xmi.XmiFile;
 import picocli.CommandLine;
 
-/** Runs the command line; a mistake of the user is one line and exit status 2. */
+/** Runs the command line; a usage error prints one line and exits with status 2. */
 public final class Main {
     private static final List<String> HELP = List.of("-h", "--help", "-V", "--version");
 
@@ -33,10 +33,13 @@ public final class Main {
         System.exit(run(arguments));
     }
 
-    /** Runs the command line and returns the exit status: 0 good, 1 a check failed, 2 wrong usage or input. */
+    /**
+     * Runs the command line and returns the exit status: 0 for success, 1 if a check failed, 2 for wrong usage or
+     * input.
+     */
     static int run(String... arguments) {
         if (arguments.length > 0 && arguments[0].equals("ctl")) {
-            // It needs none of the slow-loading parts, and its options are those of the commands that it passes on.
+            // Ctl needs none of the slow-loading parts; its options are those of the commands that it passes on.
             return Ctl.run(List.of(arguments).subList(1, arguments.length));
         }
         boolean plain = arguments.length == 0 || arguments[0].startsWith("-");
@@ -46,11 +49,11 @@ public final class Main {
     }
 
     /**
-     * The converter without the other commands, whose options take longer to find than a converter takes to start; they
-     * are tried if it does not understand the arguments.
+     * Parses the converter's options only. Finding the options of all commands takes longer than starting a converter;
+     * they are tried if these do not match the arguments.
      */
     private static int converterAlone(String... arguments) {
-        Thread loading = new Thread(Main::loadWhatTakesLong, "roomba-loading");
+        Thread loading = new Thread(Main::loadSlowParts, "roomba-loading");
         loading.setDaemon(true);
         loading.start();
         RoombaCommand command = new RoombaCommand();
@@ -76,13 +79,13 @@ public final class Main {
         return all.parseArgs(arguments).hasSubcommand();
     }
 
-    /** In parallel with reading the options, which takes as long. */
-    private static void loadWhatTakesLong() {
+    /** Runs in parallel with parsing the options, which takes about as long. */
+    private static void loadSlowParts() {
         XmiFile.prepare();
         try {
             SerialLink.prepare();
-        } catch (LinkException | ExceptionInInitializerError toldWhenALinkIsOpened) {
-            // A failure is reported when the library is used; a program that only prints and ends does not use it.
+        } catch (LinkException | ExceptionInInitializerError reportedWhenALinkIsOpened) {
+            // A failure is reported when the library is used; a program that only prints and exits does not use it.
         }
     }
 

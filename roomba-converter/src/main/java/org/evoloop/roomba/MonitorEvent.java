@@ -17,9 +17,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Monitors the robot: its buttons, and its own actions for which its model has events: the end of its work, its dock,
- * sleep and trouble. The OI mode tells whether the robot acts on a button by itself or merely reports it. If the
- * observed activity differs from what these events imply, that is reported as a finding.
+ * Monitors the robot: its buttons, and those of its own actions that have events in its model: finished work, docking,
+ * sleep and trouble. The OI mode shows whether the robot acts on a button by itself or only reports it. If the observed
+ * activity differs from what these events imply, that is reported as a finding.
  */
 final class MonitorEvent extends PushMonitor implements SessionListener {
     private static final Logger LOG = LoggerFactory.getLogger(MonitorEvent.class);
@@ -106,7 +106,7 @@ final class MonitorEvent extends PushMonitor implements SessionListener {
             List<String> events = changes(before, now);
             events.forEach(this::tell);
             if (known.containsAll(events) && !now.asleep()) {
-                // A finding must not overtake the work that these events begin.
+                // A finding must not overtake the work that these events start.
                 session.tellSoon();
             } else {
                 find(now);
@@ -115,8 +115,8 @@ final class MonitorEvent extends PushMonitor implements SessionListener {
     }
 
     /**
-     * Code that wakes the robot, or drives it off its dock, reports the end of that; observations meanwhile are part of
-     * it.
+     * Code that wakes the robot or drives it off its dock reports when that is finished; observations until then are
+     * part of it.
      */
     private boolean isBeingMoved() {
         return session.isWaking() || session.isUndocking();

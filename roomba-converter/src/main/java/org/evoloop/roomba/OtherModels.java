@@ -13,7 +13,7 @@ import org.evoloop.xmi.ModelReference;
 import org.evoloop.xmi.XmiFile;
 
 /**
- * Models to which the robot may evolve while it runs, with the properties beside their files.
+ * Models to which the robot may evolve at run time, with the property files next to them.
  *
  * <p>Threading: thread-safe.
  */

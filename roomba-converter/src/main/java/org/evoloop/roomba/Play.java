@@ -42,10 +42,10 @@ final class Play {
         this.clock = clock;
     }
 
-    /** A button on the robot is pressed, after all are released. */
+    /** Presses a button on the robot after all buttons are released. */
     Play robotButton(String event) throws InterruptedException, Unfulfilled {
         await("the robot's buttons to be released", () -> world.execute("state").contains("\"pressed\":[]"));
-        // The next press comes late enough for a frame to show the release.
+        // The next press comes late enough for one frame to show the release.
         clock.sleep(RELEASE);
         String answer = world.execute("press " + event.toLowerCase(Locale.ROOT));
         if (!answer.equals("ok")) {
@@ -54,13 +54,13 @@ final class Play {
         return this;
     }
 
-    /** A button of the external controller is pressed. */
+    /** Presses a button of the external controller. */
     Play controllerButton(String event) {
         roomba.controller().press(event);
         return this;
     }
 
-    /** Another new model takes over while the robot continues. */
+    /** Evolves to another new model while the robot keeps running. */
     Play evolve(String models) {
         StateMachine evolved = XmiFile.read(ModelFiles.find(models, Play.class)).only();
         ModelPair next = new ModelPair(roomba.models().pair().original(), evolved);
@@ -68,7 +68,7 @@ final class Play {
         return this;
     }
 
-    /** The previous models are restored. */
+    /** Restores the previous models. */
     Play rollBack() {
         roomba.converter().rollBack();
         return this;
@@ -81,7 +81,7 @@ final class Play {
         return this;
     }
 
-    /** Waits until the robot truly does {@code activity}, in OI mode {@code mode}. */
+    /** Waits until the robot's true activity is {@code activity}, in OI mode {@code mode}. */
     Play robotIs(String activity, String mode) throws InterruptedException, Unfulfilled {
         await(
                 "the robot in activity " + activity + " and mode " + mode,
@@ -89,7 +89,7 @@ final class Play {
         return this;
     }
 
-    /** Checks that the robot truly is within {@code toleranceMm} of a point. */
+    /** Checks that the robot's true position is within {@code toleranceMm} of a point. */
     void robotIsNear(double xMm, double yMm, double toleranceMm) throws Unfulfilled {
         double away = Math.hypot(Double.parseDouble(truth("xMm")) - xMm, Double.parseDouble(truth("yMm")) - yMm);
         if (away > toleranceMm) {

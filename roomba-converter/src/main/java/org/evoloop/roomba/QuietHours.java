@@ -9,17 +9,17 @@ import org.evoloop.function.NewFunction;
 import org.evoloop.function.Visit;
 
 /**
- * The hours of the day in which the robot must not start by itself, and the new function that waits for their end: it
- * raises {@code quietOver} then, or at once outside of them.
+ * The hours of the day in which the robot must not start by itself, and the new function that waits until they end: it
+ * then raises {@code quietOver}, or at once outside these hours.
  *
  * <p>Threading: immutable.
  *
- * @param from the first moment of quiet
- * @param until the first moment after; the same as {@code from} for no quiet hours
+ * @param from the start of the quiet hours
+ * @param until the end, exclusive; the same as {@code from} for no quiet hours
  */
 record QuietHours(LocalTime from, LocalTime until, ZoneId zone) implements NewFunction {
 
-    /** No quiet. */
+    /** No quiet hours. */
     static QuietHours none() {
         return new QuietHours(LocalTime.MIDNIGHT, LocalTime.MIDNIGHT, ZoneId.systemDefault());
     }
@@ -27,7 +27,7 @@ record QuietHours(LocalTime from, LocalTime until, ZoneId zone) implements NewFu
     /**
      * Parses a text such as {@code 22:00-07:00}.
      *
-     * @throws IllegalArgumentException if it is something else
+     * @throws IllegalArgumentException if the text has another form
      */
     static QuietHours parse(String text) {
         String[] parts = text.split("-", -1);
@@ -43,7 +43,7 @@ record QuietHours(LocalTime from, LocalTime until, ZoneId zone) implements NewFu
                 "--quiet-hours is " + text + "; give two times of day, for example 22:00-07:00");
     }
 
-    /** Their remaining time; zero outside of them. */
+    /** The remaining time; zero outside the quiet hours. */
     Duration left(ZonedDateTime now) {
         LocalTime time = now.toLocalTime();
         boolean within = from.isBefore(until)

@@ -7,11 +7,11 @@ import org.evoloop.roomba.session.Telemetry;
 import org.evoloop.statemachine.State;
 
 /**
- * Prepares the robot for a function that drives it: it has to be on, on the floor, and sufficiently charged. It is
- * prepared by events of its own model, in order with all others.
+ * Prepares the robot for a function that drives it: it has to be on, on the floor, and sufficiently charged. Events of
+ * its own model do this, in order with all others.
  */
 final class Readiness {
-    /** With a lower charge, in percent, the robot is charged first. */
+    /** Below this charge, in percent, the robot is charged first. */
     static final int LOW_PERCENT = 20;
 
     private static final int FULL_PERCENT = 100;
@@ -25,7 +25,7 @@ final class Readiness {
         this.device = device;
     }
 
-    /** Returns whether the robot has, or will have, what it needs; if not, the visit ends with {@code lowBattery}. */
+    /** Returns whether the robot is ready or is being made ready; if not, the visit ends with {@code lowBattery}. */
     boolean provide(Visit visit) throws InterruptedException {
         if (visit.accepts(RobotEvents.LOW_BATTERY) && isLow()) {
             visit.finish(RobotEvents.LOW_BATTERY);
@@ -34,7 +34,7 @@ final class Readiness {
         switch (device.get().name()) {
             case RobotEvents.STATE_CHARGING, RobotEvents.STATE_CHARGED -> visit.send(RobotEvents.UNDOCK);
             case RobotEvents.STATE_ON, RobotEvents.STATE_ERROR -> {}
-            // It is switched on, woken, or paused.
+            // The robot is switched on, woken, or paused.
             default -> visit.send(RobotEvents.CLEAN);
         }
         return true;

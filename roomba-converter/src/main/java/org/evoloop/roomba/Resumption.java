@@ -1,8 +1,8 @@
 package org.evoloop.roomba;
 
 /**
- * Whether the present state was entered again because the converter was restarted, not because an event led there. It
- * is updated by the component that sends, even if that is exchanged.
+ * Whether the current state was entered again because the converter was restarted, not because of an event. Updated by
+ * the component that sends commands; the value stays when that component is replaced.
  *
  * <p>Threading: written by one thread at a time, read from any.
  */

@@ -14,9 +14,9 @@ import org.evoloop.statemachine.StateMachineBuilder;
 import org.evoloop.statemachine.Transition;
 
 /**
- * The transitions out of a Move that ends without an arrival, which its owner need not draw: back to the state in which
- * the press that led to it occurred, or to the state of a robot that was meanwhile set to work by its own buttons. They
- * are ordinary transitions of the new model, on events of their own.
+ * The transitions out of a Move that ends before arrival, which the model's author need not draw. They lead back to the
+ * state in which the press that started Move occurred, or to the state that matches work started with the robot's own
+ * buttons in the meantime. They are ordinary transitions of the new model, with events of their own.
  */
 final class ReturnTransitions {
     static final String PREFIX = "backTo";
@@ -88,7 +88,9 @@ final class ReturnTransitions {
         return entry.source();
     }
 
-    /** Whether the device can get there, or need not, from each of its possible states when the state is entered. */
+    /**
+     * Whether, from each of its possible states when Move is entered, the device can be sent to the target or is there.
+     */
     private boolean canBeReached(State target, State move) {
         if (!original.hasState(target)) {
             return evolved.hasState(target);
@@ -96,7 +98,7 @@ final class ReturnTransitions {
         return deviceStates(move).stream().allMatch(from -> reachable(from).contains(target));
     }
 
-    /** The device's possible states in a new state: its own states from which that is entered. */
+    /** The device's possible states in a new state: the device states from which the new state is entered. */
     private Set<State> deviceStates(State state) {
         Set<State> found = new LinkedHashSet<>();
         Set<State> seen = new LinkedHashSet<>(Set.of(state));
@@ -114,7 +116,7 @@ final class ReturnTransitions {
         return found;
     }
 
-    /** The states to which the device can be sent. */
+    /** The states to which commands can take the device. */
     private Set<State> reachable(State from) {
         Set<State> seen = new LinkedHashSet<>(Set.of(from));
         Deque<State> next = new ArrayDeque<>(seen);

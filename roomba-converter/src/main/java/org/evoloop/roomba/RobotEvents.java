@@ -11,8 +11,8 @@ import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
 
 /**
- * The names shared by the models of the robot and this program (paper, section VI.A). A model need not have all of
- * them: an activity for which it has no state counts as the most similar state.
+ * The names shared by the robot's models and this program (paper, section VI.A). A model need not have all of them: an
+ * activity without a state counts as the most similar state.
  */
 final class RobotEvents {
     static final String CLEAN = "Clean";
@@ -21,14 +21,14 @@ final class RobotEvents {
     static final String MAX = "Max";
     static final String POWER = "Power";
 
-    /** The robot drives backwards off its dock; no button does that. */
+    /** The robot drives backwards off its dock; no button does this. */
     static final String UNDOCK = "Undock";
 
     static final String END_SPOT = "endSpot";
     static final String END_CLEAN = "endClean";
     static final String END_DOCK = "endDock";
 
-    /** It stops cleaning and looks for its dock, since its battery is low. */
+    /** The robot stops cleaning and looks for its dock because its battery is low. */
     static final String SEEK_DOCK = "seekDock";
 
     static final String DOCKED = "docked";
@@ -43,7 +43,7 @@ final class RobotEvents {
     static final String QUIET_OVER = "quietOver";
     static final String LOW_BATTERY = "lowBattery";
 
-    /** An event of a controller: it is time to clean by the owner's timetable. */
+    /** An event of a controller: cleaning is due by the owner's timetable. */
     static final String SCHEDULE = "schedule";
 
     /** The events that the robot's buttons and commands can cause. */
@@ -57,10 +57,10 @@ final class RobotEvents {
     /** Events raised by this program's functions and timetable, not by a controller or the robot. */
     private static final Set<String> RAISED = Set.of(Move.ARRIVED, TIMEOUT, QUIET_OVER, LOW_BATTERY, SCHEDULE);
 
-    /** The robot is in standby: its light is off, and CLEAN switches it on. */
+    /** The robot is in standby: its light is off; CLEAN switches it on. */
     static final String STATE_OFF = "Off";
 
-    /** The robot is on and does nothing. */
+    /** The robot is on and idle. */
     static final String STATE_ON = "On";
 
     static final String STATE_CLEAN = "Clean";

@@ -7,21 +7,24 @@ import org.evoloop.statemachine.Event;
 import org.evoloop.statemachine.State;
 import org.evoloop.statemachine.StateMachine;
 
-/** A function that this program can run in a new state, by the name that {@code --function} knows it by. */
+/** A function that this program can run in a new state; its name is used by {@code --function}. */
 enum RobotFunction {
-    /** Drives to the starting point, and raises {@code arriveSpot} there. */
+    /** Drives to the starting point and raises {@code arriveSpot} there. */
     MOVE("Move", Move.ARRIVED),
 
-    /** Waits for a second press, and raises {@code timeout}; a time trigger of the model does the same by itself. */
+    /**
+     * Waits for a second press, then raises {@code timeout}; a time trigger in the model does the same without a
+     * function.
+     */
     SPOT_WAIT("SpotWait", RobotEvents.TIMEOUT),
 
-    /** Has the robot clean the spot where it is; the robot tells the end. */
+    /** Makes the robot clean the spot where it is; the robot reports the end. */
     SPOT_CLEAN("SpotClean", ""),
 
-    /** Has the robot dock; the robot tells when it is charged. */
+    /** Makes the robot dock; the robot reports when it is charged. */
     CHARGE("Charge", ""),
 
-    /** Waits for the end of the quiet hours, and raises {@code quietOver}. */
+    /** Waits until the quiet hours end and raises {@code quietOver}. */
     QUIET_HOURS("QuietHours", RobotEvents.QUIET_OVER),
 
     /** Nothing runs; the state waits for an event. */
@@ -43,12 +46,12 @@ enum RobotFunction {
                 .findFirst();
     }
 
-    /** The event that it finishes with; empty if it raises none. */
+    /** The event with which it finishes; empty if it raises none. */
     String lastEvent() {
         return lastEvent;
     }
 
-    /** Whether the event that it finishes with leaves {@code state}. */
+    /** Whether that event leaves {@code state}. */
     boolean finishesIn(StateMachine evolved, State state) {
         return evolved.hasTrigger(state, new Event(lastEvent));
     }

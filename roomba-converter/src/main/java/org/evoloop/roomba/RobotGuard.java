@@ -20,12 +20,12 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Stops the robot and puts it into Passive mode when this program has ended or is not running, so that its buttons and
- * its safety features work as usual.
+ * safety features work as usual.
  *
- * <p>The guard process opens the port only then. jSerialComm locks it by {@code flock} against programs that respect
- * that lock; the guard ignores it.
+ * <p>The guard process opens the port only at that moment. jSerialComm locks the port with {@code flock}, which only
+ * affects programs that check the lock; the guard ignores it.
  *
- * <p>Threading: as {@link GuardedDevice}; all else from any thread.
+ * <p>Threading: as {@link GuardedDevice}; all other methods from any thread.
  */
 final class RobotGuard implements GuardedDevice, AutoCloseable {
     private final SerialSettings settings;
@@ -46,7 +46,7 @@ final class RobotGuard implements GuardedDevice, AutoCloseable {
         }
     }
 
-    /** The cable, which sends nothing after the robot has been stopped. */
+    /** Wraps the cable so that it sends nothing after the robot has been stopped. */
     IntFunction<Link> cable(IntFunction<Link> cable) {
         return baud -> {
             GuardedLink opened = new GuardedLink(cable.apply(baud), guard::mayTell);
@@ -84,7 +84,7 @@ final class RobotGuard implements GuardedDevice, AutoCloseable {
     @Override
     public String makeSafeCommand() {
         String path = "'" + settings.path().toString().replace("'", "'\\''") + "'";
-        // A port keeps the rate at which this program found the robot, even after its end.
+        // The port keeps the baud rate at which this program found the robot, even after the program has ended.
         return "rate=$(stty -F " + path + " speed) && { [ \"$rate\" = 19200 ] || rate=" + settings.baud()
                 + "; } && stty -F "
                 + path + " \"$rate\" raw -echo cs8 -parenb -cstopb -crtscts clocal && printf '" + octal(stop()) + "' > "
@@ -93,7 +93,7 @@ final class RobotGuard implements GuardedDevice, AutoCloseable {
 
     /**
      * The bytes that stop the robot. An unfinished command consumes at most as many of them as the longest command has;
-     * the rest is understood. A robot that works by itself ignores them.
+     * the robot executes the rest. A robot that works by itself ignores them.
      */
     private static byte[] stop() {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();

@@ -33,10 +33,10 @@ public final class RobotModels {
     }
 
     /**
-     * A function runs in the new states whose do activity names it; Move and SpotWait else in the one new state that is
-     * left by the event they finish with, {@code arriveSpot} and {@code timeout}.
+     * Assigns functions by the new states' do activities. Without those, Move and SpotWait run in the only new state
+     * that is left by the event they finish with, {@code arriveSpot} and {@code timeout}.
      *
-     * @throws ModelException if the models are no evolution, or a new state has no function
+     * @throws ModelException if the models are not an evolution, or a new state has no function
      */
     public static RobotModels of(ModelPair drawn) {
         return of(drawn, List.of());
@@ -53,7 +53,7 @@ public final class RobotModels {
         return new RobotModels(drawn, FunctionBinding.bind(drawn, wanted));
     }
 
-    /** The models with added transitions for undrawn ways out of Move. */
+    /** The models, with transitions added for the ways out of Move that are not drawn. */
     ModelPair pair() {
         return pair;
     }
@@ -67,16 +67,16 @@ public final class RobotModels {
         return moves;
     }
 
-    /**
-     * Whether SpotWait raises {@code timeout} somewhere, and no time trigger of the model says when its state is left.
-     */
+    /** Whether SpotWait raises {@code timeout} in a state that no time trigger of the model leaves. */
     boolean hasSpotWait() {
         return functions.entrySet().stream()
                 .anyMatch(entry -> entry.getValue() == RobotFunction.SPOT_WAIT
                         && RobotFunction.SPOT_WAIT.finishesIn(pair.evolved(), entry.getKey()));
     }
 
-    /** The events of an external controller, in the order of the robot's own buttons, then of the new model. */
+    /**
+     * The events of an external controller: first those of the robot's own buttons, then those only in the new model.
+     */
     List<String> buttons() {
         Set<String> known = new LinkedHashSet<>();
         pair.evolved().triggers().stream()
@@ -91,12 +91,12 @@ public final class RobotModels {
         return buttons;
     }
 
-    /** The transitions that lead into a state of Move. */
+    /** The transitions that lead into a state of Move from another one. */
     List<Transition> entries(State move) {
         return waysBack.entries(move);
     }
 
-    /** The state to which a Move that began with this transition returns, unless it arrives. */
+    /** The state to which a Move entered by this transition returns if it does not arrive. */
     State before(Transition entry) {
         return waysBack.before(entry);
     }
@@ -104,15 +104,15 @@ public final class RobotModels {
     /**
      * The event that leads back out of a Move that has not arrived.
      *
-     * @param work what the robot does by itself; empty if it stands
-     * @param before where it stood before Move
+     * @param work what the robot does by itself; empty if it stands still
+     * @param before the state before Move
      */
     String wayBack(Optional<EstimatedActivity> work, State before) {
         State target = work.flatMap(activity -> RobotEvents.stateName(pair.original(), activity))
                 .map(State::new)
                 .orElse(before);
         String event = ReturnTransitions.event(target);
-        // From where the robot was woken or undocked it does not go back.
+        // If the robot was woken or undocked for Move, it does not return to that state.
         return pair.evolved().triggers().contains(new Event(event))
                 ? event
                 : ReturnTransitions.event(new State(RobotEvents.STATE_ON));

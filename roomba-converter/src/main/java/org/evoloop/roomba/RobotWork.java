@@ -7,12 +7,13 @@ import org.evoloop.function.Visit;
 import org.evoloop.statemachine.State;
 
 /**
- * A new function in which the robot itself does the work: it is sent an event, and reports the end by itself.
+ * A new function in which the robot does the work itself: it is sent an event, and reports the end by itself.
  *
  * @param device supplies the state of the robot's model
  * @param words describes the work, for people
  * @param event the event that starts the work
- * @param underWay the states of its model in which it has begun: after a restart, a second command would pause it
+ * @param underWay the device states in which the work has begun; in these, a second command after a restart would pause
+ *     it
  */
 record RobotWork(Supplier<State> device, String words, String event, Set<String> underWay) implements NewFunction {
 

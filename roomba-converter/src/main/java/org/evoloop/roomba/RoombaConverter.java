@@ -20,7 +20,7 @@ import org.evoloop.statemachine.StateMachine;
 import org.evoloop.time.Clock;
 
 /**
- * The cleaning robot's event converter, assembled.
+ * The assembled event converter of the cleaning robot.
  *
  * <p>Threading: as {@link SystemEventConverter}.
  *
@@ -28,7 +28,7 @@ import org.evoloop.time.Clock;
  * @param robot monitors the robot
  * @param controller the monitor of an external controller's buttons
  * @param converter built, not started
- * @param properties the properties of its models, and of others that may take over
+ * @param properties the properties of its models and of other models to which it may evolve
  */
 public record RoombaConverter(
         RoombaSession session,
@@ -109,8 +109,8 @@ public record RoombaConverter(
     }
 
     /**
-     * Builds a converter for the robot at the cable's other end. It waits for a robot that is not there yet, as it does
-     * for one that was unplugged.
+     * Builds a converter for the robot at the other end of the cable. If the robot does not answer yet, the converter
+     * keeps trying, as it does after the robot was unplugged.
      */
     static RoombaConverter connectPatiently(
             IntFunction<Link> cable, LoopConfig config, SessionOptions sessionOptions, RoombaOptions options)
@@ -126,17 +126,17 @@ public record RoombaConverter(
         }
     }
 
-    /** The converter's timetable takes the place of the robot's own. */
+    /** The commands sent on connecting; the converter's timetable replaces the robot's own. */
     static List<Command> greeting(RoombaOptions options) {
         return options.timetable().isEmpty() ? List.of() : List.of(new Command.Schedule(Map.of()));
     }
 
-    /** Builds a converter for the robot at the cable's other end, and waits for the robot to answer. */
+    /** Builds a converter for the robot at the other end of the cable, and waits until the robot answers. */
     public static RoombaConverter connect(
             IntFunction<Link> cable, LoopConfig config, SessionOptions sessionOptions, RoombaOptions options)
             throws InterruptedException {
         RoombaSession session = new RoombaSession(cable, config.clock(), sessionOptions);
-        // The models come first: if they are wrong, no robot is touched.
+        // The models are checked before the robot is contacted.
         RoombaConverter built = build(config, session, options);
         try {
             session.open();
@@ -149,15 +149,15 @@ public record RoombaConverter(
         }
     }
 
-    /** The step of the monitors in a converter without threads. */
+    /** One step of the monitors in a converter without threads. */
     void observe() throws InterruptedException {
         converter.observe(robot);
         converter.observe(controller);
     }
 
     /**
-     * Ends the converter and lets go of the robot: one under control is stopped and left in Passive mode, one that
-     * cleans by itself goes on. Idempotent.
+     * Closes the converter and releases the robot: a robot under control is stopped and left in Passive mode; one that
+     * cleans by itself continues. Idempotent.
      */
     @Override
     public void close() {

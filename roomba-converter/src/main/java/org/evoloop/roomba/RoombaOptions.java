@@ -31,7 +31,7 @@ public final class RoombaOptions {
     }
 
     /**
-     * A patient Move, five seconds for SpotWait, no quiet hours, no timetable and no journal.
+     * Default limits for Move, five seconds for SpotWait, no quiet hours, no timetable and no journal.
      *
      * @param models the robot's models, with the functions of their new states
      * @param startPoint opens the sensor of Move's target
@@ -57,7 +57,7 @@ public final class RoombaOptions {
         return copy;
     }
 
-    /** A copy with another time for which SpotWait waits for a second press. */
+    /** A copy with another time that SpotWait waits for a second press. */
     public RoombaOptions withSpotWait(Duration other) {
         RoombaOptions copy = copy();
         copy.spotWait = requireNonNull(other);
@@ -71,14 +71,14 @@ public final class RoombaOptions {
         return copy;
     }
 
-    /** A copy with quiet hours, in which the timetable's events have to wait. */
+    /** A copy with quiet hours; the timetable's events wait until they end. */
     RoombaOptions withQuietHours(QuietHours other) {
         RoombaOptions copy = copy();
         copy.quietHours = other;
         return copy;
     }
 
-    /** A copy with times at which the robot is to clean. */
+    /** A copy with times at which the robot must clean. */
     RoombaOptions withTimetable(List<Timetable> other) {
         RoombaOptions copy = copy();
         copy.timetable = List.copyOf(other);

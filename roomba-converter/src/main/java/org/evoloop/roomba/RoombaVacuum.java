@@ -47,7 +47,7 @@ final class RoombaVacuum implements Vacuum {
         Activity drawn = activity(
                 status.states().evolved().name(), status.states().original().name());
         if (drawn != Activity.IDLE) {
-            // Before it rests, it is still doing the work that is to be interrupted.
+            // Until it rests, it still does the work that is to be interrupted.
             paused &= !rested;
             rested = false;
             return drawn;
@@ -68,12 +68,12 @@ final class RoombaVacuum implements Vacuum {
         };
     }
 
-    /** Whether the robot is on its way to a place that will be cleaned. */
+    /** Whether the robot is driving to a place that it will clean. */
     private boolean isMove(String state) {
         return models.get().evolved().hasTrigger(new State(state), new Event(Move.ARRIVED));
     }
 
-    /** A new state in which the robot rests waits for something; else it shows what the robot does. */
+    /** A new state in which the robot is at rest counts as waiting; otherwise the robot's own activity is shown. */
     private Activity ofNew(String original) {
         Activity device = activity(original, original);
         return device == Activity.IDLE ? Activity.PAUSED : device;

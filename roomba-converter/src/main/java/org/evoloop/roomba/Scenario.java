@@ -4,7 +4,9 @@ import java.util.Locale;
 
 /** The scenarios of the demo. Each ends when the robot's true state shows its result. */
 enum Scenario {
-    /** The paper's first listing: the robot's own buttons; it moves to the starting point before it spot cleans. */
+    /**
+     * The paper's first listing: the robot's own buttons; the robot moves to the starting point before it spot cleans.
+     */
     REMOTE_START {
         @Override
         void play(Play play) throws InterruptedException, Play.Unfulfilled {
@@ -26,7 +28,7 @@ enum Scenario {
         }
     },
 
-    /** The robot's own CLEAN while it cleans: it pauses by itself, and spot cleans after a second press. */
+    /** The robot's own CLEAN button while it cleans: it pauses by itself, and spot cleans after a second press. */
     OWN_BUTTON {
         @Override
         void play(Play play) throws InterruptedException, Play.Unfulfilled {
@@ -36,7 +38,7 @@ enum Scenario {
         }
     },
 
-    /** The second press never comes: the robot stops cleaning. */
+    /** No second press: the robot stops cleaning. */
     TIMEOUT {
         @Override
         void play(Play play) throws InterruptedException, Play.Unfulfilled {
@@ -46,9 +48,7 @@ enum Scenario {
         }
     },
 
-    /**
-     * While it moves to the starting point the robot learns to clean the spot once more; then it forgets that again.
-     */
+    /** While the robot moves to the starting point, it evolves to spot clean once more; then that is rolled back. */
     EVOLVE {
         @Override
         void play(Play play) throws InterruptedException, Play.Unfulfilled {

@@ -5,8 +5,8 @@ import org.evoloop.function.NewFunction;
 import org.evoloop.function.Visit;
 
 /**
- * The new function of state SpotWait: gives the user some time for a second press, then raises {@code timeout}. If the
- * model has a time trigger instead, that determines the time, and nothing runs.
+ * The new function of state SpotWait: gives the user time for a second press, then raises {@code timeout}. If the model
+ * has a time trigger instead, the trigger sets the time, and no function runs.
  */
 final class SpotWait implements NewFunction {
     private final Duration patience;

@@ -12,16 +12,16 @@ import java.util.regex.Pattern;
 import org.evoloop.converter.TimetableMonitor;
 
 /**
- * A time at which the robot is to clean, as its owner writes it: {@code 09:00} for every day, {@code MON,FRI 09:00} for
- * some.
+ * A time at which the robot must clean, as its owner writes it: {@code 09:00} for every day, {@code MON,FRI 09:00} for
+ * some days.
  *
- * @param days none for every day
+ * @param days empty for every day
  */
 record Timetable(LocalTime time, List<DayOfWeek> days) {
     private static final Pattern TEXT =
             Pattern.compile("(?:(?<days>[A-Za-z,]+)\\s+)?(?<time>([01]\\d|2[0-3]):[0-5]\\d)");
 
-    /** @throws IllegalArgumentException if the text is something else */
+    /** @throws IllegalArgumentException if the text has another form */
     static Timetable parse(String text) {
         Matcher parts = TEXT.matcher(text.strip());
         if (parts.matches()) {

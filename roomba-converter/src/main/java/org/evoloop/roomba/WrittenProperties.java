@@ -16,7 +16,7 @@ import org.evoloop.xmi.ModelReference;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The property files beside the files of new models.
+ * The property files next to the files of new models.
  *
  * <p>Threading: thread-safe.
  */
@@ -43,7 +43,7 @@ final class WrittenProperties implements Sentry.Posting {
         return written;
     }
 
-    /** Watches what was read beforehand. */
+    /** Watches the properties that were read before. */
     @Override
     public @Nullable Sentry post(ModelPair models, Configuration at, long atNanos) {
         TimeRules rules = time.getOrDefault(models.evolved().name(), TimeRules.NONE);
