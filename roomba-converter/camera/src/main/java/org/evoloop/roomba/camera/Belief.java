@@ -3,7 +3,7 @@ package org.evoloop.roomba.camera;
 import java.util.Optional;
 
 /**
- * Accepts a marker once several frames in a row have shown it in about the same place; a frame without it, or with it
+ * Accepts a marker after several frames in a row have shown it in about the same place. A frame without it, or with it
  * elsewhere, restarts the count.
  *
  * <p>Threading: for one thread.
@@ -11,7 +11,7 @@ import java.util.Optional;
  * @since 0.1
  */
 public final class Belief {
-    /** More than the fastest robot turns from frame to frame of a slow camera. */
+    /** More than the fastest robot turns between two frames of a slow camera. */
     private static final double SAME_BEARING_RAD = Math.toRadians(25);
 
     private static final double SAME_DISTANCE = 0.35;

@@ -16,15 +16,15 @@ public record CameraHealth(Condition state, String reason) {
      * </pre>
      */
     public enum Condition {
-        /** It was asked to open and has shown nothing yet. */
+        /** Being opened; no frame has arrived yet. */
         OPENING,
-        /** Frames come. */
+        /** Frames arrive. */
         SEEING,
-        /** It is there and sends nothing, or nothing that can be read. */
+        /** The camera is open and sends no frames, or none that can be decoded. */
         STALLED,
-        /** It is not there; it is tried again. */
+        /** The camera is not available; it is opened again after a pause. */
         GONE,
-        /** Nobody wants it any more. */
+        /** Closed by the program. */
         CLOSED
     }
 

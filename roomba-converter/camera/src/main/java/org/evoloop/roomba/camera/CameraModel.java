@@ -11,20 +11,20 @@ import java.util.List;
  */
 public sealed interface CameraModel {
 
-    /** What most webcams have. */
+    /** The field of view of most webcams. */
     CameraModel DEFAULT = new FieldOfView(60);
 
     /**
-     * The model for frames of that size.
+     * The model for frames of this size.
      *
-     * @throws CameraException if it says nothing about them
+     * @throws CameraException if it does not apply to this size
      */
     Intrinsics forSize(int width, int height);
 
     /**
-     * The numbers of the pinhole model.
+     * The parameters of the pinhole model.
      *
-     * @param distortion k1, k2, p1, p2, k3 as OpenCV has them, or empty
+     * @param distortion k1, k2, p1, p2, k3 as in OpenCV, or empty
      */
     record Intrinsics(double focalX, double focalY, double centerX, double centerY, List<Double> distortion) {
         public Intrinsics {
@@ -53,10 +53,10 @@ public sealed interface CameraModel {
     }
 
     /**
-     * Measured, for frames of one size; other sizes of the same shape are scaled.
+     * Measured for frames of one size; scaled for other sizes with the same aspect ratio.
      *
-     * @param width of the frames it was measured with
-     * @param height of them
+     * @param width the width of the frames it was measured with
+     * @param height their height
      */
     record Calibrated(int width, int height, Intrinsics intrinsics) implements CameraModel {
         private static final double SAME_SHAPE = 0.01;

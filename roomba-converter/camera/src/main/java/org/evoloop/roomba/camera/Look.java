@@ -6,8 +6,8 @@ import java.util.Optional;
  * The last frame of a camera and its marker.
  *
  * @param frame the number of processed frames, from 1; 0 before the first
- * @param takenNanos when the frame came, on the monotonic clock; meaningless before the first
- * @param health the camera's present health, not that of when the frame came
+ * @param takenNanos when the frame arrived, on the monotonic clock; meaningless before the first
+ * @param health the camera's current health, not its health when the frame arrived
  * @param sighting the marker, if this frame shows it
  * @since 0.1
  */

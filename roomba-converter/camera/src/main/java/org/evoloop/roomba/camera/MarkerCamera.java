@@ -9,17 +9,17 @@ package org.evoloop.roomba.camera;
  */
 public interface MarkerCamera extends AutoCloseable {
 
-    /** The newest look; never waits. */
+    /** The newest look; never blocks. */
     Look newest();
 
     /**
-     * Has {@code listener} run after every look, on the camera's thread; it must return at once.
+     * Registers a listener that runs after every look, on the camera's thread; it must return at once.
      *
-     * @return ends it; idempotent
+     * @return removes the listener; idempotent
      */
     Runnable onLook(Runnable listener);
 
-    /** Ends the camera's thread and gives all native memory back. Idempotent; waits for 2 s at most. */
+    /** Ends the camera's thread and frees all native memory. Idempotent; waits at most 2 s. */
     @Override
     void close();
 }

@@ -63,7 +63,7 @@ public enum MarkerDictionary {
         this.size = size;
     }
 
-    /** OpenCV's number for it. */
+    /** OpenCV's number of this dictionary. */
     public int number() {
         return number;
     }
@@ -78,7 +78,7 @@ public enum MarkerDictionary {
         return size;
     }
 
-    /** As users write it: 4x4_50, original, 36h11. */
+    /** The label as users write it: 4x4_50, original, 36h11. */
     public String label() {
         return name().substring(name().indexOf('_') + 1).toLowerCase(Locale.ROOT);
     }
@@ -86,7 +86,7 @@ public enum MarkerDictionary {
     /**
      * The dictionary with this label, in upper or lower case, with or without OpenCV's prefix {@code DICT_}.
      *
-     * @throws CameraException if there is none
+     * @throws CameraException if there is no such dictionary
      */
     public static MarkerDictionary parse(String text) {
         String wanted = text.toLowerCase(Locale.ROOT).replaceFirst("^dict_", "").replaceFirst("^(aruco|apriltag)_", "");

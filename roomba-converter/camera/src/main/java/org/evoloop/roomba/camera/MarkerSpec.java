@@ -1,7 +1,7 @@
 package org.evoloop.roomba.camera;
 
 /**
- * The marker that stands at the starting point.
+ * The marker at the starting point.
  *
  * @param id the marker's id in its dictionary
  * @param sideMm the side of the black square, in mm, 10 to 2000

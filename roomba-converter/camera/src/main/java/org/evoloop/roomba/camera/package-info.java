@@ -1,9 +1,10 @@
 /**
- * The robot's eye, as the rest of the house knows it: what a camera is, what marker it looks for, what it has seen.
- * {@code vision} says what is asked of OpenCV and finds it, {@code opencv} does it, {@code live} is a camera at work,
- * {@code tool} has the commands.
+ * The robot's camera as seen by other packages: what a camera is, which marker it looks for, and what it has seen.
+ * {@code vision} defines what is needed of OpenCV and finds the library, {@code opencv} implements it, {@code live}
+ * runs a camera, {@code tool} contains the commands.
  *
- * <p>These rooms may use nothing of the others but {@code org.evoloop.time} and {@code natives}; this one uses nothing.
+ * <p>Of other modules, these packages may only use {@code org.evoloop.time} and {@code natives}; this package uses
+ * neither.
  */
 @NullMarked
 package org.evoloop.roomba.camera;

@@ -13,20 +13,20 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Has the calling thread work in the background: whoever wakes up with something short to do goes first. Looking at a
- * picture takes some milliseconds, and an event must not wait for that.
+ * Lowers the calling thread's priority, so that short work of other threads runs first. Processing a picture takes some
+ * milliseconds, and events must not wait for it.
  *
- * <p>The thread asks for its share of a processor in long slices, which come later, instead of short ones, which come
- * sooner, and is content with a third of the share of others that want the processor as well; with less than that,
- * pictures would stay out where something else is busy. It needs no privilege. Linux knows slices of a thread's own
- * since 6.12; before, they change nothing. Where none of it is allowed, all stays as it is.
+ * <p>The thread requests long time slices, which are scheduled later, instead of short ones, which are scheduled
+ * sooner. Its weight is a third of that of other threads on a busy processor; with less, no pictures would be processed
+ * on a busy machine. It needs no privilege. Linux supports time slices per thread since 6.12; earlier versions ignore
+ * them. Where none of this is permitted, nothing changes.
  *
  * <p>Source: the manual page sched_setattr(2); the C library of Debian 12 does not have that call yet.
  */
 final class Background {
     private static final Logger LOG = LoggerFactory.getLogger(Background.class);
 
-    /** The longest that Linux grants. */
+    /** The longest slice that Linux grants. */
     static final long SLICE_NANOS = 100_000_000;
 
     /** A third of the usual weight. */
@@ -57,10 +57,10 @@ final class Background {
         static native NativeLong syscall(NativeLong number, int thread, Pointer attributes, int sizeOrFlags, int flags);
     }
 
-    /** How a thread shares a processor. */
+    /** A thread's scheduling parameters. */
     record Share(int nice, long sliceNanos) {}
 
-    /** Has the calling thread work in the background from now on; what cannot be had is not worth a failure. */
+    /** Makes the calling thread a background thread from now on; settings that are not permitted are skipped. */
     static void begin() {
         current().ifPresent(before -> become(new Share(Math.max(NICE, before.nice()), SLICE_NANOS)));
     }
@@ -74,7 +74,7 @@ final class Background {
         }
     }
 
-    /** How the calling thread shares a processor, by the kernel; empty if it does not tell. */
+    /** The calling thread's scheduling parameters, as the kernel reports them; empty if it does not. */
     static Optional<Share> current() {
         if (!Platform.isLinux() || SET_ATTRIBUTES == 0) {
             return Optional.empty();

@@ -8,15 +8,15 @@ import org.evoloop.time.Clock;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a camera saw last, for people: a small JPEG, made only while somebody asks for it. It outlives the cameras that
- * show it their frames.
+ * The last picture of a camera, for people: a small JPEG, encoded only while somebody requests it. It outlives the
+ * cameras whose frames it shows.
  *
  * <p>Threading: thread-safe; the frames come from one thread at a time.
  *
  * @since 0.1
  */
 public final class CameraPreview {
-    /** A viewer who asks once a second may miss a turn. */
+    /** Long enough for a viewer that requests a picture once a second and is late. */
     private static final Duration WANTED_FOR = Duration.ofSeconds(3);
 
     private static final Duration BETWEEN = Duration.ofMillis(250);
@@ -27,33 +27,33 @@ public final class CameraPreview {
     private volatile long wantedUntilNanos;
     private volatile @Nullable Made last;
 
-    @SuppressWarnings("ArrayRecordComponent") // Nobody changes them.
+    @SuppressWarnings("ArrayRecordComponent") // The bytes are never changed.
     private record Made(byte[] jpeg, long nanos) {}
 
     /**
      * A picture.
      *
-     * @param jpeg at most 640 px wide; not to be changed
-     * @param age the time since the camera's thread had it
+     * @param jpeg at most 640 px wide; must not be changed
+     * @param age the time since the camera's thread received it
      */
-    @SuppressWarnings("ArrayRecordComponent") // The bytes go to viewers as they are.
+    @SuppressWarnings("ArrayRecordComponent") // Viewers get the bytes without a copy.
     public record Shot(byte[] jpeg, Duration age) {}
 
-    /** @param clock of the viewers, in real time */
+    /** @param clock the viewers' clock, in real time */
     public CameraPreview(Vision vision, Clock clock) {
         this.vision = vision;
         this.clock = clock;
         wantedUntilNanos = clock.nanoTime();
     }
 
-    /** The last picture, if there is one; has pictures made for the next 3 s. Never waits. */
+    /** The last picture, if there is one; keeps encoding on for the next 3 s. Never blocks. */
     public Optional<Shot> newest() {
         long now = clock.nanoTime();
         wantedUntilNanos = now + WANTED_FOR.toNanos();
         return Optional.ofNullable(last).map(made -> new Shot(made.jpeg(), Duration.ofNanos(now - made.nanos())));
     }
 
-    /** Makes a picture of the frame if one is wanted and the last is at least 250 ms old. */
+    /** Encodes the frame if a picture is wanted and the last is at least 250 ms old. */
     public void offer(Frame frame) {
         long now = clock.nanoTime();
         Made made = last;

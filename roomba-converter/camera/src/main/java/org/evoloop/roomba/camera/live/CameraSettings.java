@@ -14,7 +14,7 @@ import org.evoloop.roomba.camera.vision.FrameSize;
  * @since 0.1
  */
 public final class CameraSettings {
-    /** The least that a recording may be limited to: two megabytes. */
+    /** The smallest size limit of a recording: two megabytes. */
     public static final long LEAST_RECORD_BYTES = 2_000_000;
 
     private static final long USUAL_RECORD_BYTES = 50_000_000;
@@ -123,7 +123,7 @@ public final class CameraSettings {
         return size;
     }
 
-    /** How many frames must show the marker before it is believed, from 1. */
+    /** How many frames must show the marker before it is accepted, from 1. */
     public int framesInARow() {
         return framesInARow;
     }

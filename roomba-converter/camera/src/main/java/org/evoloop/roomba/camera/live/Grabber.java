@@ -11,17 +11,17 @@ import org.evoloop.time.Clock;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Owns the source: opens it, reads it as fast as frames come, and opens it again after a pause when they do not. */
+/** Owns the source: opens it, reads frames as fast as they arrive, and reopens it after a pause when they stop. */
 final class Grabber implements Runnable {
     private static final Logger LOG = LoggerFactory.getLogger(Grabber.class);
 
     private static final Duration FIRST_PAUSE = Duration.ofMillis(250);
     private static final Duration LONGEST_PAUSE = Duration.ofSeconds(8);
 
-    /** A driver or server that can show no frame in so long is opened again. */
+    /** A driver or server that sends no frame for this long is reopened. */
     private static final Duration PATIENCE = Duration.ofSeconds(5);
 
-    /** A read that fails at once may have met a damaged frame; after so many in a row the source has ended. */
+    /** A read that fails at once may be due to a damaged frame; after this many in a row the source counts as ended. */
     private static final int FAILED_READS = 5;
 
     private static final Duration AT_ONCE = Duration.ofSeconds(1);
@@ -47,7 +47,7 @@ final class Grabber implements Runnable {
         return damaged.get();
     }
 
-    /** Ends it as soon as the driver gives it back; interrupt its thread as well. */
+    /** Stops it as soon as the driver returns; its thread must be interrupted as well. */
     void stop() {
         stopped = true;
     }
@@ -85,7 +85,7 @@ final class Grabber implements Runnable {
         }
     }
 
-    /** Reads until nothing comes any more; tells whether anything did. */
+    /** Reads until no more frames arrive; returns whether any did. */
     private boolean readAll(FrameReader reader) throws InterruptedException {
         boolean any = false;
         int failedReads = 0;
@@ -105,7 +105,7 @@ final class Grabber implements Runnable {
             if (outcome == FrameReader.Outcome.NOTHING) {
                 failedReads++;
             } else {
-                // A read that failed before the source went on has met a frame that could not be decoded.
+                // If reading succeeds again, the failed reads were frames that could not be decoded.
                 damaged.addAndGet(failedReads);
                 failedReads = 0;
             }

@@ -6,7 +6,7 @@ import org.evoloop.roomba.camera.CameraHealth;
 import org.evoloop.roomba.camera.CameraHealth.Condition;
 
 /**
- * What state a camera is in, by what has happened to it and by how long ago that was.
+ * Derives a camera's condition from what has happened to it and how long ago.
  *
  * <p>Threading: thread-safe.
  */
@@ -24,7 +24,7 @@ final class HealthTracker {
         now = new CameraHealth(Condition.OPENING, camera + " is being opened");
     }
 
-    /** It is tried to open it. */
+    /** The source is being opened. */
     synchronized void opening() {
         damagedSince = 0;
         if (now.state() == Condition.GONE) {
@@ -32,7 +32,7 @@ final class HealthTracker {
         }
     }
 
-    /** A frame was looked at that came {@code takenNanos}. */
+    /** A frame that arrived at {@code takenNanos} has been processed. */
     synchronized void seeing(long takenNanos) {
         if (now.state() != Condition.CLOSED) {
             now = CameraHealth.SEEING;
@@ -45,7 +45,7 @@ final class HealthTracker {
         damagedSince++;
     }
 
-    /** Frames come, and looking at them fails. */
+    /** Frames arrive, but processing them fails. */
     synchronized void blind(String reason) {
         if (now.state() != Condition.CLOSED) {
             now = new CameraHealth(Condition.STALLED, reason);

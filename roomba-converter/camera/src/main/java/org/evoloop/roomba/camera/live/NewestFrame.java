@@ -7,10 +7,11 @@ import org.evoloop.roomba.camera.vision.Frame;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Hands the newest frame from the thread that reads to the one that looks: three rooms for frames, of which each has
- * one and the third holds the newest. Nobody waits for who looks, unless every frame counts.
+ * Passes the newest frame from the reading thread to the processing thread. There are three buffers: each thread uses
+ * one, and the third holds the newest frame. The reading thread waits for the processing thread only if every frame
+ * must be processed.
  *
- * <p>Threading: thread-safe. After {@link #close}, each frame is closed as soon as its thread gives it back.
+ * <p>Threading: thread-safe. After {@link #close}, each frame is closed as soon as its thread returns it.
  */
 final class NewestFrame {
     private static final int ROOMS = 3;
@@ -20,7 +21,7 @@ final class NewestFrame {
     private @Nullable Taken newest;
     private boolean closed;
 
-    /** A frame, and when it came. */
+    /** A frame, and when it arrived. */
     record Taken(Frame frame, long nanos) {}
 
     NewestFrame(Supplier<Frame> maker, boolean everyFrameCounts) {
@@ -30,7 +31,7 @@ final class NewestFrame {
         }
     }
 
-    /** Room to read into; of the reading thread, until it is published or given back. */
+    /** A buffer to read into; it belongs to the reading thread until it is published or returned. */
     synchronized Frame room() throws InterruptedException {
         awaitLookedAt();
         if (closed) {
@@ -39,14 +40,14 @@ final class NewestFrame {
         return empty.remove();
     }
 
-    /** If every frame counts: waits until all that were published have been looked at. */
+    /** If every frame must be processed: waits until all published frames have been. */
     synchronized void awaitLookedAt() throws InterruptedException {
         while (everyFrameCounts && empty.size() < ROOMS && !closed) {
             wait();
         }
     }
 
-    /** Makes it the newest; the one that was and has not been looked at is forgotten. */
+    /** Makes this the newest frame; an unprocessed previous one is dropped. */
     synchronized void publish(Frame frame, long nanos) {
         Taken unseen = newest;
         newest = null;
@@ -61,7 +62,7 @@ final class NewestFrame {
         notifyAll();
     }
 
-    /** Waits for a frame that has not been looked at; it must be given back. */
+    /** Waits for an unprocessed frame; it must be returned with {@link #giveBack}. */
     synchronized Taken take() throws InterruptedException {
         while (newest == null) {
             if (closed) {
@@ -74,7 +75,7 @@ final class NewestFrame {
         return taken;
     }
 
-    /** Ends what {@link #take} and {@link #room} began. */
+    /** Returns a frame obtained from {@link #take} or {@link #room}. */
     synchronized void giveBack(Frame frame) {
         if (closed) {
             frame.close();

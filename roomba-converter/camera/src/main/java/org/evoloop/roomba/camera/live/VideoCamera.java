@@ -25,9 +25,10 @@ import org.slf4j.LoggerFactory;
 
 /**
  * A camera with two daemon threads: {@code evoloop-camera} owns the source and reads all frames, {@code evoloop-eye}
- * looks for the marker in the newest one. However slow that is, no frame ages in a driver's or a server's buffer.
+ * looks for the marker in the newest one. Even if that is slow, frames do not queue up in a driver or server.
  *
- * <p>A missing source is not an error: it is tried again, and {@link Look#health} reports it. Threading: thread-safe.
+ * <p>A missing source is not an error: opening it is retried, and {@link Look#health} reports it. Threading:
+ * thread-safe.
  *
  * @since 0.1
  */
@@ -66,7 +67,7 @@ public final class VideoCamera implements MarkerCamera {
         this.settings = settings;
         this.clock = clock;
         this.viewer = viewer;
-        // Nobody can tell how fast a recording is read.
+        // The frame rate of a recording is unknown, so it never counts as stalled.
         Duration staleAfter = settings.source().isLive() ? settings.staleAfter() : Duration.ofDays(365);
         health = new HealthTracker("camera " + settings.source(), staleAfter);
         frames = new NewestFrame(vision::newFrame, !settings.source().isLive());
@@ -80,15 +81,16 @@ public final class VideoCamera implements MarkerCamera {
         looking = daemon("evoloop-eye", this::look);
     }
 
-    /** Starts to open the source and to look; returns at once. */
+    /** Starts opening the source and looking for the marker; returns at once. */
     public static VideoCamera open(Vision vision, CameraSettings settings, Clock clock) {
         return open(vision, settings, clock, frame -> {});
     }
 
     /**
-     * As the other method, with a viewer.
+     * Opens a camera with a viewer.
      *
-     * @param viewer is shown each frame after it was looked at, on the camera's thread, until it returns
+     * @param viewer receives each frame after it was processed, on the camera's thread; the frame is valid until it
+     *     returns
      */
     public static VideoCamera open(Vision vision, CameraSettings settings, Clock clock, Consumer<Frame> viewer) {
         VideoCamera camera = new VideoCamera(vision, settings, clock, viewer);
@@ -147,7 +149,7 @@ public final class VideoCamera implements MarkerCamera {
         }
     }
 
-    /** A robot does not go blind because its picture cannot be shown. */
+    /** A failing viewer must not stop the camera. */
     private void show(Frame frame) {
         try {
             viewer.accept(frame);
@@ -177,14 +179,14 @@ public final class VideoCamera implements MarkerCamera {
         return new Look(seen.frame(), seen.takenNanos(), health.at(clock.nanoTime()), seen.sighting());
     }
 
-    /** Its counts so far. */
+    /** The counts so far. */
     public Counts counts() {
         return new Counts(last.frame(), detections.get(), grabber.damagedFrames());
     }
 
     @Override
     public Runnable onLook(Runnable listener) {
-        // Each registration by itself, even if the same listener comes twice.
+        // A new object for each registration, so that the same listener can be registered twice.
         Runnable registered = () -> {
             try {
                 listener.run();

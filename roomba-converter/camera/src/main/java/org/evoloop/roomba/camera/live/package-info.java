@@ -1,6 +1,6 @@
 /**
- * A camera at work: the thread that reads it, the thread that looks, what they pass on, and what state the camera is
- * in.
+ * A running camera: the thread that reads frames, the thread that processes them, what they exchange, and the camera's
+ * condition.
  *
  * <p>This package may use {@code camera}, {@code camera.vision}, {@code natives} and {@code org.evoloop.time}.
  */

@@ -10,8 +10,8 @@ import org.opencv.core.CvType;
 import org.opencv.core.Mat;
 
 /**
- * OpenCV's ArUco, which 4.7 moved from {@code org.opencv.aruco} to {@code org.opencv.objdetect} and changed: no source
- * compiles against both, so that it is called by name.
+ * OpenCV's ArUco. OpenCV 4.7 moved it from {@code org.opencv.aruco} to {@code org.opencv.objdetect} and changed it; no
+ * source compiles against both, so it is called by reflection.
  */
 final class Aruco {
     private static final boolean MOVED = isThere("org.opencv.objdetect.ArucoDetector");
@@ -21,8 +21,8 @@ final class Aruco {
     private static final Class<?> PARAMETERS = named(HOME + "DetectorParameters");
 
     /**
-     * Each way; OpenCV's 4 are too few for a blurred marker whose cells are 5 pixels wide: with 8, twice as many are
-     * found from 2.5 m on, and four times as many at 2 m with motion blur.
+     * Samples per cell in each direction. OpenCV's default of 4 is too low for a blurred marker whose cells are 5
+     * pixels wide: with 8, twice as many are found from 2.5 m on, and four times as many at 2 m with motion blur.
      */
     private static final int SAMPLES_PER_CELL = 8;
 
@@ -38,13 +38,13 @@ final class Aruco {
         return new Aruco(name, invoke(method(FUNCTIONS, "getPredefinedDictionary", int.class), null, name.number()));
     }
 
-    /** Finds markers, to the pixel. */
+    /** Finds markers with pixel precision. */
     interface Detector {
         /**
          * Finds all markers of the dictionary.
          *
-         * @param corners takes a row of four points for each marker, to be released
-         * @param ids takes the markers' ids
+         * @param corners receives a row of four points for each marker, to be released
+         * @param ids receives the markers' ids
          */
         void detect(Mat gray, List<Mat> corners, Mat ids);
     }
@@ -129,7 +129,7 @@ final class Aruco {
         }
     }
 
-    /** What a method without result returns is null and looked at by nobody. */
+    /** Methods without a result return null, which no caller reads. */
     @SuppressWarnings("NullAway")
     private static Object invoke(Method method, @Nullable Object receiver, Object... arguments) {
         try {

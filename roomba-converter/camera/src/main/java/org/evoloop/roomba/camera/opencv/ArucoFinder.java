@@ -20,12 +20,10 @@ import org.opencv.imgproc.Imgproc;
 
 /** Finds an ArUco marker. */
 final class ArucoFinder implements MarkerFinder {
-    /**
-     * Takes most of the noise, and with it the candidates for markers that noise makes: detection is five times faster.
-     */
+    /** Removes most of the noise, and the false marker candidates it causes: detection is five times faster. */
     private static final Size BLUR = new Size(3, 3);
 
-    /** Of a cell; farther away there are other cells' corners, and the edge of the white around the marker. */
+    /** As part of a cell; beyond that are other cells' corners, and the edge of the white border. */
     private static final double SEARCHED_PART_OF_CELL = 0.5;
 
     private static final int WIDEST_SEARCH_PX = 5;
@@ -110,7 +108,7 @@ final class ArucoFinder implements MarkerFinder {
         return corners;
     }
 
-    /** To parts of a pixel; here, because releases of OpenCV differ in how far they look around a corner. */
+    /** Refines corners to subpixel precision. Done here because OpenCV releases differ in the search window. */
     private List<Corner> refined(List<Corner> corners) {
         double cellPx = Math.sqrt(area(corners) / 2) / (marker.dictionary().cells() + 2);
         int around = (int) Math.max(1, Math.min(WIDEST_SEARCH_PX, Math.round(cellPx * SEARCHED_PART_OF_CELL)));
@@ -123,7 +121,7 @@ final class ArucoFinder implements MarkerFinder {
                 .toList();
     }
 
-    /** Twice the area inside the corners. */
+    /** Twice the area enclosed by the corners. */
     private static double area(List<Corner> corners) {
         double sum = 0;
         for (int i = 0; i < corners.size(); i++) {

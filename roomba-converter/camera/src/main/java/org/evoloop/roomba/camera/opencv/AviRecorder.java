@@ -21,8 +21,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Writes AVI until the file is as large as it may be: as MPEG-4 where OpenCV was built with FFmpeg, as in Debian, else
- * as Motion JPEG, whose encoder OpenCV always has.
+ * Writes AVI up to a size limit: as MPEG-4 if OpenCV was built with FFmpeg, as in Debian, else as Motion JPEG, which
+ * OpenCV can always encode.
  */
 final class AviRecorder implements FrameRecorder {
     private static final Scalar OUTLINE = new Scalar(0, 255, 0);
@@ -30,17 +30,17 @@ final class AviRecorder implements FrameRecorder {
     private static final Scalar SHADOW = new Scalar(0, 0, 0);
     private static final int LINE_HEIGHT_PX = 18;
 
-    /** Of Motion JPEG: a marker and the captions stay legible, in half of the bytes of what OpenCV does by itself. */
+    /** For Motion JPEG: marker and captions stay legible, at half the size of OpenCV's default. */
     private static final int QUALITY_PERCENT = 60;
 
     private static final int INDEX_ENTRY_BYTES = 16;
 
-    /** What the encoder may not have written yet: a frame of 1920x1080 takes less. */
+    /** The most that the encoder may hold in its buffer: a frame of 1920x1080 takes less. */
     private static final int LARGEST_FRAME_BYTES = 1_000_000;
 
     private static final Logger LOG = LoggerFactory.getLogger(AviRecorder.class);
 
-    /** A pause in what came is shown as a still for so long at most, in seconds. */
+    /** The longest pause between frames that is recorded as a still picture, in seconds. */
     private static final long LONGEST_STILL_SECONDS = 10;
 
     private final Path file;
@@ -100,7 +100,7 @@ final class AviRecorder implements FrameRecorder {
         endIfFull(due);
     }
 
-    /** The file must still take what is buffered and its index. */
+    /** There must be room left for buffered frames and the index. */
     private void endIfFull(long written) {
         frames += written;
         long room = LARGEST_FRAME_BYTES + frames * INDEX_ENTRY_BYTES;

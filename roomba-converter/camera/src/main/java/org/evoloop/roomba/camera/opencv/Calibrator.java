@@ -21,7 +21,7 @@ import org.opencv.core.TermCriteria;
 import org.opencv.imgcodecs.Imgcodecs;
 import org.opencv.imgproc.Imgproc;
 
-/** Collects chessboards and solves for the camera that saw them. */
+/** Collects chessboard pictures and computes the camera's parameters. */
 final class Calibrator implements AutoCloseable {
     private static final TermCriteria FINE = new TermCriteria(TermCriteria.EPS + TermCriteria.COUNT, 30, 0.01);
     private static final TermCriteria CONVERGED = new TermCriteria(TermCriteria.EPS + TermCriteria.COUNT, 100, 1e-9);

@@ -10,9 +10,9 @@ import org.opencv.core.MatOfInt;
 import org.opencv.videoio.VideoCapture;
 import org.opencv.videoio.Videoio;
 
-/** A source opened by OpenCV, by the backend that is meant for it: trying them all takes long and makes noise. */
+/** A source opened by OpenCV with a chosen backend: trying all of them takes long and prints warnings. */
 final class CaptureReader implements FrameReader {
-    /** How long a server may be silent, in ms; without it, reading from one that hangs never ends. */
+    /** How long a server may send nothing, in ms; without this limit, a read from a hanging server never returns. */
     private static final int NETWORK_TIMEOUT_MILLIS = 4000;
 
     private final VideoCapture capture;
@@ -52,7 +52,7 @@ final class CaptureReader implements FrameReader {
 
     private static MatOfInt settings(CameraSource source, FrameSize wanted) {
         return switch (source.kind()) {
-            // One buffer, for drivers that heed it: a frame that waits is old when it is read.
+            // One buffer, if the driver supports that: buffered frames are outdated when they are read.
             case DEVICE ->
                 new MatOfInt(
                         Videoio.CAP_PROP_FRAME_WIDTH,

@@ -5,11 +5,11 @@ import org.opencv.core.Mat;
 import org.opencv.core.MatOfDouble;
 
 /**
- * Tells frames that cannot be used though their decoder calls them a success: JPEG files that end early, of which the
- * lower part is an even medium gray then, and frames of another size than the first.
+ * Detects unusable frames that the decoder reports as good: JPEG files that end early, whose lower part is a uniform
+ * medium gray, and frames with another size than the first.
  */
 final class Damage implements AutoCloseable {
-    /** A row of blocks in a JPEG file. */
+    /** The height of a row of blocks in a JPEG file. */
     private static final int ROWS = 16;
 
     private static final double GRAY = 128;

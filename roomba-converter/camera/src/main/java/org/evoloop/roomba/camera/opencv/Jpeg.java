@@ -7,9 +7,9 @@ import org.opencv.core.Size;
 import org.opencv.imgcodecs.Imgcodecs;
 import org.opencv.imgproc.Imgproc;
 
-/** Makes JPEGs of pictures. */
+/** Encodes pictures as JPEG. */
 final class Jpeg {
-    /** A picture of 640x480 takes some 40 kB, and its marker is still sharp. */
+    /** A picture of 640x480 takes about 40 kB, and its marker is still sharp. */
     private static final int QUALITY_PERCENT = 75;
 
     private Jpeg() {}

@@ -4,7 +4,7 @@ import org.evoloop.roomba.camera.vision.Frame;
 import org.evoloop.roomba.camera.vision.FrameSize;
 import org.opencv.core.Mat;
 
-/** A frame as OpenCV keeps it: blue, green and red, or gray. */
+/** A frame in OpenCV's format: blue, green and red, or gray. */
 record MatFrame(Mat mat) implements Frame {
     MatFrame() {
         this(new Mat());

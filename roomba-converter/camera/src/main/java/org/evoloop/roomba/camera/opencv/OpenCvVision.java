@@ -21,9 +21,9 @@ public final class OpenCvVision implements Vision {
 
     /** @param library the native library that belongs to these classes */
     public OpenCvVision(String library) {
-        // From this class, so that the library is bound to the class loader that OpenCV's classes come from.
+        // Called from this class, so that the library is bound to the class loader of OpenCV's classes.
         System.load(library);
-        // Its own threads would take the converter's cores.
+        // OpenCV's own threads would take the converter's cores.
         Core.setNumThreads(1);
     }
 

@@ -18,8 +18,8 @@ import org.opencv.core.Point;
 import org.opencv.core.Point3;
 
 /**
- * Where a square of known size is, from its corners in a frame. Its middle is known well, its turn badly: far away, a
- * square that looks to the left and one that looks to the right have nearly the same corners.
+ * The position of a square of known size, computed from its corners in a frame. Its centre is precise, its orientation
+ * is not: far away, a square turned left and one turned right have nearly the same corners.
  */
 final class SquarePose implements AutoCloseable {
     private final CameraModel model;
@@ -34,7 +34,7 @@ final class SquarePose implements AutoCloseable {
     SquarePose(double sideMm, CameraModel model) {
         this.model = model;
         double half = sideMm / 2;
-        // In the order and the directions that IPPE_SQUARE asks for.
+        // The order and axes that IPPE_SQUARE requires.
         square = new MatOfPoint3f(
                 new Point3(-half, half, 0),
                 new Point3(half, half, 0),
@@ -54,7 +54,7 @@ final class SquarePose implements AutoCloseable {
         if (!Double.isFinite(right) || !(ahead > 0)) {
             return Optional.empty();
         }
-        // The camera looks straight ahead, so that leaving out the height is looking from above.
+        // The camera is mounted horizontally, so leaving out the height projects onto the floor.
         return Optional.of(new Sighting(Math.hypot(right, ahead), Math.atan2(-right, ahead)));
     }
 

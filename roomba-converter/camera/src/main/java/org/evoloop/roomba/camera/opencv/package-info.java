@@ -1,7 +1,7 @@
 /**
- * The one place that touches OpenCV's classes. It is loaded by {@link org.evoloop.roomba.camera.vision.OpenCv} together
- * with the machine's OpenCV, and nothing else may name it. Every {@code Mat} is released by who made it: the garbage
- * collector knows nothing of the native memory behind one, and methods that return a {@code Mat} return a new one.
+ * The only package that uses OpenCV's classes. {@link org.evoloop.roomba.camera.vision.OpenCv} loads it together with
+ * the installed OpenCV; no other code may refer to it. Code that creates a {@code Mat} must release it: the garbage
+ * collector does not know of its native memory, and methods that return a {@code Mat} return a new one.
  *
  * <p>This package may use {@code camera} and {@code camera.vision}.
  */

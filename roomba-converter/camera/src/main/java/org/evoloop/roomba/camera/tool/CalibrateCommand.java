@@ -20,7 +20,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
-/** Measures a camera from pictures of a chessboard, and writes what it measured as a file. */
+/** Measures a camera from pictures of a chessboard, and writes the result to a file. */
 @Command(
         name = "calibrate",
         description = "Measures a camera from pictures of a chessboard, taken with it from many sides.",
@@ -54,7 +54,7 @@ public final class CalibrateCommand implements Callable<Integer> {
     private Path out = Path.of("");
 
     @Spec
-    @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+    @SuppressWarnings("NullAway.Init") // picocli sets it before the call
     private CommandSpec spec;
 
     @Override
@@ -98,7 +98,7 @@ public final class CalibrateCommand implements Callable<Integer> {
         return new Chessboard(Integer.parseInt(parts.group(1)), Integer.parseInt(parts.group(2)), squareMm);
     }
 
-    /** In the order of their names. */
+    /** Sorted by name. */
     static List<Path> pictures(String images) throws IOException {
         Path named = Path.of(images);
         boolean folder = Files.isDirectory(named);

@@ -22,7 +22,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** Tries a camera: what state it is in, how fast and how fresh its frames are, where it sees the marker. */
+/** Tests a camera: its condition, the rate and age of its frames, and where it sees the marker. */
 @Command(
         name = "camera",
         description = "Tries a camera: frames a second, their age, and where it sees the marker, second by second.",
@@ -48,10 +48,10 @@ public final class CameraCommand implements Callable<Integer> {
     private final CameraOptions options = new CameraOptions();
 
     @Spec
-    @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+    @SuppressWarnings("NullAway.Init") // picocli sets it before the call
     private CommandSpec spec;
 
-    /** Status 0 if the camera saw something, and 1 if it showed no frame at all. */
+    /** Returns status 0 if the camera showed a frame, and 1 if not. */
     @Override
     public Integer call() throws InterruptedException {
         if (seconds < 1 || seconds > 86_400) {

@@ -13,7 +13,7 @@ import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
-/** The options of the command line that say how the camera sees and what it looks for; all but which camera it is. */
+/** The command-line options for a camera and what it looks for, except for the choice of the camera. */
 public final class CameraOptions {
     private static final long BYTES_PER_MB = 1_000_000;
     private static final Pattern SIZE = Pattern.compile("(\\d{2,5})x(\\d{2,5})");
@@ -50,9 +50,9 @@ public final class CameraOptions {
     private final MarkerOptions marker = new MarkerOptions();
 
     /**
-     * How to look through that camera.
+     * The settings for this camera.
      *
-     * @throws CameraException if options contradict each other or make no sense, or the calibration cannot be used
+     * @throws CameraException if options are contradictory or invalid, or the calibration cannot be used
      */
     public CameraSettings read(CameraSource source) {
         CameraSettings settings = CameraSettings.of(source)

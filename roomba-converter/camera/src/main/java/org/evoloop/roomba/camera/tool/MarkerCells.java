@@ -4,7 +4,9 @@ import org.evoloop.roomba.camera.MarkerDictionary;
 import org.evoloop.roomba.camera.MarkerSpec;
 import org.evoloop.roomba.camera.vision.OpenCv;
 
-/** The black and white cells of markers: the usual ones are known here, so that printing them needs no OpenCV. */
+/**
+ * The black and white cells of markers. The most common markers are built in, so that printing them needs no OpenCV.
+ */
 final class MarkerCells {
     private static final int CELLS = 4;
 

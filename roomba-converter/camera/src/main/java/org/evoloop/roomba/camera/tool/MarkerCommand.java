@@ -48,7 +48,7 @@ public final class MarkerCommand implements Callable<Integer> {
     private String dictionary = "";
 
     @Spec
-    @SuppressWarnings("NullAway.Init") // picocli sets it before it calls
+    @SuppressWarnings("NullAway.Init") // picocli sets it before the call
     private CommandSpec spec;
 
     @Override

@@ -4,7 +4,7 @@ import org.evoloop.roomba.camera.MarkerDictionary;
 import org.evoloop.roomba.camera.MarkerSpec;
 import picocli.CommandLine.Option;
 
-/** The options of the command line that say which marker stands at the starting point. */
+/** The command-line options for the marker at the starting point. */
 public final class MarkerOptions {
     @Option(
             names = "--marker-id",

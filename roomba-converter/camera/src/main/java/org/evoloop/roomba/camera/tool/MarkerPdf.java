@@ -6,13 +6,13 @@ import java.util.List;
 import java.util.Locale;
 import org.evoloop.roomba.camera.MarkerSpec;
 
-/** A page to print: the marker to scale, a ruler to check that, and how to mount it. PDF 1.4, nothing compressed. */
+/** A page to print: the marker to scale, a ruler to check the scale, and how to mount it. PDF 1.4, uncompressed. */
 final class MarkerPdf {
     private static final double POINTS_PER_MM = 72 / 25.4;
     private static final double A4_WIDTH_MM = 210;
     private static final double A4_HEIGHT_MM = 297;
 
-    /** Above and beside the marker: the white around it is part of it. */
+    /** Above and beside the marker: the white border belongs to the marker. */
     private static final double MARGIN_MM = 20;
 
     private static final double TEXT_MM = 85;
@@ -81,7 +81,7 @@ final class MarkerPdf {
                 : String.valueOf(marker.sideMm());
     }
 
-    /** From the page's upper left, in mm. */
+    /** Position from the page's upper left corner, in mm. */
     private void rectangle(double leftMm, double topMm, double width, double height) {
         drawing.append(String.format(
                 Locale.ROOT,
@@ -120,7 +120,7 @@ final class MarkerPdf {
             file.append(i + 1).append(" 0 obj\n").append(objects.get(i)).append("\nendobj\n");
         }
         int table = file.length();
-        // Each line of the table has 20 bytes.
+        // Each entry of the table has 20 bytes.
         file.append("xref\n0 ").append(objects.size() + 1).append("\n0000000000 65535 f \n");
         offsets.forEach(offset -> file.append(String.format(Locale.ROOT, "%010d 00000 n \n", offset)));
         file.append("trailer\n<< /Size ")

@@ -8,7 +8,9 @@ import java.util.zip.CRC32;
 import java.util.zip.DeflaterOutputStream;
 import org.evoloop.roomba.camera.MarkerSpec;
 
-/** The marker as a picture of about 300 dots an inch, with a white cell around it, and its exact scale in the file. */
+/**
+ * The marker as a picture of about 300 dots per inch, with a white border of one cell, and its exact scale in the file.
+ */
 final class MarkerPng {
     private static final double DOTS_PER_MM = 300 / 25.4;
     private static final byte[] SIGNATURE = {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};

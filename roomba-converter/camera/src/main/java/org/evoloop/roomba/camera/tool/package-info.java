@@ -1,5 +1,5 @@
 /**
- * The commands around a camera: try it, measure it, and print the marker that it looks for.
+ * The camera commands: test it, calibrate it, and print the marker that it looks for.
  *
  * <p>This package may use all of {@code camera} and {@code org.evoloop.time}.
  */

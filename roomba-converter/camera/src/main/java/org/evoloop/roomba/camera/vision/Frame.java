@@ -1,8 +1,7 @@
 package org.evoloop.roomba.camera.vision;
 
 /**
- * Room for a picture in native memory; made by {@link Vision#newFrame}, filled by a {@link FrameReader}, again and
- * again.
+ * A picture buffer in native memory; created by {@link Vision#newFrame}, filled by a {@link FrameReader}, and reused.
  *
  * <p>Threading: for one thread at a time.
  *
@@ -10,10 +9,10 @@ package org.evoloop.roomba.camera.vision;
  */
 public interface Frame extends AutoCloseable {
 
-    /** The size of what it holds; 0x0 while it is empty. */
+    /** The size of its picture; 0x0 while it is empty. */
     FrameSize size();
 
-    /** Gives its memory back. Idempotent. */
+    /** Frees its memory. Idempotent. */
     @Override
     void close();
 }

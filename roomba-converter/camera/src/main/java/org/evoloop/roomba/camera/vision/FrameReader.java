@@ -1,26 +1,26 @@
 package org.evoloop.roomba.camera.vision;
 
 /**
- * A source that is open.
+ * An open source of frames.
  *
- * <p>Threading: for the thread that opened it, {@link #close} included: a driver that is closed while it waits for a
- * frame may wait for ever.
+ * <p>Threading: for the thread that opened it, also for {@link #close}: a driver that is closed by another thread while
+ * it waits for a frame may block forever.
  *
  * @since 0.1
  */
 public interface FrameReader extends AutoCloseable {
 
-    /** What came of waiting for a frame. */
+    /** The result of waiting for a frame. */
     enum Outcome {
         /** The frame is filled. */
         FRAME,
-        /** A frame came and cannot be used. */
+        /** A frame arrived but cannot be used. */
         DAMAGED,
-        /** What came could not be read, nothing came in time, or nothing will come any more. */
+        /** The data could not be decoded, nothing arrived in time, or the source has ended. */
         NOTHING
     }
 
-    /** Waits for the next frame, some seconds at most. */
+    /** Waits for the next frame, at most some seconds. */
     Outcome read(Frame into);
 
     @Override

@@ -13,10 +13,11 @@ import java.util.Optional;
 public interface FrameRecorder extends AutoCloseable {
 
     /**
-     * Appends a frame, so often that the recording keeps time; nothing once the file is as large as it may be.
+     * Appends a frame, repeated or skipped so that the recording plays in real time; does nothing once the file has
+     * reached its size limit.
      *
-     * @param takenNanos when it came; must not go back
-     * @param captions lines of text to write into it, in ASCII
+     * @param takenNanos when it arrived; must not decrease
+     * @param captions lines of text to draw on it, in ASCII
      */
     void write(Frame frame, long takenNanos, Optional<Detection> detection, List<String> captions);
 

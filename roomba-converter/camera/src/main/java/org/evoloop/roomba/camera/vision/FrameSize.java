@@ -1,7 +1,7 @@
 package org.evoloop.roomba.camera.vision;
 
 /**
- * How large frames are, in pixels.
+ * The size of frames, in pixels.
  *
  * @since 0.1
  */

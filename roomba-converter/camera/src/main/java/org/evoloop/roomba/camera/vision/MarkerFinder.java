@@ -14,22 +14,22 @@ import org.evoloop.roomba.camera.Sighting;
 public interface MarkerFinder extends AutoCloseable {
 
     /**
-     * The marker in that frame; the nearest one, should it be there more than once.
+     * The marker in this frame; the nearest one if there are several.
      *
      * @throws CameraException if the camera's model does not fit the frame's size
      */
     Optional<Detection> detect(Frame frame);
 
     /**
-     * The marker in that picture.
+     * The marker in this picture.
      *
-     * @param pixels row by row from above, a byte each (gray) or three (blue, green, red)
+     * @param pixels row by row from the top, one byte each (gray) or three (blue, green, red)
      * @throws IllegalArgumentException if their number does not fit the size
-     * @throws CameraException if the camera's model does not fit it
+     * @throws CameraException if the camera's model does not fit the size
      */
     Optional<Sighting> find(byte[] pixels, int width, int height);
 
-    /** Gives its memory back. Idempotent. */
+    /** Frees its memory. Idempotent. */
     @Override
     void close();
 }

@@ -12,11 +12,10 @@ import org.evoloop.roomba.camera.CameraException;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The machine's own OpenCV, found and loaded at the first request. Names and classes differ between Debian releases, so
+ * The installed OpenCV, found and loaded at the first request. Names and classes differ between Debian releases, so
  * none are shipped: {@code opencv-460.jar} belongs to {@code libopencv_java460.so}.
  *
- * <p>The system properties {@code evoloop.opencv.classes} and {@code evoloop.opencv.natives} name other folders than
- * Debian's.
+ * <p>The system properties {@code evoloop.opencv.classes} and {@code evoloop.opencv.natives} replace Debian's folders.
  *
  * @since 0.1
  */
@@ -25,13 +24,13 @@ public final class OpenCv {
     private static final String NATIVES = "/usr/lib/jni";
     private static final String IMPLEMENTATION = "org.evoloop.roomba.camera.opencv.OpenCvVision";
 
-    /** One in a process: a native library can be loaded once only. */
+    /** One per process: a native library can be loaded only once. */
     private static @Nullable Vision loaded;
 
     private OpenCv() {}
 
     /**
-     * OpenCV, ready.
+     * Loads OpenCV if necessary.
      *
      * @throws CameraException if it is not installed or does not load; the message says what to install
      */
@@ -61,7 +60,7 @@ public final class OpenCv {
                 + "; run: sudo apt-get install --no-install-recommends libopencv-java");
     }
 
-    /** The newest first, should there be several. */
+    /** The newest first, if there are several. */
     private static List<Path> jars(Path folder) {
         try (Stream<Path> files = Files.list(folder)) {
             return files.filter(file -> file.getFileName().toString().matches("opencv-\\d+\\.jar"))
@@ -79,7 +78,7 @@ public final class OpenCv {
     private static Vision load(Path jar, Path library, Path classes) {
         try {
             URL own = OpenCv.class.getProtectionDomain().getCodeSource().getLocation();
-            // Never closed: it lives as long as the process, as the native library does.
+            // Never closed: it is needed until the process ends, like the native library.
             OpenCvLoader loader = new OpenCvLoader(new URL[] {own, jar.toUri().toURL()}, OpenCv.class.getClassLoader());
             return (Vision) loader.loadClass(IMPLEMENTATION)
                     .getConstructor(String.class)

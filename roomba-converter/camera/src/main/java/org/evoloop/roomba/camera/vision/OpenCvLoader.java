@@ -3,7 +3,7 @@ package org.evoloop.roomba.camera.vision;
 import java.net.URL;
 import java.net.URLClassLoader;
 
-/** Loads OpenCV and the classes that use it by itself, and gets all other classes from the program. */
+/** Loads OpenCV and the classes that use it itself; delegates all other classes to the program's class loader. */
 final class OpenCvLoader extends URLClassLoader {
     static {
         registerAsParallelCapable();

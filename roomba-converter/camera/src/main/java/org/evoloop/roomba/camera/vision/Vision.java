@@ -17,28 +17,28 @@ import org.evoloop.roomba.camera.MarkerSpec;
  */
 public interface Vision {
 
-    /** Its version, such as 4.6.0. */
+    /** OpenCV's version, such as 4.6.0. */
     String version();
 
-    /** Room for a frame, empty. */
+    /** An empty frame buffer. */
     Frame newFrame();
 
     /**
      * Opens a source; this may take some seconds.
      *
-     * @param wanted of a device's frames; other sources have the size they have
+     * @param wanted the requested size of a device's frames; other sources have a fixed size
      * @throws CameraException if it cannot be opened
      */
     FrameReader open(CameraSource source, FrameSize wanted);
 
-    /** A finder of these markers in the pictures of such a camera; for one thread, and to be closed. */
+    /** A finder of this marker in pictures of this camera; for one thread, and to be closed. */
     MarkerFinder finder(MarkerSpec marker, CameraModel model);
 
     /**
      * Starts a recording as AVI.
      *
-     * @param framesPerSecond of the recording, which keeps time whatever the camera's rate is
-     * @param mostBytes the recording ends before the file is larger
+     * @param framesPerSecond the recording's rate; it plays in real time whatever the camera's rate is
+     * @param mostBytes the recording ends before the file exceeds this size
      * @throws CameraException if the file cannot be written
      */
     FrameRecorder recorder(Path file, int framesPerSecond, long mostBytes);
@@ -51,7 +51,7 @@ public interface Vision {
     byte[] jpeg(Frame frame, int mostWidthPx);
 
     /**
-     * The cells of a marker, border included, from above and from the left; true is white.
+     * The cells of a marker, border included, from the top row and the left; true is white.
      *
      * @throws CameraException if the dictionary has no such id
      */

@@ -1,6 +1,6 @@
 /**
- * What the house asks of OpenCV, and how it is found: only whoever calls {@link
- * org.evoloop.roomba.camera.vision.OpenCv#vision} needs it on the machine.
+ * What the program needs of OpenCV, and how the library is found. Only callers of {@link
+ * org.evoloop.roomba.camera.vision.OpenCv#vision} need it to be installed.
  *
  * <p>This package may use {@code camera}.
  */
